@@ -1,0 +1,16 @@
+# Every target of the project goes through this function: one set of flags.
+function(halfspace_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+    # No contraction: a filter's error bound counts every rounding.
+    -ffp-contract=off)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND
+     CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # GCC 12 warns falsely of overlap in `"x" + std::string` (GCC PR 105651).
+    target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
+  if(HALFSPACE_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()

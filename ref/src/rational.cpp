@@ -1,0 +1,87 @@
+#include "halfspace/ref/rational.hpp"
+
+#include "halfspace/assert.hpp"
+
+namespace halfspace::ref {
+namespace {
+
+using BigInteger =
+    boost::multiprecision::component_type<BigRational>::type;
+
+const BigInteger& least_int128() {
+  static const BigInteger value = -(BigInteger(1) << 127);
+  return value;
+}
+
+const BigInteger& greatest_int128() {
+  static const BigInteger value = (BigInteger(1) << 127) - 1;
+  return value;
+}
+
+/// Requires: least_int128() <= value <= greatest_int128().
+Int128 to_int128(const BigInteger& value) {
+  const bool negative = value < 0;
+  const BigInteger magnitude = negative ? -value : value;
+  const BigInteger high = magnitude >> 64;
+  const BigInteger low = magnitude - (high << 64);
+  // Unsigned, so that 2^127, the magnitude of the least value, is no overflow.
+  __extension__ using UInt128 = unsigned __int128;
+  const UInt128 bits = UInt128{high.convert_to<std::uint64_t>()} << 64 |
+                       low.convert_to<std::uint64_t>();
+  return static_cast<Int128>(negative ? -bits : bits);
+}
+
+BigInteger to_big_integer(Int128 value) {
+  __extension__ using UInt128 = unsigned __int128;
+  const bool negative = value < 0;
+  const UInt128 bits = negative ? -static_cast<UInt128>(value)
+                                : static_cast<UInt128>(value);
+  const BigInteger result =
+      (BigInteger(static_cast<std::uint64_t>(bits >> 64)) << 64) +
+      static_cast<std::uint64_t>(bits);
+  return negative ? BigInteger(-result) : result;
+}
+
+}  // namespace
+
+Rational::Rational(const BigRational& value) {
+  const BigInteger whole = numerator(value);
+  if (denominator(value) == 1 && least_int128() <= whole &&
+      whole <= greatest_int128()) {
+    small_ = to_int128(whole);
+  } else {
+    big_ = std::make_unique<BigRational>(value);
+  }
+}
+
+BigRational Rational::big() const {
+  return big_ ? *big_ : BigRational(to_big_integer(small_));
+}
+
+Rational Rational::times(const Rational& a, const Rational& b) {
+  Int128 product;
+  if (!a.big_ && !b.big_ && !__builtin_mul_overflow(a.small_, b.small_, &product))
+    return product;
+  return Rational(a.big() * b.big());
+}
+
+Rational operator/(const Rational& a, const Rational& b) {
+  HALFSPACE_ASSERT(sign(b) != 0);
+  return Rational(a.big() / b.big());
+}
+
+Rational floor(const Rational& a) {
+  if (!a.big_) return a;
+  const BigInteger whole = numerator(*a.big_);
+  const BigInteger part = denominator(*a.big_);
+  BigInteger quotient = whole / part;  // towards zero
+  if (whole < 0 && quotient * part != whole) quotient -= 1;
+  return Rational(BigRational(quotient));
+}
+
+std::int64_t Rational::to_int64() const {
+  HALFSPACE_ASSERT(!big_ && is_word(small_));
+  return static_cast<std::int64_t>(small_);
+}
+
+}  // namespace halfspace::ref

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace {
+
+/// A regularised boolean of two solids (S6.4).
+enum class BooleanOp : std::uint8_t { kUnion, kIntersection, kDifference };
+
+/// A fragment of one solid's surface against the other solid (S6.3; CSG).
+enum class SolidClass : std::uint8_t {
+  kInside,    ///< in the other's interior
+  kOutside,   ///< in the other's exterior
+  kSame,      ///< on the other's surface, normals agree
+  kOpposite,  ///< on the other's surface, normals oppose
+};
+
+/// What a boolean does with a fragment of an operand (S6.4).
+enum class Keep : std::uint8_t { kDrop, kKeep, kFlip };
+
+/// An edge that keeps a surface from being closed (S6.1): its ends, in the
+/// direction in which it is used more often, and by how much more.
+struct BadEdge {
+  GridPoint from;
+  GridPoint to;
+  std::int64_t excess = 0;
+  friend auto operator<=>(const BadEdge&, const BadEdge&) = default;
+};
+
+/// The edges of the scene that are not used equally often in each direction,
+/// in the order of their end points. Empty: closed and consistently oriented.
+std::vector<BadEdge> bad_edges(const Scene& scene);
+
+/// A scene whose polygons are the surface of a solid (S6.1).
+class Solid {
+ public:
+  const Scene& scene() const { return scene_; }
+
+ private:
+  friend Result<Solid> make_solid(Scene scene);
+  Scene scene_;
+};
+
+/// The solid whose surface is `scene`, faces outwards (S6.1).
+///
+/// Requires: no two polygons cross each other or overlap (S6.2); not checked.
+/// Errors:   kNotClosed, if bad_edges(scene) is not empty; says how many there
+///           are and where the first is.
+Result<Solid> make_solid(Scene scene);
+
+}  // namespace halfspace

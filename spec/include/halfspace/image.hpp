@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/polygon.hpp"
+
+namespace halfspace {
+
+/// How polygons get their colours (S5.4).
+enum class Shading : std::uint8_t { kFlat, kGouraud };
+
+/// What else an image depends on, beside scene and camera (S5.2).
+struct ImageOptions {
+  bool cull = false;  ///< polygons whose negative side the eye is on are unseen
+  Shading shading = Shading::kFlat;
+  Rgb background = {255, 255, 255};
+  friend bool operator==(const ImageOptions&, const ImageOptions&) = default;
+};
+
+/// The id of the background in an item image.
+constexpr PolygonId kBackground = -1;
+
+/// One value a pixel, row by row from the top left. Units: pixels.
+template <class T>
+struct Grid2 {
+  std::int32_t width_px = 0;
+  std::int32_t height_px = 0;
+  std::vector<T> pixels;
+
+  Grid2() = default;
+  Grid2(std::int32_t width, std::int32_t height, T value)
+      : width_px(width),
+        height_px(height),
+        pixels(static_cast<std::size_t>(width) *
+                   static_cast<std::size_t>(height),
+               value) {}
+
+  /// Requires: 0 <= i < width_px and 0 <= j < height_px.
+  T& at(std::int32_t i, std::int32_t j) { return pixels[offset(i, j)]; }
+  const T& at(std::int32_t i, std::int32_t j) const {
+    return pixels[offset(i, j)];
+  }
+  friend bool operator==(const Grid2&, const Grid2&) = default;
+
+ private:
+  std::size_t offset(std::int32_t i, std::int32_t j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(width_px) +
+           static_cast<std::size_t>(i);
+  }
+};
+
+/// The polygon seen at each pixel, or kBackground (S5.1).
+using ItemImage = Grid2<PolygonId>;
+
+/// The colour of each pixel (S5.4).
+using ColorImage = Grid2<Rgb>;
+
+}  // namespace halfspace

@@ -1,0 +1,1 @@
+#include "halfspace/scene_file.hpp"
