@@ -1,1 +1,399 @@
 #include "halfspace/scene_file.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace halfspace {
+namespace {
+
+constexpr std::string_view kMagic = "halfspace-scene";
+constexpr std::string_view kVersion = "1";
+constexpr std::size_t kMaxCount = std::numeric_limits<std::int32_t>::max();
+
+/// A token as it may stand in a message: short, and printable ASCII only.
+std::string quoted(std::string_view token) {
+  constexpr std::size_t kLongest = 40;
+  std::string text = "'";
+  for (const char c : token.substr(0, kLongest)) {
+    text.push_back(c >= ' ' && c <= '~' ? c : '?');
+  }
+  return text + (token.size() > kLongest ? "...'" : "'");
+}
+
+bool is_integer(std::string_view token) {
+  if (!token.empty() && (token[0] == '-' || token[0] == '+')) {
+    token.remove_prefix(1);
+  }
+  return !token.empty() && std::all_of(token.begin(), token.end(), [](char c) {
+    return c >= '0' && c <= '9';
+  });
+}
+
+/// Reads one file: a line at a time, into what will become its parts.
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : rest_(text) {}
+  Result<SceneFile> read();
+
+ private:
+  bool next_line();
+  bool fail(ErrorCode code, const std::string& what);
+  bool integer(std::size_t token, Int128 least, Int128 most, Int128& value);
+  template <class Int>
+  bool integer(std::size_t token, Int128 least, Int128 most, Int& value);
+  bool count_is(std::size_t values);
+  bool once(bool& seen);
+  bool header();
+  bool header_line(std::string_view keyword, std::size_t values);
+  bool body_line();
+  bool camera_line();
+  bool option_line();
+  bool vertex();
+  bool polygon();
+  bool color(std::size_t token, Rgb& value);
+  bool lattice_vector(LatticeVector& value);
+  bool corner_colors(std::size_t token, std::size_t corners);
+  bool check_camera();
+  Result<SceneFile> finish();
+
+  std::string_view rest_;
+  std::vector<std::string_view> tokens_;  // of the current line
+  std::int64_t line_ = 0;
+  bool line_ended_ = true;  // the current line has its line feed
+  std::optional<Error> error_;
+
+  SceneData scene_;
+  std::vector<std::int64_t> polygon_lines_;
+  CameraData camera_;
+  ImageOptions options_;
+  struct {
+    bool eye = false, s0 = false, sx = false, sy = false, near = false,
+         size = false, cull = false, shade = false, background = false;
+  } seen_;
+};
+
+/// Makes `tokens_` those of the next line that has any; false at the end.
+bool Reader::next_line() {
+  tokens_.clear();
+  while (tokens_.empty()) {
+    if (rest_.empty()) return false;
+    ++line_;
+    const std::size_t feed = rest_.find('\n');
+    line_ended_ = feed != std::string_view::npos;
+    std::string_view line = rest_.substr(0, feed);
+    rest_.remove_prefix(line_ended_ ? feed + 1 : rest_.size());
+    line = line.substr(0, line.find('#'));
+    constexpr std::string_view kBlank = " \t\r";
+    for (std::size_t at = line.find_first_not_of(kBlank);
+         at != std::string_view::npos; at = line.find_first_not_of(kBlank)) {
+      line.remove_prefix(at);
+      const std::string_view token = line.substr(0, line.find_first_of(kBlank));
+      tokens_.push_back(token);
+      line.remove_prefix(token.size());
+    }
+  }
+  return true;
+}
+
+/// Notes the error; returns false. A bad line without a line feed is not 'end',
+/// so the file is cut off there, whatever else is wrong with it.
+bool Reader::fail(ErrorCode code, const std::string& what) {
+  const bool cut = !line_ended_;
+  error_ = Error{cut ? ErrorCode::kTruncated : code,
+                 "line " + std::to_string(line_) + ": " + what +
+                     (cut ? ", where the file ends" : ""),
+                 line_};
+  return false;
+}
+
+bool Reader::integer(std::size_t token, Int128 least, Int128 most,
+                     Int128& value) {
+  const std::string_view text = tokens_[token];
+  if (!is_integer(text)) {
+    return fail(ErrorCode::kSyntax, quoted(text) + " is not an integer");
+  }
+  if (!parse_int128(text, value) || value < least || value > most) {
+    return fail(ErrorCode::kOutOfRange, quoted(text) + " is not from " +
+                                            to_string(least) + " to " +
+                                            to_string(most));
+  }
+  return true;
+}
+
+template <class Int>
+bool Reader::integer(std::size_t token, Int128 least, Int128 most, Int& value) {
+  Int128 wide = 0;
+  if (!integer(token, least, most, wide)) return false;
+  value = static_cast<Int>(wide);
+  return true;
+}
+
+bool Reader::count_is(std::size_t values) {
+  if (tokens_.size() == values + 1) return true;
+  return fail(ErrorCode::kSyntax, quoted(tokens_[0]) + " is followed by " +
+                                      std::to_string(values) + " values, not " +
+                                      std::to_string(tokens_.size() - 1));
+}
+
+bool Reader::once(bool& seen) {
+  if (seen) {
+    return fail(ErrorCode::kSyntax,
+                "there is a second " + quoted(tokens_[0]) + " line");
+  }
+  seen = true;
+  return true;
+}
+
+bool Reader::header_line(std::string_view keyword, std::size_t values) {
+  if (!next_line()) {
+    ++line_;
+    return fail(ErrorCode::kTruncated, "the file ends where its '" +
+                                           std::string(keyword) +
+                                           "' line should be");
+  }
+  if (tokens_[0] != keyword) {
+    return fail(ErrorCode::kSyntax, "there should be '" + std::string(keyword) +
+                                        "', not " + quoted(tokens_[0]));
+  }
+  return count_is(values);
+}
+
+bool Reader::header() {
+  if (!header_line(kMagic, 1)) return false;
+  if (tokens_[1] != kVersion) {
+    return fail(ErrorCode::kSyntax,
+                "version " + quoted(tokens_[1]) + " is not known");
+  }
+  if (!header_line("unit", 2)) return false;
+  if (!integer(1, 2, 10, scene_.unit.base)) return false;
+  if (scene_.unit.base != 2 && scene_.unit.base != 10) {
+    return fail(ErrorCode::kOutOfRange,
+                "the base of a unit is 2 or 10, not " + quoted(tokens_[1]));
+  }
+  if (!integer(2, -4096, 4096, scene_.unit.exponent)) return false;
+  if (!header_line("grid", 1)) return false;
+  if (!integer(1, 26, 54, scene_.grid_bits)) return false;
+  if (std::count(std::begin(kGridBits), std::end(kGridBits),
+                 scene_.grid_bits) == 0) {
+    return fail(ErrorCode::kOutOfRange,
+                "a grid has 26, 40 or 54 bits, not " + quoted(tokens_[1]));
+  }
+  return true;
+}
+
+bool Reader::vertex() {
+  const Int128 limit = Int128{1} << (scene_.grid_bits - 1);
+  GridPoint point;
+  if (!count_is(3) || !integer(1, -limit, limit - 1, point.x) ||
+      !integer(2, -limit, limit - 1, point.y) ||
+      !integer(3, -limit, limit - 1, point.z)) {
+    return false;
+  }
+  if (scene_.vertices.size() >= kMaxCount) {
+    return fail(ErrorCode::kOutOfRange, "there are over 2147483647 vertices");
+  }
+  scene_.vertices.push_back(point);
+  return true;
+}
+
+bool Reader::color(std::size_t token, Rgb& value) {
+  if (token + 3 > tokens_.size()) {
+    return fail(ErrorCode::kSyntax, "a colour has three values");
+  }
+  return integer(token, 0, 255, value.r) &&
+         integer(token + 1, 0, 255, value.g) &&
+         integer(token + 2, 0, 255, value.b);
+}
+
+/// The colours of the corners of the newest polygon, from a token on.
+///
+/// The first polygon that has any gives them to all before it, too: there, as
+/// in every polygon without, the corners have the polygon's colour.
+bool Reader::corner_colors(std::size_t token, std::size_t corners) {
+  const bool given = token < tokens_.size();
+  if (given && (tokens_[token] != "colors" ||
+                tokens_.size() != token + 1 + 3 * corners)) {
+    return fail(ErrorCode::kSyntax,
+                "after its colour a polygon of " + std::to_string(corners) +
+                    " corners has nothing, or 'colors' and " +
+                    std::to_string(3 * corners) + " values");
+  }
+  if (given && scene_.corner_colors.empty()) {
+    for (std::size_t p = 0; p + 1 < scene_.colors.size(); ++p) {
+      scene_.corner_colors.resize(scene_.first_corner[p + 1], scene_.colors[p]);
+    }
+  } else if (!given && !scene_.corner_colors.empty()) {
+    scene_.corner_colors.resize(scene_.corners.size(), scene_.colors.back());
+  }
+  for (++token; token < tokens_.size(); token += 3) {
+    if (!color(token, scene_.corner_colors.emplace_back())) return false;
+  }
+  return true;
+}
+
+bool Reader::polygon() {
+  const auto vertices = static_cast<Int128>(scene_.vertices.size());
+  std::size_t token = 1;
+  for (; token < tokens_.size() && tokens_[token] != "color"; ++token) {
+    VertexId vertex = 0;
+    if (!is_integer(tokens_[token])) {
+      return fail(ErrorCode::kSyntax,
+                  quoted(tokens_[token]) + " is not a vertex, nor 'color'");
+    }
+    if (vertices == 0 || !integer(token, 0, vertices - 1, vertex)) {
+      return fail(ErrorCode::kBadIndex,
+                  "there is no vertex " + quoted(tokens_[token]) +
+                      " above, only " + to_string(vertices) + " vertices");
+    }
+    scene_.corners.push_back(vertex);
+  }
+  if (scene_.corners.size() > kMaxCount) {
+    return fail(ErrorCode::kOutOfRange, "there are over 2147483647 corners");
+  }
+  if (token == tokens_.size()) {
+    return fail(ErrorCode::kSyntax, "the polygon has no 'color'");
+  }
+  scene_.first_corner.push_back(
+      static_cast<std::uint32_t>(scene_.corners.size()));
+  polygon_lines_.push_back(line_);
+  return color(token + 1, scene_.colors.emplace_back()) &&
+         corner_colors(token + 4, token - 1);
+}
+
+bool Reader::lattice_vector(LatticeVector& value) {
+  // Wider than any camera's range, so that make_camera has the last word.
+  constexpr Int128 kLimit = Int128{1} << 120;
+  return integer(1, -kLimit, kLimit, value.x) &&
+         integer(2, -kLimit, kLimit, value.y) &&
+         integer(3, -kLimit, kLimit, value.z);
+}
+
+bool Reader::camera_line() {
+  const std::string_view keyword = tokens_[0];
+  if (keyword == "eye") {
+    int w = 0;
+    if (!once(seen_.eye) || !count_is(4) || !lattice_vector(camera_.eye) ||
+        !integer(4, 0, 1, w)) {
+      return false;
+    }
+    camera_.perspective = w == 1;
+    return true;
+  }
+  const auto vector = [this](bool& seen, LatticeVector& value) {
+    return once(seen) && count_is(3) && lattice_vector(value);
+  };
+  if (keyword == "s0") return vector(seen_.s0, camera_.s0);
+  if (keyword == "sx") return vector(seen_.sx, camera_.sx);
+  if (keyword == "sy") return vector(seen_.sy, camera_.sy);
+  if (keyword == "size") {
+    return once(seen_.size) && count_is(2) &&
+           integer(1, 1, kMaxImageSize, camera_.width_px) &&
+           integer(2, 1, kMaxImageSize, camera_.height_px);
+  }
+  constexpr Int128 kLimit = Int128{1} << 62;
+  return once(seen_.near) && count_is(1) &&
+         integer(1, -kLimit, kLimit, camera_.near.emplace());
+}
+
+bool Reader::option_line() {
+  if (tokens_[0] == "cull") {
+    options_.cull = true;
+    return once(seen_.cull) && count_is(0);
+  }
+  if (tokens_[0] == "background") {
+    return once(seen_.background) && count_is(3) &&
+           color(1, options_.background);
+  }
+  if (!once(seen_.shade) || !count_is(1)) return false;
+  if (tokens_[1] != "flat" && tokens_[1] != "gouraud") {
+    return fail(ErrorCode::kSyntax,
+                "shading is 'flat' or 'gouraud', not " + quoted(tokens_[1]));
+  }
+  options_.shading = tokens_[1] == "flat" ? Shading::kFlat : Shading::kGouraud;
+  return true;
+}
+
+bool Reader::body_line() {
+  const auto is_one_of = [this](std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), tokens_[0]) != words.end();
+  };
+  if (tokens_[0] == "v") return vertex();
+  if (tokens_[0] == "p") return polygon();
+  if (is_one_of({"eye", "s0", "sx", "sy", "near", "size"})) {
+    return camera_line();
+  }
+  if (is_one_of({"cull", "shade", "background"})) return option_line();
+  return fail(ErrorCode::kSyntax, quoted(tokens_[0]) + " is no keyword");
+}
+
+/// Whether the camera is there as a whole, or not at all.
+bool Reader::check_camera() {
+  const struct {
+    const char* name;
+    bool seen;
+  } parts[] = {{"eye", seen_.eye},
+               {"s0", seen_.s0},
+               {"sx", seen_.sx},
+               {"sy", seen_.sy},
+               {"size", seen_.size}};
+  const auto seen = std::count_if(std::begin(parts), std::end(parts),
+                                  [](const auto& part) { return part.seen; });
+  if (seen == 0 && !seen_.near) return true;
+  for (const auto& part : parts) {
+    if (!part.seen) {
+      return fail(ErrorCode::kSyntax,
+                  std::string("the camera has no '") + part.name + "' line");
+    }
+  }
+  return true;
+}
+
+Result<SceneFile> Reader::finish() {
+  SceneFile file;
+  Result<Scene> scene = make_scene(std::move(scene_));
+  if (!scene) {
+    Error error = scene.error();
+    const auto polygon = static_cast<std::size_t>(error.index);
+    if (error.index >= 0 && polygon < polygon_lines_.size()) {
+      error.message = "line " + std::to_string(polygon_lines_[polygon]) + ": " +
+                      error.message;
+    }
+    return error;
+  }
+  file.options = options_;
+  if (seen_.eye) {
+    Result<Camera> camera = make_camera(camera_, scene->grid_bits());
+    if (!camera) return camera.error();
+    file.camera = *camera;
+  }
+  file.scene = *std::move(scene);
+  return file;
+}
+
+Result<SceneFile> Reader::read() {
+  if (!header()) return *error_;
+  while (true) {
+    if (!next_line()) {
+      ++line_;
+      fail(ErrorCode::kTruncated, "the file ends without 'end'");
+      return *error_;
+    }
+    if (tokens_[0] == "end") break;
+    if (!body_line()) return *error_;
+  }
+  line_ended_ = true;
+  if (!count_is(0) || !check_camera()) return *error_;
+  if (next_line()) {
+    fail(ErrorCode::kSyntax, "there is more after 'end'");
+    return *error_;
+  }
+  return finish();
+}
+
+}  // namespace
+
+Result<SceneFile> read_scene(std::string_view text) {
+  return Reader(text).read();
+}
+
+}  // namespace halfspace
