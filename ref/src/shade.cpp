@@ -1,0 +1,108 @@
+#include "halfspace/ref/shade.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "halfspace/ref/predicate.hpp"
+
+namespace halfspace::ref {
+namespace {
+
+Point to_point(const LatticeVector& v) { return {v.x, v.y, v.z}; }
+
+/// p + scale * v.
+Point along(const Point& p, const Rational& scale, const Point& v) {
+  return {p.x + scale * v.x, p.y + scale * v.y, p.z + scale * v.z};
+}
+
+Point difference(const Point& p, const Point& q) {
+  return along(p, Rational(-1), q);
+}
+
+/// The point that the centre of pixel (i, j) sees in the plane through
+/// `corners`. It is there: the sample, next to the centre, sees a point of
+/// the bounded polygon.
+/// Units: lattice steps, the corners too.
+Point point_seen(const Camera& camera, const std::array<Point, 3>& corners,
+                 std::int32_t i, std::int32_t j) {
+  const Rational half = Rational(1) / Rational(2);
+  const Point eye = to_point(camera->eye);
+  const Point s = along(
+      along(to_point(camera->s0), Rational(i) + half, to_point(camera->sx)),
+      Rational(j) + half, to_point(camera->sy));
+  // The ray is start + t * direction.
+  const Point start = camera->perspective ? eye : s;
+  const Point direction =
+      camera->perspective ? difference(s, eye) : difference({0, 0, 0}, eye);
+  const Plane plane = plane_of({corners[0], corners[1], corners[2]});
+  const Rational speed =
+      plane.a * direction.x + plane.b * direction.y + plane.c * direction.z;
+  return along(start, Rational(0) - value_at(plane, start) / speed, direction);
+}
+
+/// Twice the area of the triangle p, q, r, seen along the axis on which the
+/// normal `n` is not zero, with its sign against `n`'s.
+Rational area(const Plane& n, const Point& p, const Point& q, const Point& r) {
+  const Plane turn = {(q.y - p.y) * (r.z - p.z) - (q.z - p.z) * (r.y - p.y),
+                      (q.z - p.z) * (r.x - p.x) - (q.x - p.x) * (r.z - p.z),
+                      (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x), 0};
+  return turn.a * n.a + turn.b * n.b + turn.c * n.c;
+}
+
+/// The channel that is c[k] at corner k, at the point of barycentric
+/// coordinates weight[k] over their sum; rounded half up.
+std::uint8_t blend(const std::array<Rational, 3>& weight,
+                   const std::array<std::uint8_t, 3>& c) {
+  Rational sum = 0;
+  Rational total = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum += weight[k] * Rational(c[k]);
+    total += weight[k];
+  }
+  const Rational half = Rational(1) / Rational(2);
+  return static_cast<std::uint8_t>(floor(sum / total + half).to_int64());
+}
+
+}  // namespace
+
+Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
+             std::int32_t i, std::int32_t j, Shading shading) {
+  const auto colors = scene.corner_colors(polygon);
+  if (shading == Shading::kFlat || colors.empty()) return scene.color(polygon);
+  if (std::adjacent_find(colors.begin(), colors.end(), std::not_equal_to<>()) ==
+      colors.end()) {
+    return colors.front();
+  }
+
+  // Colours differ: a triangle (S1.3).
+  std::array<Point, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point corner = to_point(scene.point(scene.corners(polygon)[k]));
+    p[k] = along({0, 0, 0}, Rational(1 << kLatticeBits), corner);
+  }
+  const Point seen = point_seen(camera, p, i, j);
+  const Plane plane = plane_of({p[0], p[1], p[2]});
+  const std::array<Rational, 3> weight = {area(plane, seen, p[1], p[2]),
+                                          area(plane, seen, p[2], p[0]),
+                                          area(plane, seen, p[0], p[1])};
+  const auto channel = [&](std::uint8_t Rgb::*of) {
+    return blend(weight, {colors[0].*of, colors[1].*of, colors[2].*of});
+  };
+  return {channel(&Rgb::r), channel(&Rgb::g), channel(&Rgb::b)};
+}
+
+ColorImage colors_of(const Scene& scene, const Camera& camera,
+                     const ItemImage& items, const ImageOptions& options) {
+  ColorImage colors(items.width_px, items.height_px, options.background);
+  for (std::int32_t j = 0; j < items.height_px; ++j) {
+    for (std::int32_t i = 0; i < items.width_px; ++i) {
+      const PolygonId seen = items.at(i, j);
+      if (seen == kBackground) continue;
+      colors.at(i, j) = color_at(scene, camera, seen, i, j, options.shading);
+    }
+  }
+  return colors;
+}
+
+}  // namespace halfspace::ref
