@@ -1,1 +1,28 @@
-# filled in with the package
+# Installs the libraries so that find_package(halfspace) gives halfspace::spec,
+# halfspace::ref and halfspace::io.
+include(CMakePackageConfigHelpers)
+
+set(HALFSPACE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/halfspace)
+
+install(TARGETS halfspace_spec halfspace_ref
+        EXPORT halfspaceTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/spec/include/
+                  ${CMAKE_CURRENT_SOURCE_DIR}/ref/include/
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT halfspaceTargets
+        NAMESPACE halfspace::
+        DESTINATION ${HALFSPACE_PACKAGE_DIR})
+
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/halfspaceConfig.cmake.in
+  ${CMAKE_CURRENT_BINARY_DIR}/halfspaceConfig.cmake
+  INSTALL_DESTINATION ${HALFSPACE_PACKAGE_DIR})
+# Before 1.0 a minor release may change the interface.
+write_basic_package_version_file(
+  ${CMAKE_CURRENT_BINARY_DIR}/halfspaceConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/halfspaceConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/halfspaceConfigVersion.cmake
+        DESTINATION ${HALFSPACE_PACKAGE_DIR})
