@@ -63,14 +63,14 @@ Rational value_at(const Plane& plane, const Point& p) {
 }
 
 Side side_of(const Plane& plane, const Point& p) {
-  return side_of_sign(sign(value_at(plane, p)));
+  return side_of_sign(
+      sign_of_affine(plane.a, p.x, plane.b, p.y, plane.c, p.z, plane.d));
 }
 
 Side side_of_eye(const Plane& plane, const Camera& camera) {
   const LatticeVector& eye = camera->eye;
-  Rational value =
-      plane.a * Rational(eye.x) + plane.b * Rational(eye.y) +
-      plane.c * Rational(eye.z);
+  Rational value = plane.a * Rational(eye.x) + plane.b * Rational(eye.y) +
+                   plane.c * Rational(eye.z);
   // The eye is (x, y, z) / 2^8 in grid steps: h(eye) times 2^8.
   if (camera->perspective) value += plane.d * Rational(1 << kLatticeBits);
   return side_of_sign(sign(value));

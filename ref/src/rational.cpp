@@ -1,12 +1,13 @@
 #include "halfspace/ref/rational.hpp"
 
+#include <utility>
+
 #include "halfspace/assert.hpp"
 
 namespace halfspace::ref {
 namespace {
 
-using BigInteger =
-    boost::multiprecision::component_type<BigRational>::type;
+using BigInteger = boost::multiprecision::component_type<BigRational>::type;
 
 const BigInteger& least_int128() {
   static const BigInteger value = -(BigInteger(1) << 127);
@@ -34,40 +35,99 @@ Int128 to_int128(const BigInteger& value) {
 BigInteger to_big_integer(Int128 value) {
   __extension__ using UInt128 = unsigned __int128;
   const bool negative = value < 0;
-  const UInt128 bits = negative ? -static_cast<UInt128>(value)
-                                : static_cast<UInt128>(value);
+  const UInt128 bits =
+      negative ? -static_cast<UInt128>(value) : static_cast<UInt128>(value);
   const BigInteger result =
       (BigInteger(static_cast<std::uint64_t>(bits >> 64)) << 64) +
       static_cast<std::uint64_t>(bits);
   return negative ? BigInteger(-result) : result;
 }
 
+/// A value above / below, perhaps not in lowest terms. below > 0.
+struct Quotient {
+  BigInteger above;
+  BigInteger below;
+};
+
+Quotient operator*(const Quotient& p, const Quotient& q) {
+  return {p.above * q.above, p.below * q.below};
+}
+
+Quotient operator+(const Quotient& p, const Quotient& q) {
+  if (p.below == q.below) return {p.above + q.above, p.below};
+  return {p.above * q.below + q.above * p.below, p.below * q.below};
+}
+
+Quotient quotient_of(const BigRational& value) {
+  return {numerator(value), denominator(value)};
+}
+
 }  // namespace
 
-Rational::Rational(const BigRational& value) {
-  const BigInteger whole = numerator(value);
-  if (denominator(value) == 1 && least_int128() <= whole &&
-      whole <= greatest_int128()) {
-    small_ = to_int128(whole);
-  } else {
-    big_ = std::make_unique<BigRational>(value);
+Rational::Rational(BigRational value) {
+  if (denominator(value) == 1) {
+    const BigInteger whole = numerator(value);
+    if (least_int128() <= whole && whole <= greatest_int128()) {
+      small_ = to_int128(whole);
+      return;
+    }
   }
+  big_ = std::make_unique<BigRational>(std::move(value));
 }
 
 BigRational Rational::big() const {
-  return big_ ? *big_ : BigRational(to_big_integer(small_));
+  BigRational room;
+  return in(room);
+}
+
+const BigRational& Rational::in(BigRational& room) const {
+  if (big_) return *big_;
+  if (is_word(small_)) {
+    room = static_cast<std::int64_t>(small_);
+  } else {
+    room = to_big_integer(small_);
+  }
+  return room;
+}
+
+Rational Rational::big_sum(const Rational& a, const Rational& b) {
+  BigRational room_a, room_b;
+  return Rational(a.in(room_a) + b.in(room_b));
+}
+
+Rational Rational::big_difference(const Rational& a, const Rational& b) {
+  BigRational room_a, room_b;
+  return Rational(a.in(room_a)-b.in(room_b));
+}
+
+int Rational::sign_of_big_affine(const Rational& a, const Rational& x,
+                                 const Rational& b, const Rational& y,
+                                 const Rational& c, const Rational& z,
+                                 const Rational& d) {
+  const auto quotient = [](const Rational& value) {
+    if (value.big_) return quotient_of(*value.big_);
+    if (is_word(value.small_))
+      return Quotient{static_cast<std::int64_t>(value.small_), 1};
+    return Quotient{to_big_integer(value.small_), 1};
+  };
+  return (quotient(a) * quotient(x) + quotient(b) * quotient(y) +
+          quotient(c) * quotient(z) + quotient(d))
+      .above.sign();
 }
 
 Rational Rational::times(const Rational& a, const Rational& b) {
   Int128 product;
-  if (!a.big_ && !b.big_ && !__builtin_mul_overflow(a.small_, b.small_, &product))
+  if (!a.big_ && !b.big_ &&
+      !__builtin_mul_overflow(a.small_, b.small_, &product))
     return product;
-  return Rational(a.big() * b.big());
+  BigRational room_a, room_b;
+  return Rational(a.in(room_a)*b.in(room_b));
 }
 
 Rational operator/(const Rational& a, const Rational& b) {
   HALFSPACE_ASSERT(sign(b) != 0);
-  return Rational(a.big() / b.big());
+  BigRational room_a, room_b;
+  return Rational(a.in(room_a) / b.in(room_b));
 }
 
 Rational floor(const Rational& a) {

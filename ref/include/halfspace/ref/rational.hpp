@@ -19,10 +19,10 @@ using BigRational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                   boost::multiprecision::et_off>;
 #else
-using BigRational =
-    boost::multiprecision::number<boost::multiprecision::rational_adaptor<
-                                      boost::multiprecision::cpp_int_backend<>>,
-                                  boost::multiprecision::et_off>;
+using BigRational = boost::multiprecision::number<
+    boost::multiprecision::rational_adaptor<
+        boost::multiprecision::cpp_int_backend<> >,
+    boost::multiprecision::et_off>;
 #endif
 
 /// An exact rational number.
@@ -38,7 +38,7 @@ class Rational {
   Rational(int value) : small_(value) {}
   Rational(std::int64_t value) : small_(value) {}
   Rational(Int128 value) : small_(value) {}
-  explicit Rational(const BigRational& value);
+  explicit Rational(BigRational value);
 
   Rational(const Rational& other)
       : small_(other.small_),
@@ -56,14 +56,14 @@ class Rational {
     Int128 sum;
     if (!a.big_ && !b.big_ && !__builtin_add_overflow(a.small_, b.small_, &sum))
       return sum;
-    return Rational(a.big() + b.big());
+    return big_sum(a, b);
   }
   friend Rational operator-(const Rational& a, const Rational& b) {
     Int128 difference;
     if (!a.big_ && !b.big_ &&
         !__builtin_sub_overflow(a.small_, b.small_, &difference))
       return difference;
-    return Rational(a.big() - b.big());
+    return big_difference(a, b);
   }
   friend Rational operator*(const Rational& a, const Rational& b) {
     if (!a.big_ && !b.big_ && is_word(a.small_) && is_word(b.small_))
@@ -99,6 +99,18 @@ class Rational {
     return !(a < b);
   }
 
+  /// The sign of a x + b y + c z + d. What the operators give, without
+  /// reducing what is on the way: most of the reference's time goes in here.
+  friend int sign_of_affine(const Rational& a, const Rational& x,
+                            const Rational& b, const Rational& y,
+                            const Rational& c, const Rational& z,
+                            const Rational& d) {
+    Int128 value;
+    if (small_affine(a, x, b, y, c, z, d, value))
+      return value > 0 ? 1 : value < 0 ? -1 : 0;
+    return sign_of_big_affine(a, x, b, y, c, z, d);
+  }
+
   /// The greatest integer not above the value.
   friend Rational floor(const Rational& a);
 
@@ -113,7 +125,29 @@ class Rational {
   static bool is_word(Int128 value) {
     return value == static_cast<std::int64_t>(value);
   }
+  bool is_small_word() const { return !big_ && is_word(small_); }
+  /// a x + b y + c z + d, if all are small and no step overflows.
+  static bool small_affine(const Rational& a, const Rational& x,
+                           const Rational& b, const Rational& y,
+                           const Rational& c, const Rational& z,
+                           const Rational& d, Int128& value) {
+    return a.is_small_word() && x.is_small_word() && b.is_small_word() &&
+           y.is_small_word() && c.is_small_word() && z.is_small_word() &&
+           !d.big_ &&
+           !__builtin_add_overflow(a.small_ * x.small_, b.small_ * y.small_,
+                                   &value) &&
+           !__builtin_add_overflow(value, c.small_ * z.small_, &value) &&
+           !__builtin_add_overflow(value, d.small_, &value);
+  }
+  static int sign_of_big_affine(const Rational& a, const Rational& x,
+                                const Rational& b, const Rational& y,
+                                const Rational& c, const Rational& z,
+                                const Rational& d);
   static Rational times(const Rational& a, const Rational& b);
+  static Rational big_sum(const Rational& a, const Rational& b);
+  static Rational big_difference(const Rational& a, const Rational& b);
+  /// The value as a BigRational: its own, or `room` set to it.
+  const BigRational& in(BigRational& room) const;
 
   Int128 small_ = 0;  ///< the value, where big_ is null
   std::unique_ptr<BigRational> big_;
