@@ -1,0 +1,17 @@
+#pragma once
+
+#include "halfspace/ref/render.hpp"
+
+namespace halfspace::ref {
+
+/// The image of the scene (S5.1), whose tree is `tree`, by the painter's
+/// algorithm: the tree from back to front, each fragment over what is there
+/// (S5.5; F2B "Back-to-front display", FAG83 sec. 2.2.2).
+///
+/// An oracle: its scan conversion is render()'s, its order and display are not.
+/// Exact: yes.
+/// Ties:  coplanar polygons: the lowest id is painted last.
+Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& options);
+
+}  // namespace halfspace::ref
