@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "halfspace/io/mesh.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::io {
+
+/// How a mesh becomes a scene (S1.7).
+struct ImportOptions {
+  /// Use this grid (26, 40 or 54), and round where it is too small.
+  std::optional<int> grid_bits;
+  /// Divide the grid steps further, by powers of the unit's base, while every
+  /// coordinate stays within this many bits and within the grid: gives cameras
+  /// a finer lattice for nothing. 0 keeps the coarsest unit that is exact.
+  int refine_bits = 0;
+  /// Give the scene colours at its corners, and make every polygon a triangle.
+  bool gouraud = false;
+};
+
+/// What import did to a mesh (S1.7).
+struct ImportReport {
+  std::size_t vertices = 0;      ///< of the mesh
+  std::size_t polygons = 0;      ///< of the mesh
+  std::size_t moved = 0;         ///< coordinates that were rounded
+  double max_move = 0;           ///< how far at most. Units: model units
+  std::size_t triangulated = 0;  ///< polygons of the mesh cut into triangles
+  std::size_t dropped = 0;       ///< polygons of the mesh without area
+  Unit unit;
+  int grid_bits = 26;
+};
+
+/// The scene that a mesh became, and what was done to it.
+struct Imported {
+  Scene scene;
+  ImportReport report;
+};
+
+/// The scene of a mesh (S1.7).
+///
+/// Grid: the unit is the coarsest power of ten, or of two, of at most 1 of
+///   which all coordinates of the faces' vertices are multiples, so that they
+///   fit the fewest of 26, 40 or 54 bits (of the asked-for ones); a unit
+///   greater than 1 is tried where that does not fit. Base ten goes first if
+///   the mesh was text, base two if it was not. If nothing fits, they are
+///   rounded, halves away from zero, to the grid of 54 (or the asked-for) bits
+///   whose unit is the least power of two that holds the greatest of them.
+/// Polygons: equal points become one vertex. Corners that repeat the one before
+///   go; what has no area is dropped. What is not planar or not convex, or
+///   visits a point twice, is cut into triangles, none of them without area,
+///   whose edges sum up to the polygon's; for a weakly simple planar polygon
+///   (one with holes on bridges, too) they tile it. Straight corners stay.
+/// Colours: the face's in the file, else the mean of its vertices', else
+///   shaded by its direction. At corners: the vertex's in the file, else the
+///   face's, else shaded by the sum of the normals at the vertex.
+///
+/// Exact:  but for the rounding reported, yes.
+/// Errors: kEmpty (vertices, but no faces); kOutOfRange (a polygon to be cut
+///         into triangles with over 20,000 corners; a grid of other than 26,
+///         40, 54 bits; coordinates that no unit reaches); kBadIndex.
+/// Cost:   linear, but for polygons to be cut: quadratic in their corners.
+Result<Imported> import_scene(const Mesh& mesh, const ImportOptions& options);
+
+}  // namespace halfspace::io

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "halfspace/io/number.hpp"
+#include "halfspace/polygon.hpp"
+
+namespace halfspace::io {
+
+/// A mesh as its file holds it, before anything is rounded or judged (S1.7).
+///
+/// The corners of face `f` are `corners[first_corner[f]]` up to but not
+/// including `corners[first_corner[f + 1]]`; they may be fewer than 3, lie in
+/// no plane or repeat, but each names a vertex.
+/// Shape: first_corner has one entry more than there are faces; vertex_colors
+///        is empty or has one entry a vertex, face_colors empty or one a face.
+struct Mesh {
+  std::vector<std::array<Number, 3>> vertices;
+  std::vector<std::uint32_t> first_corner = {0};
+  std::vector<VertexId> corners;
+  std::vector<std::optional<Rgb>> vertex_colors;
+  std::vector<std::optional<Rgb>> face_colors;
+  bool decimal = false;  ///< its numbers were read as decimal text
+
+  std::size_t face_count() const { return first_corner.size() - 1; }
+};
+
+}  // namespace halfspace::io

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "halfspace/io/mesh.hpp"
+#include "halfspace/result.hpp"
+
+namespace halfspace::io {
+
+/// The mesh formats that are read and written.
+enum class Format : std::uint8_t { kObj, kStl, kPly, kOff };
+
+/// The format that the end of a file's name tells: .obj, .stl, .ply or .off in
+/// any case, before an optional .gz; nothing for any other.
+std::optional<Format> format_of(const std::filesystem::path& path);
+
+/// The mesh in a file; a gzipped file is unpacked.
+///
+/// Text numbers are read as exact decimals, binary floats exactly (S1.7). STL
+/// points that are equal become one vertex.
+///
+/// * OBJ: v (with colours too), f in all its forms, negative indices, lines
+///   continued by a backslash. Texture, normals, groups, materials, points and
+///   lines are passed over; free-form curves and surfaces are refused.
+/// * STL: text with any number of solids, and binary; told apart by size and
+///   first bytes. Normals are passed over: the vertices' order tells.
+/// * PLY: text and binary of either byte order; other elements and properties
+///   are passed over.
+/// * OFF: with any of ST, C, N before it and counts on its own line or not;
+///   4OFF, nOFF and OFF BINARY are refused.
+///
+/// Errors: kUnreadable, kUnknownFormat, kEmpty (a file of no bytes), kSyntax,
+///         kTruncated, kNotFinite, kOutOfRange, kBadIndex, kTooFewVertices (an
+///         OBJ face). Each names the file, and the line or element and the
+///         value where there is one; index is the line, element or byte.
+/// Cost:   linear in the file's size, whatever counts its header claims.
+Result<Mesh> read_mesh(const std::filesystem::path& path);
+
+/// The mesh that `bytes` hold in the format; the same, without the file's name.
+Result<Mesh> read_mesh(std::string_view bytes, Format format);
+
+/// The bytes of a file, unpacked if they are gzipped.
+///
+/// Errors: kUnreadable; kTruncated or kSyntax (what is gzipped is cut off or
+///         damaged); kOutOfRange (more than 4 GiB unpacked).
+Result<std::string> read_file(const std::filesystem::path& path);
+
+}  // namespace halfspace::io

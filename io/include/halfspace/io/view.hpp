@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::io {
+
+/// A camera in the terms in which one is usually described. Units: model units.
+struct ViewOptions {
+  glm::dvec3 eye{0, 0, 1};
+  glm::dvec3 target{0, 0, 0};  ///< seen in the middle of the image
+  glm::dvec3 up{0, 0, 1};      ///< points upwards in the image
+  double fov_deg = 40;         ///< of perspective views, from top to bottom
+  bool orthographic = false;
+  double ortho_height = 2;  ///< of orthographic views, from top to bottom
+  /// What is not farther than this from the eye, along the direction of view,
+  /// is not seen. Nothing: all that is in front of the eye in perspective, all
+  /// in orthographic views.
+  std::optional<double> near;
+  std::int32_t width_px = 640;
+  std::int32_t height_px = 480;
+};
+
+/// A camera, and how far rounding moved it (S4.1).
+struct Viewed {
+  Camera camera;
+  /// The greatest distance that a coordinate of the eye or of a corner of the
+  /// image moved. Units: grid steps. In perspective the image plane is far
+  /// beyond the scene, so at the scene's place it is much less.
+  double max_move = 0;
+  ViewOptions options;  ///< what the camera was made from
+};
+
+/// The camera for a scene that sees what the options say, rounded once to the
+/// lattice (S4.1). The image's y grows downwards, against `up`.
+///
+/// In perspective the image plane is as far from the eye as the lattice allows,
+/// so that its vectors have as many bits as there are; with `near` it is at
+/// near * 2^j for the greatest j, so that the near distance is exact.
+/// Orthographic: the image plane passes through `eye`.
+///
+/// Errors: kNotFinite; kBadCamera (eye is target, or up runs along the
+///         direction of view, or a field of view not inside 0 to 180 degrees,
+///         or a height not above 0, or a pixel is less than the lattice tells);
+///         those of make_camera.
+Result<Viewed> look_at(const Scene& scene, const ViewOptions& options);
+
+/// A view from above and to one side, z upwards, in which the scene just fits.
+///
+/// Errors: kEmpty (no polygons); those of look_at.
+Result<Viewed> automatic_view(const Scene& scene, std::int32_t width_px,
+                              std::int32_t height_px);
+
+}  // namespace halfspace::io

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "halfspace/polygon.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::io {
+
+/// A mesh to write, already rounded to doubles. Units: model units.
+///
+/// The corners of face `f` are `corners[first_corner[f]]` up to but not
+/// including `corners[first_corner[f + 1]]`.
+/// Shape: colors is empty or has one entry a face.
+struct OutputMesh {
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::uint32_t> first_corner = {0};
+  std::vector<VertexId> corners;
+  std::vector<Rgb> colors;
+};
+
+/// What writing did to a mesh (S1.8).
+struct ExportReport {
+  std::size_t moved = 0;         ///< coordinates that the file holds rounded
+  double max_move = 0;           ///< how far at most. Units: model units
+  std::size_t triangulated = 0;  ///< faces cut into triangles, for STL
+};
+
+/// Writes a mesh in the format that the file's name tells (S1.8).
+///
+/// OBJ and OFF are text of 17 significant digits, from which every double
+/// reads back; PLY is binary, in doubles; STL is binary, in floats, and moves
+/// what those do not hold. STL has triangles only: a face of more corners is
+/// cut into a fan from its first. Colours go into PLY and OFF.
+///
+/// Requires: every corner names a vertex; a face has 3 corners or more.
+/// Errors: kUnwritable, kUnknownFormat; kNotFinite (a coordinate is not, or
+///         not as a float); kOutOfRange (more triangles than an STL counts).
+Result<ExportReport> write_mesh(const std::filesystem::path& path,
+                                const OutputMesh& mesh);
+
+/// Writes a scene in the format that the file's name tells (S1.8).
+///
+/// OBJ, OFF and PLY hold the coordinates exactly, as decimal text, wherever
+/// that needs at most 80 characters, else as doubles; PLY is binary if the
+/// doubles are exact and the unit's base is 2. STL is as for a mesh, but cut
+/// so that no triangle of a polygon with straight corners lacks area.
+///
+/// Errors: as for a mesh.
+Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
+                                      const Scene& scene);
+
+}  // namespace halfspace::io
