@@ -89,7 +89,7 @@ class Rational {
   }
   friend bool operator<(const Rational& a, const Rational& b) {
     if (!a.big_ && !b.big_) return a.small_ < b.small_;
-    return a.big() < b.big();
+    return big_less(a, b);
   }
   friend bool operator>(const Rational& a, const Rational& b) { return b < a; }
   friend bool operator<=(const Rational& a, const Rational& b) {
@@ -113,6 +113,9 @@ class Rational {
 
   /// The greatest integer not above the value.
   friend Rational floor(const Rational& a);
+
+  /// The double nearest to the value, ties to even; infinite beyond doubles.
+  friend double nearest_double(const Rational& a);
 
   /// The value as a BigRational.
   BigRational big() const;
@@ -146,6 +149,7 @@ class Rational {
   static Rational times(const Rational& a, const Rational& b);
   static Rational big_sum(const Rational& a, const Rational& b);
   static Rational big_difference(const Rational& a, const Rational& b);
+  static bool big_less(const Rational& a, const Rational& b);
   /// The value as a BigRational: its own, or `room` set to it.
   const BigRational& in(BigRational& room) const;
 
