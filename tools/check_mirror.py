@@ -2,7 +2,7 @@
 """Compares the public functions of ref/ and fast/, header by header.
 
 The ten headers of STEMS declare the same names in the same order in both
-rooms. A header may declare more types than its twin, but not more functions, but for
+rooms. A header may declare more types than its twin, and no more functions but
 those that ALONE names with a reason.
 
 Exit status: 0 if the headers that fast/ has agree with ref/, else 1.
