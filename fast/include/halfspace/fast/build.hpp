@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/bsp_tree.hpp"
+#include "halfspace/fast/predicate.hpp"
+
+namespace halfspace::fast {
+
+/// The plane of a node that divides nothing: a leaf.
+constexpr PlaneId kNoPlane = -1;
+
+/// The end of a list of fragments.
+constexpr std::int32_t kNoFragment = -1;
+
+/// A node of a tree (S3.1): a plane, two subtrees, and a list of fragments.
+///
+/// The fragments lie in the plane, in id order; but a leaf, which has no plane
+/// and no subtrees, holds fragments that no plane of the tree parts.
+struct Node {
+  PlaneId splitter = kNoPlane;
+  NodeId positive = kNoNode;
+  NodeId negative = kNoNode;
+  std::int32_t first_fragment = kNoFragment;
+  Plane plane;  ///< the splitter in doubles
+};
+
+/// A fragment in a tree. Its edges and vertices are
+/// `corners[first_corner]` and the `corner_count - 1` after it.
+struct TreeFragment {
+  PolygonId source = 0;
+  std::uint32_t first_corner = 0;
+  std::uint32_t corner_count = 0;
+  std::int32_t next = kNoFragment;  ///< the next in the node's list
+};
+
+/// A vertex of a fragment and the edge that leaves it.
+struct Corner {
+  /// The source corner that the edge leaves, or -1 - the plane that cut it.
+  std::int32_t edge = 0;
+  /// Below the scene's number of vertices one of them, exactly; from there on
+  /// it counts the tree's cut vertices.
+  std::int32_t vertex = 0;
+  friend bool operator==(const Corner&, const Corner&) = default;
+};
+
+/// A tree of a scene; its root, if it has one, is the first node (S3.1).
+///
+/// Everything lies in arrays, by index: nothing to destroy one by one, however
+/// deep the tree.
+struct BspTree {
+  std::vector<Node> nodes;
+  std::vector<TreeFragment> fragments;
+  std::vector<Corner> corners;
+  std::vector<Vertex> cut_vertices;
+  std::vector<FreePlane> free_planes;
+};
+
+/// The tree of the scene (S3.5; FAG83 sec. 2.2.1, Make_tree).
+///
+/// A pure function of its arguments; no recursion.
+/// Requires: options.candidates >= 1.
+/// Exact:    yes; the same tree as the reference's.
+/// Cost:     n log n decisions a candidate where the splitters divide well;
+///           the rules that compare all polygons square that.
+BspTree build(const Scene& scene, const BuildOptions& options);
+BspTree build(const Scene& scene, const BuildOptions& options,
+              FilterStats& stats);
+
+/// Adds polygon `polygon` of the scene to a tree that does not hold it yet
+/// (S3.6; F2B "on-line").
+///
+/// Each part of it ends in the node whose plane it lies in, or in a new node
+/// of its own where there was none.
+/// Requires: a tree of this scene, without leaves.
+void insert(BspTree& tree, const Scene& scene, PolygonId polygon);
+void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
+            FilterStats& stats);
+
+/// The size of the tree (S3.2). No recursion.
+TreeStats stats(const BspTree& tree);
+
+/// The tree by names alone (S3.1). No recursion.
+TreeName name_of(const BspTree& tree);
+
+}  // namespace halfspace::fast

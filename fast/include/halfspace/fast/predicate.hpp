@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/plane.hpp"
+#include "halfspace/polygon.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::fast {
+
+/// How often a decision was taken, and how: passed in by whoever wants to
+/// know, never global. A decision is counted once, in one of the two.
+struct FilterStats {
+  std::uint64_t filtered = 0;  ///< the double-precision filter could tell
+  std::uint64_t exact = 0;     ///< it could not: exact integers decided
+  std::uint64_t zero = 0;      ///< those of `exact` that were zero
+
+  void add(const FilterStats& other) {
+    filtered += other.filtered;
+    exact += other.exact;
+    zero += other.zero;
+  }
+  friend bool operator==(const FilterStats&, const FilterStats&) = default;
+};
+
+/// Index of a plane in a tree: below the scene's number of polygons it is the
+/// plane of that polygon, with its orientation (S1.4); from there on it counts
+/// the tree's free planes.
+using PlaneId = std::int32_t;
+
+/// A plane that is no polygon's: where coordinate `axis` equals `coordinate`.
+/// Its positive side is where it is greater.
+struct FreePlane {
+  std::int32_t axis = 0;
+  std::int64_t coordinate = 0;
+  friend bool operator==(const FreePlane&, const FreePlane&) = default;
+};
+
+/// A vertex of a fragment, approximately: each coordinate is off by at most
+/// `error`. Units: grid steps.
+///
+/// Where exactly it is follows from the fragment's names: between two source
+/// edges it is their common corner; between a source edge and a splitter's,
+/// their meet; between two splitters' edges, the meet of both splitters and
+/// the polygon's plane.
+struct Vertex {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  double error = 0;
+};
+
+/// A polygon, or what is left of one after cuts (S2.2).
+///
+/// Edge `k` runs from vertex `k` to vertex `k + 1`, cyclically.
+struct Fragment {
+  PolygonId source = 0;
+  std::vector<EdgeName> edges;
+  std::vector<Vertex> vertices;  ///< as many as edges
+};
+
+/// The polygon `id` of the scene as a fragment, uncut. Its vertices are exact.
+Fragment whole(const Scene& scene, PolygonId id);
+
+/// The three corners that define a polygon's plane (S1.4): the first three in
+/// a row that are not on one line.
+std::array<GridPoint, 3> plane_corners(const Scene& scene, PolygonId id);
+
+/// An oriented plane h(p) = a x + b y + c z + d in doubles. Each coefficient
+/// is off by at most 2^-52 of its size.
+struct Plane {
+  double a = 0;
+  double b = 0;
+  double c = 0;
+  double d = 0;
+};
+
+/// The plane of polygon `id` (S1.4).
+Plane plane_of(const Scene& scene, PolygonId id);
+
+/// The planes of all polygons of the scene, by polygon id (S1.4).
+std::vector<Plane> planes_of(const Scene& scene);
+
+/// The names of the scene's planes, two polygons having the same one exactly
+/// if their planes are the same point set (S1.4).
+///
+/// A plane is divided by its greatest common divisor and given a fixed sign,
+/// then looked up: so "coincident" is a comparison of ids.
+struct PlaneTable {
+  std::vector<std::int32_t> plane_of;    ///< by polygon id
+  std::vector<PolygonId> first_polygon;  ///< by plane: the lowest polygon id
+  std::vector<bool> same_orientation;    ///< by polygon id: as that polygon's
+};
+PlaneTable intern_planes(const Scene& scene);
+
+/// The side of the plane of polygon `splitter` that holds the vertex `k` of
+/// the fragment (S1.5).
+///
+/// Exact: yes: a filter, then integers of 4, 6 or 8 words.
+Side side_of(const Scene& scene, const Fragment& fragment, std::size_t k,
+             PolygonId splitter, FilterStats& stats);
+
+/// The side of the plane of polygon `splitter` that holds the camera's eye;
+/// for an eye at infinity, the side towards which its direction points (S4.2).
+///
+/// Exact: yes.
+Side side_of_eye(const Scene& scene, PolygonId splitter, const Camera& camera,
+                 FilterStats& stats);
+
+/// The fragment against the plane of polygon `splitter`, by the signs at its
+/// vertices (S2.1).
+///
+/// Exact: yes.
+Relation relation(const Scene& scene, const Fragment& fragment,
+                  PolygonId splitter, FilterStats& stats);
+
+/// The fragment by names alone (S2.2).
+FragmentName name_of(const Fragment& fragment);
+
+}  // namespace halfspace::fast

@@ -1,0 +1,177 @@
+#include "halfspace/fast/build.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "halfspace/assert.hpp"
+#include "root_rule.hpp"
+#include "tree_builder.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// A subtree still to be made: of the parts on top of the stack of parts, from
+/// `first` on.
+struct Task {
+  std::size_t first;
+  std::uint64_t key;
+  NodeId parent;
+  Side side;  ///< of the parent
+};
+
+/// Makes `child` the child of `parent`, which may be none, on its `side`.
+void link(BspTree& tree, NodeId parent, Side side, NodeId child) {
+  if (parent == kNoNode) return;
+  Node& node = tree.nodes[static_cast<std::size_t>(parent)];
+  (side == Side::kPositive ? node.positive : node.negative) = child;
+}
+
+/// Adds a fragment to the tree's array, in no list yet.
+std::int32_t add_fragment(BspTree& tree, const Part& part) {
+  tree.fragments.push_back({part.source, part.first, part.count, kNoFragment});
+  return static_cast<std::int32_t>(tree.fragments.size()) - 1;
+}
+
+/// Makes the tree whose splitters are planes of its polygons.
+class Autopartition {
+ public:
+  Autopartition(const Scene& scene, const BuildOptions& options, BspTree& tree,
+                FilterStats& stats)
+      : options_(options),
+        tree_(tree),
+        builder_(scene, tree, stats),
+        table_(intern_planes(scene)) {
+    for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+      const auto id = static_cast<PolygonId>(p);
+      planes_.push_back(filter_plane(plane_of(scene, id)));
+      parts_.push_back(builder_.whole(id));
+    }
+  }
+
+  void run() {
+    if (parts_.empty()) return;
+    tasks_.push_back({0, root_key(options_.seed), kNoNode, Side::kOn});
+    while (!tasks_.empty()) {
+      const Task task = tasks_.back();
+      tasks_.pop_back();
+      make_node(task);
+    }
+  }
+
+ private:
+  Relation relation(const Part& part, PolygonId splitter) {
+    const auto s = static_cast<std::size_t>(splitter);
+    const auto p = static_cast<std::size_t>(part.source);
+    if (table_.plane_of[s] == table_.plane_of[p]) return Relation::kCoincident;
+    return builder_.relation(part, splitter, planes_[s]);
+  }
+
+  void make_node(const Task& task) {
+    // Step 1: choose the root; its plane is the node's.
+    const Part* list = parts_.data() + task.first;
+    const std::size_t root =
+        choose_root(parts_.size() - task.first, options_, task.key,
+                    [&](std::size_t i, std::size_t j) {
+                      return relation(list[j], list[i].source);
+                    });
+    const PolygonId splitter = list[root].source;
+    const auto id = static_cast<NodeId>(tree_.nodes.size());
+    Node node;
+    node.splitter = splitter;
+    node.plane = planes_[static_cast<std::size_t>(splitter)].plane;
+    tree_.nodes.push_back(node);
+    link(tree_, task.parent, task.side, id);
+
+    // Step 2: the polygons in that plane stay, the others go to its sides;
+    // what the plane cuts goes to both.
+    distribute(task.first, splitter);
+
+    // Step 3: make the subtrees of what is not empty; the last task is next.
+    // Its parts are on top of the stack.
+    parts_.resize(task.first);
+    parts_.insert(parts_.end(), negative_.begin(), negative_.end());
+    if (!negative_.empty()) {
+      tasks_.push_back(
+          {task.first, negative_key(task.key), id, Side::kNegative});
+    }
+    if (!positive_.empty()) {
+      tasks_.push_back(
+          {parts_.size(), positive_key(task.key), id, Side::kPositive});
+    }
+    parts_.insert(parts_.end(), positive_.begin(), positive_.end());
+  }
+
+  void distribute(std::size_t first, PolygonId splitter) {
+    positive_.clear();
+    negative_.clear();
+    std::int32_t last = kNoFragment;
+    for (std::size_t i = first; i < parts_.size(); ++i) {
+      const Part& part = parts_[i];
+      switch (relation(part, splitter)) {
+        case Relation::kCoincident: {
+          const std::int32_t added = add_fragment(tree_, part);
+          if (last == kNoFragment) {
+            tree_.nodes.back().first_fragment = added;
+          } else {
+            tree_.fragments[static_cast<std::size_t>(last)].next = added;
+          }
+          last = added;
+          break;
+        }
+        case Relation::kPositive:
+          positive_.push_back(part);
+          break;
+        case Relation::kNegative:
+          negative_.push_back(part);
+          break;
+        case Relation::kSpanning: {
+          const CutParts cut = builder_.cut(part, splitter);
+          positive_.push_back(cut.positive);
+          negative_.push_back(cut.negative);
+          break;
+        }
+      }
+    }
+  }
+
+  BuildOptions options_;
+  BspTree& tree_;
+  TreeBuilder builder_;
+  PlaneTable table_;
+  std::vector<FilterPlane> planes_;
+  std::vector<Part> parts_;
+  std::vector<Part> positive_;
+  std::vector<Part> negative_;
+  std::vector<Task> tasks_;
+};
+
+/// Lays the corners out in the order of the fragments, without those of
+/// fragments that were cut.
+void drop_unused_corners(BspTree& tree) {
+  std::vector<Corner> kept;
+  for (TreeFragment& fragment : tree.fragments) {
+    const auto from = tree.corners.begin() + fragment.first_corner;
+    fragment.first_corner = static_cast<std::uint32_t>(kept.size());
+    kept.insert(kept.end(), from, from + fragment.corner_count);
+  }
+  kept.shrink_to_fit();
+  tree.corners = std::move(kept);
+}
+
+}  // namespace
+
+BspTree build(const Scene& scene, const BuildOptions& options) {
+  FilterStats stats;
+  return build(scene, options, stats);
+}
+
+BspTree build(const Scene& scene, const BuildOptions& options,
+              FilterStats& stats) {
+  HALFSPACE_ASSERT(options.candidates >= 1);
+  BspTree tree;
+  Autopartition(scene, options, tree, stats).run();
+  drop_unused_corners(tree);
+  return tree;
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "halfspace/fast/predicate.hpp"
+
+namespace halfspace::fast {
+
+/// Half a unit in the last place of 1.
+constexpr double kRounding = 0x1p-53;
+
+/// How far rounding can put a plane's value at an exact point of the scene off,
+/// for a plane whose normal's components have sizes that add up to 1.
+///
+/// Let M = 2^(n-1) bound the coordinates, N = |a| + |b| + |c|, u = 2^-53.
+/// |d| = |n.p0| <= N M. Each coefficient is off by 2u at most, each product
+/// adds u, and the three sums 3u, so the value is off by at most
+/// 6.01 u (N M + |d|) <= 12.02 u N M. 16 leaves room for the roundings of the
+/// bound itself, and for those of a new vertex (see meet()).
+inline double rounding_of_values(int grid_bits) {
+  return 16 * kRounding * std::ldexp(1.0, grid_bits - 1);
+}
+
+/// A value with a bound on how far it is off.
+struct Bounded {
+  double value = 0;
+  double error = 0;
+};
+
+/// A plane prepared for value_at().
+struct FilterPlane {
+  Plane plane;
+  double size = 0;  ///< |a| + |b| + |c|
+};
+
+inline FilterPlane filter_plane(const Plane& plane) {
+  return {plane, std::abs(plane.a) + std::abs(plane.b) + std::abs(plane.c)};
+}
+
+/// The plane's value at the point that `v` stands for.
+///
+/// The true point is off `v` by v.error, which moves the value by at most
+/// N v.error; the rest is rounding_of_values(), `rounding` here, for |x| up to
+/// M + v.error: another 6.01 u N v.error. The bound computed here loses at most
+/// 4u of itself. 2^-48 = 32u of v.error pays for both.
+inline Bounded value_at(const FilterPlane& f, const Vertex& v,
+                        double rounding) {
+  const double value =
+      f.plane.a * v.x + f.plane.b * v.y + f.plane.c * v.z + f.plane.d;
+  return {value, f.size * (v.error * (1 + 0x1p-48) + rounding)};
+}
+
+/// The sign, or 0 where it cannot be told: not the same as zero.
+inline int known_sign(const Bounded& b) {
+  return (b.value > b.error) - (b.value < -b.error);
+}
+
+/// Where a plane meets the edge from `p` to `q`, on different sides of it, at
+/// which it takes the values `hp` and `hq`.
+///
+/// With t = hp / (hp - hq), exactly, and T from the values at hand:
+///   T - t = (hp (Hq - hq) - hq (Hp - hp)) / ((Hp - Hq)(hp - hq)),
+/// capitals for what was computed. The true signs differ, so
+/// |hp - hq| = |hp| + |hq| and |T - t| <= max(errors) / |Hp - Hq|; also at most
+/// 1, both being from 0 to 1. So the vertex is off by at most the larger error
+/// of the ends, and |T - t| of the edge, and what rounding adds: T is off by
+/// another 2u, and with |q - p| <= 2M a coordinate by at most
+/// 2u 2M + 2u 2M + u M = 9 u M < `rounding`. The factor 2 pays for the bound's
+/// own roundings.
+inline Vertex meet(const Vertex& p, const Bounded& hp, const Vertex& q,
+                   const Bounded& hq, double rounding) {
+  const double fall = hp.value - hq.value;
+  const double t = fall == 0 ? 0.5 : std::clamp(hp.value / fall, 0.0, 1.0);
+  const double doubt =
+      fall == 0
+          ? 1.0
+          : std::min(1.0, 2 * std::max(hp.error, hq.error) / std::abs(fall));
+  const double dx = q.x - p.x;
+  const double dy = q.y - p.y;
+  const double dz = q.z - p.z;
+  const double length = std::max({std::abs(dx), std::abs(dy), std::abs(dz)});
+  return {
+      p.x + t * dx, p.y + t * dy, p.z + t * dz,
+      (std::max(p.error, q.error) + doubt * length) * (1 + 0x1p-48) + rounding};
+}
+
+inline Vertex to_vertex(const GridPoint& p) {
+  // At most 53 bits and a sign: exact.
+  return {static_cast<double>(p.x), static_cast<double>(p.y),
+          static_cast<double>(p.z), 0};
+}
+
+}  // namespace halfspace::fast

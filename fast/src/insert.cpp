@@ -1,0 +1,103 @@
+#include <vector>
+
+#include "halfspace/assert.hpp"
+#include "halfspace/fast/build.hpp"
+#include "tree_builder.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// A part on its way down, at `node` or, if there is none, at that place.
+struct Step {
+  Part part;
+  NodeId node;
+  NodeId parent;
+  Side side;
+};
+
+Node& node_at(BspTree& tree, NodeId id) {
+  return tree.nodes[static_cast<std::size_t>(id)];
+}
+
+/// Puts the part into the node's list, which is in id order.
+void put(BspTree& tree, NodeId node, const Part& part) {
+  const auto added = static_cast<std::int32_t>(tree.fragments.size());
+  tree.fragments.push_back({part.source, part.first, part.count, kNoFragment});
+  std::int32_t* link = &node_at(tree, node).first_fragment;
+  while (*link != kNoFragment) {
+    TreeFragment& next = tree.fragments[static_cast<std::size_t>(*link)];
+    if (next.source > part.source) break;
+    link = &next.next;
+  }
+  tree.fragments.back().next = *link;
+  *link = added;
+}
+
+/// Makes the part a node of its own.
+void make_node(BspTree& tree, const Step& step, const Plane& plane) {
+  const auto id = static_cast<NodeId>(tree.nodes.size());
+  if (step.parent != kNoNode) {
+    Node& parent = node_at(tree, step.parent);
+    (step.side == Side::kPositive ? parent.positive : parent.negative) = id;
+  }
+  Node node;
+  node.splitter = step.part.source;
+  node.plane = plane;
+  tree.nodes.push_back(node);
+  put(tree, id, step.part);
+}
+
+}  // namespace
+
+void insert(BspTree& tree, const Scene& scene, PolygonId polygon) {
+  FilterStats stats;
+  insert(tree, scene, polygon, stats);
+}
+
+void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
+            FilterStats& stats) {
+  TreeBuilder builder(scene, tree, stats);
+  const Plane plane = plane_of(scene, polygon);
+  std::vector<Step> steps;
+  steps.push_back({builder.whole(polygon), tree.nodes.empty() ? kNoNode : 0,
+                   kNoNode, Side::kOn});
+  while (!steps.empty()) {
+    const Step step = steps.back();
+    steps.pop_back();
+
+    // Step 1: where there is no node, the part becomes one.
+    if (step.node == kNoNode) {
+      make_node(tree, step, plane);
+      continue;
+    }
+
+    // Step 2: else it stays here, goes to one side, or is cut and goes to both.
+    const Node node = node_at(tree, step.node);
+    HALFSPACE_ASSERT(node.splitter != kNoPlane);
+    const auto go = [&](const Part& part, Side side) {
+      steps.push_back({part,
+                       side == Side::kPositive ? node.positive : node.negative,
+                       step.node, side});
+    };
+    switch (
+        builder.relation(step.part, node.splitter, filter_plane(node.plane))) {
+      case Relation::kCoincident:
+        put(tree, step.node, step.part);
+        break;
+      case Relation::kPositive:
+        go(step.part, Side::kPositive);
+        break;
+      case Relation::kNegative:
+        go(step.part, Side::kNegative);
+        break;
+      case Relation::kSpanning: {
+        const CutParts cut = builder.cut(step.part, node.splitter);
+        go(cut.negative, Side::kNegative);
+        go(cut.positive, Side::kPositive);
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,20 @@
+#include "halfspace/fast/splitter.hpp"
+
+#include "halfspace/assert.hpp"
+#include "root_rule.hpp"
+
+namespace halfspace::fast {
+
+std::size_t choose_root(const Scene& scene,
+                        const std::vector<Fragment>& polygons,
+                        const BuildOptions& options, std::uint64_t key,
+                        FilterStats& stats) {
+  HALFSPACE_ASSERT(!polygons.empty());
+  HALFSPACE_ASSERT(options.candidates >= 1);
+  return choose_root(
+      polygons.size(), options, key, [&](std::size_t i, std::size_t j) {
+        return relation(scene, polygons[j], polygons[i].source, stats);
+      });
+}
+
+}  // namespace halfspace::fast

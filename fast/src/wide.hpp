@@ -1,0 +1,147 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "halfspace/int128.hpp"
+
+namespace halfspace::fast {
+
+__extension__ typedef unsigned __int128 Uint128;
+
+/// A signed integer of `kWords` words of 64 bits in two's complement, least
+/// word first. Lives in registers or on the stack; nothing allocates.
+///
+/// Requires: every value computed fits. That is a matter of bits counted in
+///           advance, where each width is chosen; nothing is checked here.
+template <std::size_t kWords>
+struct Wide {
+  std::array<std::uint64_t, kWords> words{};
+
+  constexpr Wide() = default;
+  constexpr Wide(std::int64_t value) : Wide(static_cast<Int128>(value)) {}
+  constexpr Wide(int value) : Wide(static_cast<Int128>(value)) {}
+  constexpr Wide(Int128 value) {
+    static_assert(kWords >= 2);
+    words[0] = static_cast<std::uint64_t>(value);
+    words[1] = static_cast<std::uint64_t>(value >> 64);
+    for (std::size_t i = 2; i < kWords; ++i) words[i] = fill(value < 0);
+  }
+  /// The same value with more words, or with fewer where it fits them.
+  template <std::size_t kOther>
+  constexpr explicit Wide(const Wide<kOther>& other) {
+    for (std::size_t i = 0; i < kWords; ++i) {
+      words[i] = i < kOther ? other.words[i] : fill(other.is_negative());
+    }
+  }
+
+  constexpr bool is_negative() const { return (words[kWords - 1] >> 63) != 0; }
+
+  friend constexpr Wide operator+(const Wide& a, const Wide& b) {
+    Wide sum;
+    unsigned long long carry = 0;
+    for (std::size_t i = 0; i < kWords; ++i) {
+      const Uint128 s = Uint128{a.words[i]} + b.words[i] + carry;
+      sum.words[i] = static_cast<std::uint64_t>(s);
+      carry = static_cast<unsigned long long>(s >> 64);
+    }
+    return sum;
+  }
+  friend constexpr Wide operator-(const Wide& a, const Wide& b) {
+    Wide difference;
+    std::uint64_t borrow = 0;
+    for (std::size_t i = 0; i < kWords; ++i) {
+      const Uint128 d = Uint128{a.words[i]} - b.words[i] - borrow;
+      difference.words[i] = static_cast<std::uint64_t>(d);
+      borrow = static_cast<std::uint64_t>(d >> 64) & 1u;
+    }
+    return difference;
+  }
+  friend constexpr Wide operator-(const Wide& a) { return Wide{} - a; }
+  friend constexpr bool operator==(const Wide&, const Wide&) = default;
+
+ private:
+  static constexpr std::uint64_t fill(bool negative) {
+    return negative ? ~std::uint64_t{0} : 0;
+  }
+};
+
+/// The sign of a value: -1, 0 or 1.
+template <std::size_t kWords>
+constexpr int sign(const Wide<kWords>& a) {
+  if (a.is_negative()) return -1;
+  std::uint64_t any = 0;
+  for (const std::uint64_t word : a.words) any |= word;
+  return any != 0 ? 1 : 0;
+}
+constexpr int sign(Int128 a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
+
+/// a * b in `kResult` words.
+///
+/// The words are multiplied as if unsigned; with A words in a, reading a < 0
+/// as unsigned adds 2^(64 A), so that b * 2^(64 A) is taken off again, and the
+/// same for b. What both add together lies beyond A + B words.
+template <std::size_t kResult, std::size_t kA, std::size_t kB>
+constexpr Wide<kResult> multiply(const Wide<kA>& a, const Wide<kB>& b) {
+  constexpr std::size_t kFull = kA + kB < kResult ? kA + kB : kResult;
+  Wide<kFull> product;
+  for (std::size_t i = 0; i < kA && i < kFull; ++i) {
+    std::uint64_t carry = 0;
+    for (std::size_t j = 0; j < kB && i + j < kFull; ++j) {
+      const Uint128 t =
+          Uint128{a.words[i]} * b.words[j] + product.words[i + j] + carry;
+      product.words[i + j] = static_cast<std::uint64_t>(t);
+      carry = static_cast<std::uint64_t>(t >> 64);
+    }
+    if (i + kB < kFull) product.words[i + kB] = carry;
+  }
+  const auto take_off = [&product](const auto& value, std::size_t shift) {
+    std::uint64_t borrow = 0;
+    for (std::size_t i = shift; i < kFull && i - shift < value.words.size();
+         ++i) {
+      const Uint128 d =
+          Uint128{product.words[i]} - value.words[i - shift] - borrow;
+      product.words[i] = static_cast<std::uint64_t>(d);
+      borrow = static_cast<std::uint64_t>(d >> 64) & 1u;
+    }
+  };
+  if (a.is_negative()) take_off(b, kA);
+  if (b.is_negative()) take_off(a, kB);
+  return Wide<kResult>(product);
+}
+template <std::size_t kResult>
+constexpr Wide<kResult> multiply(Int128 a, Int128 b) {
+  return multiply<kResult>(Wide<2>(a), Wide<2>(b));
+}
+template <std::size_t kResult, std::size_t kB>
+constexpr Wide<kResult> multiply(Int128 a, const Wide<kB>& b) {
+  return multiply<kResult>(Wide<2>(a), b);
+}
+template <std::size_t kResult, std::size_t kA>
+constexpr Wide<kResult> multiply(const Wide<kA>& a, Int128 b) {
+  return multiply<kResult>(a, Wide<2>(b));
+}
+
+/// The value as a double: off by at most 2^-52 of its size.
+///
+/// The highest 64 bits from the leading one are kept, which drops less than
+/// 2^-63 of the value, and rounded once to 53, by at most 2^-53.
+template <std::size_t kWords>
+double to_double(const Wide<kWords>& a) {
+  const bool negative = a.is_negative();
+  const Wide<kWords> size = negative ? -a : a;
+  std::size_t top = kWords;
+  while (top > 0 && size.words[top - 1] == 0) --top;
+  if (top == 0) return 0;
+  const int zeros = __builtin_clzll(size.words[top - 1]);
+  std::uint64_t head = size.words[top - 1] << zeros;
+  if (zeros > 0 && top > 1) head |= size.words[top - 2] >> (64 - zeros);
+  const double value = std::ldexp(static_cast<double>(head),
+                                  static_cast<int>(top - 1) * 64 - zeros);
+  return negative ? -value : value;
+}
+inline double to_double(Int128 a) { return static_cast<double>(a); }
+
+}  // namespace halfspace::fast
