@@ -41,8 +41,8 @@ Point point_seen(const Camera& camera, const std::array<Point, 3>& corners,
   return along(start, Rational(0) - value_at(plane, start) / speed, direction);
 }
 
-/// Twice the area of the triangle p, q, r, seen along the axis on which the
-/// normal `n` is not zero, with its sign against `n`'s.
+/// Twice the area of the triangle p, q, r, negative if that turns against the
+/// normal `n` of its plane; times the length of n.
 Rational area(const Plane& n, const Point& p, const Point& q, const Point& r) {
   const Plane turn = {(q.y - p.y) * (r.z - p.z) - (q.z - p.z) * (r.y - p.y),
                       (q.z - p.z) * (r.x - p.x) - (q.x - p.x) * (r.z - p.z),

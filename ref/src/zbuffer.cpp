@@ -108,11 +108,11 @@ Affine side_of_edge(const Vector& p, const Vector& q, const Eye& eye) {
 /// eye on the positive side (S4.5).
 ///
 /// In perspective t = P(e) / (P(e) - P(s)), else t = P(s) / (n . eye).
-/// Requires: eye.near, if not in perspective.
+/// Requires: eye.near.
 Affine beyond_near(const Rational& plane_at_eye, const Affine& plane_at_image,
                    const Eye& eye) {
   const Rational unit = 1 << kNearBits;
-  const Rational near = eye.near.value_or(0);
+  const Rational near = *eye.near;
   if (eye.perspective) {
     Affine f = near * plane_at_image;
     f.value += (unit - near) * plane_at_eye;
@@ -141,7 +141,8 @@ std::optional<Covering> covering_of(const std::vector<Vector>& corners,
                                side_of_edge(corners[k], next, eye));
   }
   const Affine plane_at_image = support.at_image(eye);
-  if (eye.perspective || eye.near) {
+  // Without a near distance the signs above leave out what is behind the eye.
+  if (eye.near) {
     covering.insides.push_back(Rational(sigma) *
                                beyond_near(plane_at_eye, plane_at_image, eye));
   }

@@ -26,7 +26,7 @@ Rendering render_alone(const Scene& scene, const CameraData& camera,
 /// The pixels of the image by every algorithm, which must all agree.
 Ids image_of(const Scene& scene, const CameraData& data,
              const ImageOptions& options = {}) {
-  const Camera camera = camera_of(data);
+  const Camera camera = camera_of(data, scene.grid_bits());
   const BspTree tree = build(scene, {});
   const Rendering image = render(scene, tree, camera, options);
   const Rendering others[] = {paint(scene, tree, camera, options),
@@ -158,6 +158,19 @@ TEST(RefRender, EqualCornerColoursAreConstantOnAnyPolygon) {
   EXPECT_EQ(std::vector<Rgb>(2, Rgb{7, 8, 9}), image.colors.pixels);
 }
 
+/// Whether the points are the corners of a valid polygon.
+bool is_valid(const std::vector<GridPoint>& points, int grid_bits = 26) {
+  SceneData data;
+  data.grid_bits = grid_bits;
+  data.vertices = points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    data.corners.push_back(static_cast<VertexId>(k));
+  }
+  data.first_corner.push_back(static_cast<std::uint32_t>(points.size()));
+  data.colors.resize(1);
+  return make_scene(std::move(data)).has_value();
+}
+
 /// Scenes of few small integers, and cameras that look at them from the worst
 /// places, along the worst directions.
 class Trouble {
@@ -223,16 +236,6 @@ class Trouble {
       return polygon[random_() % polygon.size()];
     }
     return {number(-3, 3), number(-3, 3), number(-3, 3)};
-  }
-  static bool is_valid(const std::vector<GridPoint>& polygon) {
-    SceneData data;
-    data.vertices = polygon;
-    for (const GridPoint& point : polygon) {
-      data.corners.push_back(static_cast<VertexId>(&point - polygon.data()));
-    }
-    data.first_corner.push_back(static_cast<std::uint32_t>(polygon.size()));
-    data.colors.resize(1);
-    return make_scene(data).has_value();
   }
   std::optional<std::vector<GridPoint>> triangle() {
     const std::vector<GridPoint> corners = {grid_point(), grid_point(),
@@ -317,6 +320,70 @@ TEST(RefRender, AllAlgorithmsAgreeWhereItHurts) {
   // What the cameras are for did come up.
   EXPECT_GT(seen, 600);
   EXPECT_GT(edge_on, 600);
+}
+
+/// One of the two ends of a range, a neighbour of an end, 0, or anything.
+Int128 extreme(std::mt19937& random, Int128 least, Int128 greatest) {
+  switch (random() % 6) {
+    case 0:
+      return least;
+    case 1:
+      return greatest;
+    case 2:
+      return least + static_cast<Int128>(random() % 3);
+    case 3:
+      return 0;
+    default: {
+      const Int128 wide = static_cast<Int128>(random()) << 64 |
+                          static_cast<Int128>(random()) << 32 | random();
+      return least + wide % (greatest - least + 1);
+    }
+  }
+}
+
+TEST(RefRender, AllAlgorithmsAgreeAtTheLimitsOfTheGrid) {
+  constexpr int kBits = 54;
+  constexpr Int128 kEnd = Int128{1} << (kBits - 1);
+  constexpr Int128 kCameraEnd = kEnd << (kLatticeBits + kCameraRangeBits);
+  std::mt19937 random(1);
+  const auto coordinate = [&] {
+    return static_cast<std::int64_t>(extreme(random, -kEnd, kEnd - 1));
+  };
+  const auto vector = [&](Int128 end) -> LatticeVector {
+    return {extreme(random, -end, end), extreme(random, -end, end),
+            extreme(random, -end, end)};
+  };
+  int seen = 0;
+  for (int round = 0; round < 300; ++round) {
+    SCOPED_TRACE("round " + std::to_string(round));
+    Polygons polygons;
+    while (polygons.size() < 4) {
+      std::vector<GridPoint> corners;
+      for (int k = 0; k < 3; ++k) {
+        corners.push_back({coordinate(), coordinate(), coordinate()});
+      }
+      if (is_valid(corners, kBits)) polygons.push_back(corners);
+    }
+    CameraData camera;
+    camera.perspective = random() % 3 != 0;
+    const Int128 near_scene = kEnd << kLatticeBits;
+    camera.eye = vector(random() % 2 == 0 ? kCameraEnd : near_scene);
+    camera.s0 = vector(random() % 2 == 0 ? kCameraEnd : near_scene);
+    camera.sx = vector(near_scene);
+    camera.sy = vector(near_scene);
+    camera.width_px = 7;
+    camera.height_px = 5;
+    if (random() % 3 == 0) {
+      const Int128 end = Int128{1} << 32;
+      camera.near = static_cast<std::int64_t>(
+          extreme(random, camera.perspective ? 0 : -end, end));
+    }
+    if (!make_camera(camera, kBits)) continue;
+    const Ids image = image_of(scene_of(polygons, {}, kBits), camera);
+    if (HasFailure()) return;
+    if (std::count(image.begin(), image.end(), kNone) < 35) ++seen;
+  }
+  EXPECT_GT(seen, 50);
 }
 
 }  // namespace

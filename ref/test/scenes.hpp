@@ -16,8 +16,9 @@ using Polygons = std::vector<std::vector<GridPoint>>;
 /// The scene of these polygons.
 /// Requires: each is valid; colours, if there are any, are one a corner.
 inline Scene scene_of(const Polygons& polygons,
-                      std::vector<Rgb> corner_colors = {}) {
+                      std::vector<Rgb> corner_colors = {}, int grid_bits = 26) {
   SceneData data;
+  data.grid_bits = grid_bits;
   for (const std::vector<GridPoint>& polygon : polygons) {
     for (const GridPoint& corner : polygon) {
       data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
@@ -34,8 +35,8 @@ inline Scene scene_of(const Polygons& polygons,
   return *scene;
 }
 
-inline Camera camera_of(const CameraData& data) {
-  const Result<Camera> camera = make_camera(data, /*grid_bits=*/26);
+inline Camera camera_of(const CameraData& data, int grid_bits = 26) {
+  const Result<Camera> camera = make_camera(data, grid_bits);
   HALFSPACE_ASSERT(camera.has_value());
   return *camera;
 }
