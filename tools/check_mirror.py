@@ -22,6 +22,10 @@ ALONE = {
         "to_point": "coordinates as rationals; fast has none",
         "value_at": "the value as a rational; fast has its sign alone",
     },
+    ("fast", "predicate"): {
+        "plane_corners": "three grid points; ref has the plane's rationals",
+        "intern_planes": "names planes, so that equal ones are told by id",
+    },
 }
 
 # Words that stand before a parenthesis at namespace or class level without
@@ -43,7 +47,8 @@ def without_noise(text):
 def free_functions(text):
     """The names of the functions that a header declares in its namespaces.
 
-    Members are left out: how a class is made is its room's own affair.
+    Overloads in a row are one name: what a function is given differs. Members
+    are left out: how a class is made is its room's own affair.
     """
     names, head, depth = [], "", []
     for token in re.findall(r"[{};]|[^{};]+", without_noise(text)):
@@ -67,7 +72,8 @@ def free_functions(text):
             head = ""
         elif all(depth):
             head += token
-    return names
+    return [name for name, before in zip(names, [None] + names)
+            if name != before]
 
 
 def function_in(head):
