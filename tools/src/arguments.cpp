@@ -1,0 +1,119 @@
+#include "arguments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// The number that the whole of `text` spells.
+template <class T>
+std::optional<T> parse_whole(std::string_view text) {
+  // from_chars knows no plus sign; people do.
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+    text.remove_prefix(1);
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, value);
+  if (code != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+bool takes_signed_value(std::string_view word) {
+  constexpr std::array<std::string_view, 3> kOptions = {"--eye", "--target",
+                                                        "--up"};
+  return std::find(kOptions.begin(), kOptions.end(), word) != kOptions.end();
+}
+
+}  // namespace
+
+std::optional<double> parse_real(std::string_view text) {
+  const std::optional<double> value = parse_whole<double>(text);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return value;
+}
+
+std::optional<std::uint64_t> parse_natural(std::string_view text) {
+  return parse_whole<std::uint64_t>(text);
+}
+
+std::optional<std::uint32_t> parse_count(std::string_view text) {
+  const std::optional<std::uint32_t> value = parse_whole<std::uint32_t>(text);
+  if (!value || *value < 1 || *value > 1'000'000) return std::nullopt;
+  return value;
+}
+
+std::optional<int> parse_grid(std::string_view text) {
+  const std::optional<int> value = parse_whole<int>(text);
+  for (const int bits : kGridBits) {
+    if (value == bits) return value;
+  }
+  return std::nullopt;
+}
+
+std::optional<glm::dvec3> parse_vector(std::string_view text) {
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t comma = i < 2 ? text.find(',') : text.size();
+    if (comma == std::string_view::npos) return std::nullopt;
+    const std::optional<double> value = parse_real(text.substr(0, comma));
+    if (!value) return std::nullopt;
+    values[i] = *value;
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return glm::dvec3(values[0], values[1], values[2]);
+}
+
+std::optional<Size> parse_size(std::string_view text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  const auto width = parse_whole<std::int32_t>(text.substr(0, cross));
+  const auto height = parse_whole<std::int32_t>(text.substr(cross + 1));
+  const auto is_good = [](const std::optional<std::int32_t>& length) {
+    return length && 1 <= *length && *length <= kMaxImageSize;
+  };
+  if (!is_good(width) || !is_good(height)) return std::nullopt;
+  return Size{*width, *height};
+}
+
+CLI::Option* add_choice(CLI::App& app, const std::string& name,
+                        const std::vector<std::string>& words,
+                        std::size_t& choice, const std::string& meaning) {
+  std::string form;
+  for (const std::string& word : words)
+    form += (form.empty() ? "" : "|") + word;
+  const auto place = [words](const std::string& text) {
+    return std::find(words.begin(), words.end(), text) - words.begin();
+  };
+  const auto complain = [=](const std::string& text) {
+    const bool known = static_cast<std::size_t>(place(text)) < words.size();
+    return known ? std::string() : "must be " + form + ", not '" + text + "'";
+  };
+  const auto store = [place, &choice](const std::string& text) {
+    choice = static_cast<std::size_t>(place(text));
+  };
+  return app.add_option_function<std::string>(name, store, meaning)
+      ->check(complain)
+      ->type_name(form);
+}
+
+std::vector<std::string> joined_arguments(int count, const char* const* words) {
+  std::vector<std::string> joined;
+  for (int i = 1; i < count; ++i) {
+    const bool is_value = i > 1 && words[i][0] == '-' && words[i][1] != '-' &&
+                          takes_signed_value(words[i - 1]);
+    if (is_value) {
+      joined.back() += '=' + std::string(words[i]);
+    } else {
+      joined.emplace_back(words[i]);
+    }
+  }
+  return joined;
+}
+
+}  // namespace halfspace::tools

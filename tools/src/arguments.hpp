@@ -1,0 +1,70 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace halfspace::tools {
+
+/// Columns and rows. Units: pixels.
+struct Size {
+  std::int32_t width_px = 0;
+  std::int32_t height_px = 0;
+  friend bool operator==(const Size&, const Size&) = default;
+};
+
+/// The vector that `X,Y,Z` spells, if it is three finite numbers.
+std::optional<glm::dvec3> parse_vector(std::string_view text);
+
+/// The size that `WxH` spells, if it is two numbers from 1 to 65,536.
+std::optional<Size> parse_size(std::string_view text);
+
+/// The finite number that `text` spells.
+std::optional<double> parse_real(std::string_view text);
+
+/// The number from 0 to 2^64 - 1 that `text` spells.
+std::optional<std::uint64_t> parse_natural(std::string_view text);
+
+/// The number from 1 to 1,000,000 that `text` spells.
+std::optional<std::uint32_t> parse_count(std::string_view text);
+
+/// The grid, 26, 40 or 54, that `text` spells.
+std::optional<int> parse_grid(std::string_view text);
+
+/// Adds the option `name`, whose text `parse` must understand; else the program
+/// says that it wants `form`, and gives up.
+///
+/// Requires: `value` outlives the parsing.
+template <class T>
+CLI::Option* add_parsed(CLI::App& app, const std::string& name,
+                        const std::string& form, std::optional<T>& value,
+                        std::optional<T> (*parse)(std::string_view),
+                        const std::string& meaning) {
+  const auto complain = [parse, form](const std::string& text) {
+    return parse(text) ? std::string()
+                       : "must be " + form + ", not '" + text + "'";
+  };
+  const auto store = [parse, &value](const std::string& text) {
+    value = parse(text);
+  };
+  return app.add_option_function<std::string>(name, store, meaning)
+      ->check(complain)
+      ->type_name(form);
+}
+
+/// Adds the option `name`, whose text is one of `words`; `choice` is its index.
+///
+/// Requires: `choice` outlives the parsing.
+CLI::Option* add_choice(CLI::App& app, const std::string& name,
+                        const std::vector<std::string>& words,
+                        std::size_t& choice, const std::string& meaning);
+
+/// The words of the command line, an option and a value that begins with a
+/// minus sign made one: else `--eye -.5,2,3` would be an option called `-.`.
+std::vector<std::string> joined_arguments(int count, const char* const* words);
+
+}  // namespace halfspace::tools

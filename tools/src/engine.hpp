@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "halfspace/boolean.hpp"
+#include "halfspace/bsp_tree.hpp"
+#include "halfspace/camera.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/io/write_mesh.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::tools {
+
+/// The library that does the work, in the order of their words.
+enum class Library : std::uint8_t { kRef, kFast };
+const std::vector<std::string>& library_words();
+
+/// How an image is made; all give the same one (S5.5).
+enum class Method : std::uint8_t { kSpan, kPainter, kZBuffer, kRayCast };
+const std::vector<std::string>& method_words();
+
+/// Whether the method needs a tree.
+constexpr bool needs_tree(Method method) {
+  return method == Method::kSpan || method == Method::kPainter;
+}
+
+/// An image, and what it took.
+struct Picture {
+  ItemImage items;
+  ColorImage colors;
+  std::size_t pixels_painted = 0;
+  std::size_t fragments_displayed = 0;
+};
+
+/// The result of a boolean, ready to be written.
+struct BooleanResult {
+  /// The result exactly, where all its vertices lie on the operands' grid.
+  std::optional<Scene> scene;
+  /// Its vertices as doubles, else.
+  io::OutputMesh mesh;
+  std::size_t moved = 0;      ///< coordinates that the doubles do not hold
+  double max_move = 0;        ///< how far the farthest moved; model units
+  std::size_t faces = 0;      ///< convex polygons
+  std::size_t bad_edges = 0;  ///< 0: it is closed, as it must be (S6.5)
+  double volume = 0;          ///< the exact volume, rounded; model units
+};
+
+/// One library, as the commands see it.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// Makes the tree that stats() and render() are about. Needs no more than
+  /// `threads` threads.
+  virtual void build(const Scene& scene, const BuildOptions& options,
+                     int threads) = 0;
+
+  /// The size of the tree; nothing but zeros before build().
+  virtual TreeStats stats() const = 0;
+
+  /// Requires: where the method needs a tree, build() has made this scene's.
+  virtual Picture render(const Scene& scene, const Camera& camera,
+                         const ImageOptions& options, Method method,
+                         int threads) const = 0;
+
+  /// The regularised boolean of two solids (S6.4).
+  /// Requires: both on one grid.
+  virtual BooleanResult boolean(BooleanOp operation, const Solid& a,
+                                const Solid& b,
+                                const BuildOptions& options) const = 0;
+
+  /// What is said, to someone who waits, before a scene of so many polygons is
+  /// built or rendered; empty where it takes no time.
+  virtual std::string warning(std::size_t polygons) const = 0;
+};
+
+/// The library's engine.
+/// Errors: kUnknownFormat where this program was built without it.
+Result<std::unique_ptr<Engine>> make_engine(Library library);
+
+/// The engine of the reference.
+std::unique_ptr<Engine> make_ref_engine();
+
+}  // namespace halfspace::tools

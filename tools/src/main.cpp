@@ -1,0 +1,58 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <string>
+
+#include "arguments.hpp"
+#include "command.hpp"
+
+namespace {
+
+using halfspace::tools::Status;
+
+void add_commands(CLI::App& program, Status& status) {
+  program.name("halfspace");
+  program.description(
+      "Exact visibility and solid modelling with BSP trees.\n"
+      "Meshes: OBJ, STL, PLY, OFF, also gzipped. Scenes: .scene.");
+  program.footer(
+      "Examples:\n"
+      "  halfspace info part.stl\n"
+      "  halfspace render part.stl -o part.png\n"
+      "  halfspace csg difference part.stl drill.stl -o drilled.off\n\n"
+      "`halfspace render --help` tells more about render, and so on.\n"
+      "Exit status: 0 fine, 1 a comparison found differences, 2 bad input.");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", "halfspace " HALFSPACE_VERSION);
+  halfspace::tools::add_info(program, status);
+  halfspace::tools::add_render(program, status);
+  halfspace::tools::add_build(program, status);
+  halfspace::tools::add_csg(program, status);
+  halfspace::tools::add_compare(program, status);
+  halfspace::tools::add_scene(program, status);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  auto status = Status::kFine;
+  CLI::App program;
+  try {
+    add_commands(program, status);
+    std::vector<std::string> arguments =
+        halfspace::tools::joined_arguments(count, words);
+    // CLI11 takes them from the end.
+    std::reverse(arguments.begin(), arguments.end());
+    program.parse(std::move(arguments));
+  } catch (const CLI::Success& success) {
+    return program.exit(success);  // --help and --version
+  } catch (const CLI::ParseError& error) {
+    status = halfspace::tools::fail(std::string(error.what()) +
+                                    " (--help tells more)");
+  } catch (const std::bad_alloc&) {
+    status = halfspace::tools::fail("there is not enough memory");
+  } catch (const std::exception& error) {
+    status = halfspace::tools::fail(error.what());
+  }
+  return static_cast<int>(status);
+}

@@ -1,0 +1,129 @@
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "engine.hpp"
+#include "halfspace/ref/boolean.hpp"
+#include "halfspace/ref/build.hpp"
+#include "halfspace/ref/painter.hpp"
+#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/render.hpp"
+#include "halfspace/ref/zbuffer.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// From here on the reference takes more than a moment.
+constexpr std::size_t kManyPolygons = 2000;
+
+/// The coordinate in grid steps, if it is one of the widest grid's.
+std::optional<std::int64_t> on_grid(const ref::Rational& coordinate) {
+  const std::int64_t limit = std::int64_t{1} << (kGridBits[2] - 1);
+  if (floor(coordinate) != coordinate || coordinate < ref::Rational(-limit) ||
+      !(coordinate < ref::Rational(limit))) {
+    return std::nullopt;
+  }
+  return coordinate.to_int64();
+}
+
+std::optional<GridPoint> on_grid(const ref::Point& point) {
+  const auto x = on_grid(point.x);
+  const auto y = on_grid(point.y);
+  const auto z = on_grid(point.z);
+  if (!x || !y || !z) return std::nullopt;
+  return GridPoint{*x, *y, *z};
+}
+
+/// The solid as a scene, if all its vertices lie on the grid.
+std::optional<Scene> scene_of(const ref::Solid& solid, Unit unit) {
+  SceneData data;
+  data.unit = unit;
+  std::map<GridPoint, VertexId> ids;
+  for (const ref::Face& face : solid.faces) {
+    for (const ref::Point& vertex : face.vertices) {
+      const std::optional<GridPoint> point = on_grid(vertex);
+      if (!point) return std::nullopt;
+      const auto next = static_cast<VertexId>(data.vertices.size());
+      const auto [place, is_new] = ids.try_emplace(*point, next);
+      if (is_new) data.vertices.push_back(*point);
+      data.corners.push_back(place->second);
+    }
+    data.first_corner.push_back(
+        static_cast<std::uint32_t>(data.corners.size()));
+    data.colors.push_back(face.color);
+  }
+  data.grid_bits = grid_bits_for(data.vertices);
+  Result<Scene> scene = make_scene(std::move(data));
+  if (!scene) return std::nullopt;
+  return *std::move(scene);
+}
+
+double volume_of(const ref::Solid& solid, const Unit& unit) {
+  const double steps = volume6(solid).big().convert_to<double>() / 6;
+  return steps * std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
+}
+
+class RefEngine : public Engine {
+ public:
+  // The reference knows no threads.
+  void build(const Scene& scene, const BuildOptions& options, int) override {
+    tree_ = ref::build(scene, options);
+  }
+
+  TreeStats stats() const override { return ref::stats(tree_); }
+
+  Picture render(const Scene& scene, const Camera& camera,
+                 const ImageOptions& options, Method method,
+                 int) const override {
+    ref::Rendering image;
+    switch (method) {
+      case Method::kSpan:
+        image = ref::render(scene, tree_, camera, options);
+        break;
+      case Method::kPainter:
+        image = ref::paint(scene, tree_, camera, options);
+        break;
+      case Method::kZBuffer:
+        image = ref::zbuffer(scene, camera, options);
+        break;
+      case Method::kRayCast:
+        image = ref::raycast(scene, camera, options);
+        break;
+    }
+    return {std::move(image.items), std::move(image.colors),
+            image.pixels_painted, image.fragments_displayed};
+  }
+
+  BooleanResult boolean(BooleanOp operation, const Solid& a, const Solid& b,
+                        const BuildOptions& options) const override {
+    const ref::Solid solid =
+        ref::boolean(operation, ref::to_solid(a), ref::to_solid(b), options);
+    const Unit unit = a.scene().unit();
+    ref::RoundedSolid rounded = ref::rounded(solid, unit);
+    return {scene_of(solid, unit),
+            {std::move(rounded.vertices), std::move(rounded.first_corner),
+             std::move(rounded.corners), std::move(rounded.colors)},
+            rounded.moved,
+            rounded.max_move,
+            solid.faces.size(),
+            ref::bad_edges(solid).size(),
+            volume_of(solid, unit)};
+  }
+
+  std::string warning(std::size_t polygons) const override {
+    if (polygons < kManyPolygons) return {};
+    return "the exact reference works on " + std::to_string(polygons) +
+           " polygons in rational numbers; this can take long";
+  }
+
+ private:
+  ref::BspTree tree_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_ref_engine() {
+  return std::make_unique<RefEngine>();
+}
+
+}  // namespace halfspace::tools

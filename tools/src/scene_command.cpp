@@ -1,0 +1,73 @@
+#include <CLI/App.hpp>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "command.hpp"
+#include "halfspace/scene_file.hpp"
+#include "loading.hpp"
+#include "viewing.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+struct Arguments {
+  std::string path;
+  std::string output;
+  std::optional<int> grid_bits;
+  bool no_camera = false;
+  ViewArguments view;
+};
+
+Status run(const Arguments& arguments) {
+  Result<Loaded> loaded =
+      load(arguments.path, import_options(arguments.view, arguments.grid_bits));
+  if (!loaded) return fail(arguments.path, loaded.error());
+  SceneFile file = std::move(loaded->file);
+  file.options = choose_options(file, arguments.view);
+  if (arguments.no_camera) {
+    file.camera.reset();
+  } else {
+    const Result<ChosenCamera> chosen = choose_camera(file, arguments.view);
+    if (!chosen) return fail(arguments.path, chosen.error());
+    file.camera = chosen->camera;
+  }
+  std::ofstream out(arguments.output, std::ios::binary);
+  out << write_scene(file);
+  out.close();
+  if (!out) return fail(arguments.output + ": cannot be written");
+  std::printf("%s: %zu polygons; %s\n", arguments.path.c_str(),
+              file.scene.polygon_count(), to_string(loaded->report).c_str());
+  return Status::kFine;
+}
+
+}  // namespace
+
+void add_scene(CLI::App& program, Status& status) {
+  CLI::App* app = program.add_subcommand(
+      "scene", "Write the exact scene, and the camera, as text");
+  const auto arguments = std::make_shared<Arguments>();
+  app->add_option("FILE", arguments->path, "A mesh or a .scene")
+      ->required()
+      ->type_name("");
+  app->add_option("-o,--output", arguments->output, "The scene")
+      ->required()
+      ->type_name("OUT.scene");
+  app->add_flag("--no-camera", arguments->no_camera,
+                "Write the scene alone; else the camera is the one that "
+                "`render` would use");
+  add_grid_option(*app, arguments->grid_bits);
+  add_view_options(*app, arguments->view);
+  app->footer(
+      "`halfspace render OUT.scene` gives the image that `render FILE` gives "
+      "with the\nsame options. spec/scene-format.md describes the file.\n\n"
+      "Examples:\n"
+      "  halfspace scene part.stl -o part.scene\n"
+      "  halfspace scene part.stl -o part.scene --eye 3,2,1 --size 64x64");
+  app->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace halfspace::tools
