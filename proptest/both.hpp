@@ -1,0 +1,163 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "halfspace/bsp_tree.hpp"
+#include "halfspace/ref/build.hpp"
+#include "halfspace/ref/painter.hpp"
+#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scan.hpp"
+#include "halfspace/ref/screen.hpp"
+#include "halfspace/ref/split.hpp"
+#include "halfspace/ref/traverse.hpp"
+#include "halfspace/ref/zbuffer.hpp"
+#include "halfspace/scene.hpp"
+
+/// The implementations, as the laws see them: each function under its own name,
+/// planes by the polygons they come from, answers in the words of spec/.
+namespace halfspace {
+
+/// What one scan line of a fragment is, whoever found it.
+struct LineSpan {
+  std::int32_t line = 0;
+  Span span;
+};
+
+/// An image, and how many pixels were set for it.
+struct Image {
+  ItemImage items;
+  ColorImage colors;
+  std::size_t pixels_painted = 0;
+};
+
+struct Ref {
+  using Fragment = ref::Fragment;
+  using Tree = ref::BspTree;
+  using DynamicScreen = ref::DynamicScreen;
+
+  // S1
+  static Side side_of(const Scene& scene, PolygonId plane,
+                      const GridPoint& point) {
+    return ref::side_of(plane_of(scene, plane), ref::to_point(point));
+  }
+  static Side side_of_eye(const Scene& scene, PolygonId plane,
+                          const Camera& camera) {
+    return ref::side_of_eye(plane_of(scene, plane), camera);
+  }
+
+  // S2
+  static Fragment whole(const Scene& scene, PolygonId polygon) {
+    return ref::whole(scene, polygon);
+  }
+  static FragmentName name_of(const Fragment& fragment) {
+    return ref::name_of(fragment);
+  }
+  static Relation relation(const Scene& scene, const Fragment& fragment,
+                           PolygonId splitter) {
+    return ref::relation(fragment, plane_of(scene, splitter));
+  }
+  static std::pair<Fragment, Fragment> split(const Scene& scene,
+                                             const Fragment& fragment,
+                                             PolygonId splitter) {
+    auto parts = ref::split(fragment, plane_of(scene, splitter), splitter);
+    return {std::move(parts.positive), std::move(parts.negative)};
+  }
+
+  // S3
+  static Tree build(const Scene& scene, const BuildOptions& options) {
+    return ref::build(scene, options);
+  }
+  static void insert(Tree& tree, const Scene& scene, PolygonId polygon) {
+    ref::insert(tree, ref::whole(scene, polygon), plane_of(scene, polygon));
+  }
+  static TreeStats stats(const Tree& tree) { return ref::stats(tree); }
+  static TreeName name_of(const Tree& tree) { return ref::name_of(tree); }
+
+  /// The fragments displayed until `limit` of them have been.
+  static std::vector<FragmentName> back_to_front(const Tree& tree,
+                                                 const Camera& camera,
+                                                 std::size_t limit = kNoLimit) {
+    std::vector<FragmentName> shown;
+    ref::back_to_front(tree, camera, collect(shown, limit));
+    return shown;
+  }
+  static std::vector<FragmentName> front_to_back(const Tree& tree,
+                                                 const Camera& camera,
+                                                 std::size_t limit = kNoLimit) {
+    std::vector<FragmentName> shown;
+    ref::front_to_back(tree, camera, collect(shown, limit));
+    return shown;
+  }
+
+  // S4
+  static std::vector<LineSpan> scan_convert(const Scene&,
+                                            const Fragment& fragment,
+                                            const Camera& camera) {
+    std::vector<LineSpan> lines;
+    for (const auto& segment :
+         ref::scan_convert(fragment, ref::projection_of(camera)))
+      lines.push_back({segment.line, segment.span});
+    return lines;
+  }
+  static MergeCase merge_case(Span object, Span unlit) {
+    return ref::merge_case(object, unlit);
+  }
+  /// What is lit now, and what is unlit still.
+  static std::pair<std::vector<Span>, std::vector<Span>> merge(
+      const std::vector<Span>& objects, const std::vector<Span>& unlit) {
+    auto merged = ref::merge(objects, unlit);
+    return {std::move(merged.lit), std::move(merged.unlit)};
+  }
+
+  // S5
+  static Image render(const Scene& scene, const Tree& tree,
+                      const Camera& camera, const ImageOptions& options) {
+    return image_of(ref::render(scene, tree, camera, options));
+  }
+
+  static Image image_of(ref::Rendering rendering) {
+    return {std::move(rendering.items), std::move(rendering.colors),
+            rendering.pixels_painted};
+  }
+
+ private:
+  static constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
+
+  static ref::Plane plane_of(const Scene& scene, PolygonId polygon) {
+    return ref::plane_of(ref::whole(scene, polygon).vertices);
+  }
+  static ref::Display collect(std::vector<FragmentName>& shown,
+                              std::size_t limit) {
+    return [&shown, limit](const ref::Node&, const ref::Fragment& fragment) {
+      shown.push_back(ref::name_of(fragment));
+      return shown.size() < limit;
+    };
+  }
+};
+
+/// The algorithms that no implementation but the reference has (S5.5).
+namespace oracle {
+
+inline Image paint(const Scene& scene, const Camera& camera,
+                   const ImageOptions& options, const BuildOptions& build) {
+  return Ref::image_of(
+      ref::paint(scene, ref::build(scene, build), camera, options));
+}
+inline Image zbuffer(const Scene& scene, const Camera& camera,
+                     const ImageOptions& options) {
+  return Ref::image_of(ref::zbuffer(scene, camera, options));
+}
+inline Image raycast(const Scene& scene, const Camera& camera,
+                     const ImageOptions& options) {
+  return Ref::image_of(ref::raycast(scene, camera, options));
+}
+
+}  // namespace oracle
+
+using Implementations = ::testing::Types<Ref>;
+
+}  // namespace halfspace

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "halfspace/boolean.hpp"
+#include "halfspace/scene_file.hpp"
+#include "halfspace/span.hpp"
+
+namespace halfspace {
+
+/// How RapidCheck shows a counterexample.
+void showValue(const SceneFile& view, std::ostream& out);
+
+/// Generators, each named for the trouble it makes. Coordinates are small
+/// integers, so that things coincide; some scenes are then stretched to the
+/// limits of their grid. All shrink, to fewer polygons and smaller numbers.
+namespace generate {
+
+/// A scene with a camera and options. Polygons: at most 8 or so (a solid
+/// counts for its faces). Image: at most 16 x 12 pixels.
+using Views = rc::Gen<SceneFile>;
+
+/// Scenes in which the polygons make the trouble.
+Views coincident_polygons();  ///< in one plane, alike or turned over
+Views shared_edges();         ///< meeting along whole edges and parts of them
+Views slivers();              ///< very long and thin
+Views nested_solids();        ///< boxes within boxes
+Views touching_solids();      ///< cubes with common faces, edges and corners
+Views grid_extremes();        ///< at the limits of the grids of 26, 40, 54 bits
+
+/// Scenes in which the camera makes the trouble.
+Views eye_on_splitter();
+Views eye_on_edge();
+Views eye_at_vertex();
+Views eye_inside();
+Views vertex_on_pixel_centre();
+Views edge_through_pixel_centres();
+Views polygons_behind_the_eye();
+Views near_through_polygon();
+
+/// All of the above in turn, and their mixtures.
+Views views();
+
+/// Of `troubles`, those that the view has; found by looking at it, not by
+/// asking how it was made.
+std::set<std::string> troubles_in(const SceneFile& view,
+                                  const std::set<std::string>& troubles);
+
+/// Every trouble that views() must make.
+std::set<std::string> all_troubles();
+
+/// Two solids. In a scene file of both, the first operand's polygons are black
+/// and the second's are white.
+struct SolidPair {
+  Solid a;
+  Solid b;
+};
+void showValue(const SolidPair& solids, std::ostream& out);
+
+/// The two solids as one scene file, and back.
+SceneFile both_of(const SolidPair& solids);
+/// Requires: of `file` each operand is closed.
+SolidPair solids_of(const SceneFile& file);
+
+/// Pairs of solids: nested, touching, with flush faces, crossing, equal.
+rc::Gen<SolidPair> solid_pairs();
+
+/// Sorted runs of pixels without overlap, as a mask: bit i is pixel i.
+std::vector<Span> spans_of(std::uint64_t mask);
+std::uint64_t mask_of(const std::vector<Span>& spans);
+
+}  // namespace generate
+}  // namespace halfspace

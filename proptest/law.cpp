@@ -1,0 +1,131 @@
+#include "law.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <vector>
+
+namespace halfspace::law {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scene files of a folder, in order of name.
+std::vector<fs::path> scene_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".scene") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Replays a property on the saved scenes of a folder.
+void replay(const fs::path& folder,
+            const std::function<void(const SceneFile&)>& property) {
+  const std::vector<fs::path> files = scene_files(folder);
+  EXPECT_FALSE(files.empty()) << "no saved scenes in " << folder;
+  for (const fs::path& path : files) {
+    const auto file = read_scene(text_of(path));
+    if (!file || !file->camera) {
+      ADD_FAILURE() << path << ": "
+                    << (file ? "has no camera" : file.error().message);
+      continue;
+    }
+    try {
+      property(*file);
+    } catch (const Broken& broken) {
+      ADD_FAILURE() << path << ": " << broken.what();
+    }
+  }
+}
+
+/// Saves a scene on which the current law fails, and says where. Called again
+/// for every smaller one; the last is the smallest.
+std::string save(const SceneFile& view) {
+  const char* folder = std::getenv("HALFSPACE_COUNTEREXAMPLES");
+  const fs::path path =
+      fs::path(folder == nullptr ? "." : folder) / (law_name() + ".scene");
+  std::ofstream(path, std::ios::binary) << write_scene(view);
+  return fs::absolute(path).string();
+}
+
+void check_saving(const std::function<SceneFile()>& draw, int count,
+                  const std::function<void(const SceneFile&)>& property) {
+  check(count, [&] {
+    const SceneFile view = draw();
+    try {
+      property(view);
+    } catch (const Broken& broken) {
+      throw Broken(broken.what() + ("\nsaved as " + save(view)));
+    }
+  });
+}
+
+}  // namespace
+
+int runs(int count) {
+  const char* factor = std::getenv("HALFSPACE_PROPTEST_RUNS");
+  return factor == nullptr ? count : count * std::max(1, std::atoi(factor));
+}
+
+std::string law_name() {
+  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+  // "S4Screen/0" and "L3LitPixelsAre..." give "s4-l3".
+  const auto stem = [](const std::string& name) {
+    std::size_t end = 1;
+    while (end < name.size() && std::isdigit(name[end]) != 0) ++end;
+    return static_cast<char>(std::tolower(name[0])) + name.substr(1, end - 1);
+  };
+  return stem(info->test_suite_name()) + "-" + stem(info->name());
+}
+
+void check(int count, const std::function<void()>& property) {
+  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::string name =
+      std::string(info->test_suite_name()) + "/" + info->name();
+  rc::detail::TestParams params = rc::detail::configuration().testParams;
+  params.maxSuccess = runs(count);
+  const auto result = rc::detail::checkTestable(
+      [&] {
+        try {
+          property();
+        } catch (const Broken& broken) {
+          RC_FAIL(broken.what());
+        }
+      },
+      rc::detail::TestMetadata{name, info->name()}, params);
+  if (result.is<rc::detail::SuccessResult>()) return;
+  std::ostringstream message;
+  rc::detail::printResultMessage(result, message);
+  ADD_FAILURE() << message.str();
+}
+
+void for_all(const generate::Views& views, int count,
+             const std::function<void(const SceneFile&)>& property) {
+  replay(HALFSPACE_REGRESSIONS, property);
+  check_saving([&] { return *views; }, count, property);
+}
+
+void for_all_views(const std::function<void(const SceneFile&)>& property,
+                   int count) {
+  Cases troubles(generate::all_troubles());
+  for_all(generate::views(), count, [&](const SceneFile& view) {
+    for (const std::string& found :
+         generate::troubles_in(view, troubles.missing()))
+      troubles.meet(found);
+    property(view);
+  });
+  troubles.expect_all();
+}
+
+}  // namespace halfspace::law
