@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "peers/soup.hpp"
+#include "timing.hpp"
+
+namespace halfspace::bench {
+
+/// What one workload costs the peers. Units: ms of processor time a frame, in
+/// one thread; nothing where it was not measured.
+struct PeerCosts {
+  std::optional<double> llvmpipe_flat;      ///< z-buffer, the best of orders
+  std::optional<double> llvmpipe_smooth;    ///< in that same order
+  std::optional<double> llvmpipe_no_depth;  ///< back to front, flat
+  std::optional<double> embree;             ///< the best way of asking
+  std::optional<double> embree_build;
+  std::optional<double> z_buffer;
+  std::optional<double> painter_flat;
+  std::optional<double> painter_smooth;
+  std::string llvmpipe_order;
+  std::string embree_packets;
+};
+
+/// Peers that drew something other than what they should have.
+struct Complaint {
+  std::string peer;
+  double share_equal;  ///< of the pixels that are compared
+};
+
+/// Which pictures are compared.
+struct Checks {
+  /// The item image that everyone should agree with, but for rounding.
+  std::vector<PolygonId> items;
+  /// Whether whole triangles back to front give that image, too; where they do
+  /// not, painters are only compared in what is background.
+  bool painters_agree;
+  /// The least share of equal pixels.
+  double share_least = 0.99;
+};
+
+/// Measures every peer on the soup, and checks what each draws.
+PeerCosts measure_peers(const Soup& soup, const Checks& checks,
+                        const Repeats& repeats,
+                        std::vector<Complaint>& complaints);
+
+}  // namespace halfspace::bench

@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include "halfspace/ref/zbuffer.hpp"
+#include "peers/measure.hpp"
+#include "peers/peer.hpp"
+#include "scenes.hpp"
+#include "views.hpp"
+
+namespace halfspace::bench {
+namespace {
+
+TEST(BenchPeers, EveryPeerDrawsTheExactImage) {
+  const Scene scene = random_triangles({500, 60, true, 5});
+  const Camera camera = universe_camera(View::kFront, 120);
+  const Soup soup = make_soup(scene, camera);
+  const Checks checks = {ref::zbuffer(scene, camera, {}).items.pixels, true};
+  std::vector<Complaint> complaints;
+  const PeerCosts costs =
+      measure_peers(soup, checks, {.most = 1, .budget_ms = 1}, complaints);
+  for (const Complaint& complaint : complaints) {
+    ADD_FAILURE() << complaint.peer << ": " << complaint.share_equal;
+  }
+  for (const auto& cost :
+       {costs.llvmpipe_flat, costs.llvmpipe_smooth, costs.llvmpipe_no_depth,
+        costs.embree, costs.z_buffer, costs.painter_flat,
+        costs.painter_smooth}) {
+    ASSERT_TRUE(cost.has_value());
+    EXPECT_GT(*cost, 0);
+  }
+}
+
+TEST(BenchPeers, AnEmptyPictureIsAComplaint) {
+  const Scene scene = random_triangles({500, 60, true, 5});
+  const Camera camera = universe_camera(View::kFront, 120);
+  const Soup soup = make_soup(scene, camera);
+  const Checks checks = {
+      std::vector<PolygonId>(std::size_t{120} * 120, kBackground), true};
+  std::vector<Complaint> complaints;
+  measure_peers(soup, checks, {.most = 1, .budget_ms = 1}, complaints);
+  EXPECT_EQ(complaints.size(), 9u);
+}
+
+}  // namespace
+}  // namespace halfspace::bench
