@@ -33,25 +33,27 @@ struct ExportReport {
 
 /// Writes a mesh in the format that the file's name tells (S1.8).
 ///
-/// OBJ and OFF are text of 17 significant digits, from which every double
-/// reads back; PLY is binary, in doubles; STL is binary, in floats, and moves
+/// OBJ and OFF are text of the shortest decimals from which the same doubles
+/// read back; PLY is binary, in doubles; STL is binary, in floats, and moves
 /// what those do not hold. STL has triangles only: a face of more corners is
 /// cut into a fan from its first. Colours go into PLY and OFF.
 ///
 /// Requires: every corner names a vertex; a face has 3 corners or more.
-/// Errors: kUnwritable, kUnknownFormat; kNotFinite (a coordinate is not, or
-///         not as a float); kOutOfRange (more triangles than an STL counts).
+/// Errors:   kUnwritable (nothing is left at the path); kUnknownFormat;
+///           kNotFinite (a coordinate is not finite, or not as a float);
+///           kOutOfRange (more triangles than an STL counts).
 Result<ExportReport> write_mesh(const std::filesystem::path& path,
                                 const OutputMesh& mesh);
 
 /// Writes a scene in the format that the file's name tells (S1.8).
 ///
-/// OBJ, OFF and PLY hold the coordinates exactly, as decimal text, wherever
-/// that needs at most 80 characters, else as doubles; PLY is binary if the
-/// doubles are exact and the unit's base is 2. STL is as for a mesh, but cut
-/// so that no triangle of a polygon with straight corners lacks area.
+/// OBJ, OFF and PLY hold every coordinate exactly, as a decimal, if it has at
+/// most 80 characters, and else the double next to it; PLY is binary if the
+/// unit's base is 2 and doubles are exact. STL is as for a mesh, but polygons
+/// are cut so that straight corners make no triangle without area.
 ///
-/// Errors: as for a mesh.
+/// Errors: as for a mesh; kOutOfRange, too, for a polygon of over 20,000
+///         corners in an STL.
 Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene);
 
