@@ -10,7 +10,6 @@
 namespace halfspace {
 namespace {
 
-using definition::Fraction;
 using definition::Integer;
 using definition::Point;
 
@@ -125,31 +124,6 @@ void for_all_small_pairs(const Visit& visit) {
   }
 }
 
-/// Twice the vector area, in homogeneous-free numbers.
-struct Area {
-  Fraction x = 0, y = 0, z = 0;
-  friend bool operator==(const Area&, const Area&) = default;
-};
-
-Area area_of(const std::vector<Point>& polygon) {
-  Area area;
-  const auto at = [](const Integer& c, const Point& p) {
-    return Fraction(c, p.w);
-  };
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point& p = polygon[k];
-    const Point& q = polygon[(k + 1) % polygon.size()];
-    area.x += at(p.y, p) * at(q.z, q) - at(p.z, p) * at(q.y, q);
-    area.y += at(p.z, p) * at(q.x, q) - at(p.x, p) * at(q.z, q);
-    area.z += at(p.x, p) * at(q.y, q) - at(p.y, p) * at(q.x, q);
-  }
-  return area;
-}
-
-Area operator+(const Area& a, const Area& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
 TYPED_TEST(S2Split, L1TheRelationIsWhatTheSidesOfTheVerticesSay) {
   std::set<Relation> met;
   const auto check = [&](const Scene& scene) {
@@ -207,8 +181,9 @@ TYPED_TEST(S2Split, L3ThePartsLieOnTheirSides) {
 
 TYPED_TEST(S2Split, L4TheAreasOfThePartsAddUp) {
   for_all_cuts<TypeParam>([](const Cut<TypeParam>& cut) {
-    HALFSPACE_LAW(area_of(cut.positive) + area_of(cut.negative) ==
-                  area_of(cut.whole));
+    HALFSPACE_LAW(definition::area_of(cut.positive) +
+                      definition::area_of(cut.negative) ==
+                  definition::area_of(cut.whole));
   });
 }
 

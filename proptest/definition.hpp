@@ -126,6 +126,16 @@ ColorImage color_image(const Scene& scene, const Camera& camera,
 /// Requires: the point is on no facet.
 int winding(const std::vector<Facet>& facets, const Point& p);
 
+/// Twice a vector area. Units: square grid steps.
+struct Area {
+  Fraction x = 0, y = 0, z = 0;
+  friend bool operator==(const Area&, const Area&) = default;
+};
+Area operator+(const Area& a, const Area& b);
+
+/// Twice the vector area of a polygon with these vertices.
+Area area_of(const std::vector<Point>& polygon);
+
 /// Six times the signed volume behind polygons with these vertices.
 Fraction volume6(const std::vector<std::vector<Point>>& polygons);
 

@@ -93,6 +93,22 @@ int winding(const std::vector<Facet>& facets, const Point& p) {
   return count;
 }
 
+Area operator+(const Area& a, const Area& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+Area area_of(const std::vector<Point>& polygon) {
+  Area area;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const FractionPoint p = fractions(polygon[k]);
+    const FractionPoint q = fractions(polygon[(k + 1) % polygon.size()]);
+    area.x += p.y * q.z - p.z * q.y;
+    area.y += p.z * q.x - p.x * q.z;
+    area.z += p.x * q.y - p.y * q.x;
+  }
+  return area;
+}
+
 Fraction volume6(const std::vector<std::vector<Point>>& polygons) {
   Fraction sum = 0;
   for (const std::vector<Point>& polygon : polygons) {
