@@ -1,5 +1,6 @@
 #include "agree_scenes.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -112,7 +113,98 @@ Rgb random_color(Draws& draws) {
           static_cast<std::uint8_t>(bits >> 16)};
 }
 
+/// The half side of a cube about the origin that holds most of the scene.
+/// Units: lattice steps.
+std::int64_t lattice_size(Kind kind, int grid_bits) {
+  const std::int64_t steps = std::int64_t{1} << kLatticeBits;
+  switch (kind) {
+    case Kind::kSmall:
+    case Kind::kFaces:
+      return 8 * steps;
+    case Kind::kParallel:
+      return 1024 * steps;
+    default:
+      return (std::int64_t{1} << (grid_bits - 1)) * steps;
+  }
+}
+
+LatticeVector to_lattice(const GridPoint& p) {
+  const Int128 step = Int128{1} << kLatticeBits;
+  return {step * p.x, step * p.y, step * p.z};
+}
+
+LatticeVector random_lattice(std::int64_t size, Draws& draws) {
+  const GridPoint p = random_point(draws, size);
+  return {p.x, p.y, p.z};
+}
+
+/// The step from one pixel to the next, about `size` long.
+LatticeVector random_axis(std::int64_t size, bool along_grid, Draws& draws) {
+  if (!along_grid) return random_lattice(size, draws);
+  const std::int64_t s = draws.one_in(2) ? size : -size;
+  const std::int64_t axis = draws.from_to(0, 2);
+  return {axis == 0 ? s : 0, axis == 1 ? s : 0, axis == 2 ? s : 0};
+}
+
+/// A corner of the scene, or a point of an edge's middle, or anywhere.
+LatticeVector random_eye(const Scene& scene, std::int64_t size, Draws& draws) {
+  const auto count = static_cast<std::int64_t>(scene.data().vertices.size());
+  if (count > 0 && draws.one_in(4)) {
+    const auto corner = static_cast<VertexId>(draws.from_to(0, count - 1));
+    return to_lattice(scene.point(corner));
+  }
+  if (count > 0 && draws.one_in(4)) {
+    // On a polygon's plane: p + (q - p) - (r - p) is, for corners p, q, r.
+    const auto polygons = static_cast<std::int64_t>(scene.polygon_count());
+    const auto corners =
+        scene.corners(static_cast<PolygonId>(draws.from_to(0, polygons - 1)));
+    const LatticeVector p = to_lattice(scene.point(corners[0]));
+    const LatticeVector q = to_lattice(scene.point(corners[1]));
+    const LatticeVector r = to_lattice(scene.point(corners[2]));
+    return {p.x + q.x - r.x, p.y + q.y - r.y, p.z + q.z - r.z};
+  }
+  if (draws.one_in(3)) return random_lattice(size, draws);
+  return random_lattice(4 * size, draws);
+}
+
 }  // namespace
+
+Camera random_camera(Kind kind, const Scene& scene, std::int32_t width_px,
+                     std::int32_t height_px, Draws& draws) {
+  const std::int64_t size = lattice_size(kind, scene.grid_bits());
+  while (true) {
+    CameraData data;
+    data.width_px = width_px;
+    data.height_px = height_px;
+    data.perspective = !draws.one_in(3);
+    data.eye = random_eye(scene, size, draws);
+    const bool along_grid = draws.one_in(2);
+    std::int64_t step = 2 * size / std::max(width_px, height_px) + 1;
+    if (along_grid && step > 128) step = step / 128 * 128;
+    step *= draws.from_to(1, 2);
+    data.sx = random_axis(step, along_grid, draws);
+    data.sy = random_axis(step, along_grid, draws);
+    if (!data.perspective && draws.one_in(2)) {
+      data.eye = random_axis(size, true, draws);
+    }
+    LatticeVector centre = random_lattice(size / 3, draws);
+    if (along_grid && size > 1024) {
+      centre = {centre.x / 128 * 128, centre.y / 128 * 128,
+                centre.z / 128 * 128};
+    }
+    const Int128 right = width_px / 2;
+    const Int128 down = height_px / 2;
+    data.s0 = {centre.x - right * data.sx.x - down * data.sy.x,
+               centre.y - right * data.sx.y - down * data.sy.y,
+               centre.z - right * data.sx.z - down * data.sy.z};
+    if (draws.one_in(3)) {
+      const std::int64_t one = std::int64_t{1} << kNearBits;
+      data.near = draws.from_to(data.perspective ? 0 : -one, 2 * one);
+      if (draws.one_in(3)) data.near = one;
+    }
+    if (auto camera = make_camera(data, scene.grid_bits())) return *camera;
+  }
+}
 
 std::uint64_t Draws::next() {
   state_ = mix(state_);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "halfspace/camera.hpp"
 #include "halfspace/scene.hpp"
 
 namespace halfspace::agree {
@@ -38,5 +39,11 @@ const char* name_of(Kind kind);
 /// left out. Every polygon has corner colours where `corner_colors`.
 Scene random_scene(Kind kind, int grid_bits, int polygons, Draws& draws,
                    bool corner_colors = false);
+
+/// A random camera that looks at the scene of that kind, made to hurt: eyes on
+/// planes, at corners and among the polygons, axes along the grid with pixel
+/// centres on vertices, near distances within the scene.
+Camera random_camera(Kind kind, const Scene& scene, std::int32_t width_px,
+                     std::int32_t height_px, Draws& draws);
 
 }  // namespace halfspace::agree

@@ -27,8 +27,9 @@ void link(BspTree& tree, NodeId parent, Side side, NodeId child) {
 }
 
 /// Adds a fragment to the tree's array, in no list yet.
-std::int32_t add_fragment(BspTree& tree, const Part& part) {
-  tree.fragments.push_back({part.source, part.first, part.count, kNoFragment});
+std::int32_t add_fragment(BspTree& tree, const Part& part, bool turned) {
+  tree.fragments.push_back({part.source, part.first, part.count & kCountMask,
+                            turned ? 1u : 0u, kNoFragment});
   return static_cast<std::int32_t>(tree.fragments.size()) - 1;
 }
 
@@ -64,6 +65,11 @@ class Autopartition {
     const auto p = static_cast<std::size_t>(part.source);
     if (table_.plane_of[s] == table_.plane_of[p]) return Relation::kCoincident;
     return builder_.relation(part, splitter, planes_[s]);
+  }
+
+  bool is_turned(PolygonId source, PolygonId splitter) const {
+    return table_.same_orientation[static_cast<std::size_t>(source)] !=
+           table_.same_orientation[static_cast<std::size_t>(splitter)];
   }
 
   void make_node(const Task& task) {
@@ -109,7 +115,8 @@ class Autopartition {
       const Part& part = parts_[i];
       switch (relation(part, splitter)) {
         case Relation::kCoincident: {
-          const std::int32_t added = add_fragment(tree_, part);
+          const std::int32_t added =
+              add_fragment(tree_, part, is_turned(part.source, splitter));
           if (last == kNoFragment) {
             tree_.nodes.back().first_fragment = added;
           } else {

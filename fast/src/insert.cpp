@@ -20,9 +20,11 @@ Node& node_at(BspTree& tree, NodeId id) {
 }
 
 /// Puts the part into the node's list, which is in id order.
-void put(BspTree& tree, NodeId node, const Part& part) {
+void put(BspTree& tree, NodeId node, const Part& part, const Plane& plane) {
   const auto added = static_cast<std::int32_t>(tree.fragments.size());
-  tree.fragments.push_back({part.source, part.first, part.count, kNoFragment});
+  const bool turned = opposed(plane, node_at(tree, node).plane);
+  tree.fragments.push_back({part.source, part.first, part.count & kCountMask,
+                            turned ? 1u : 0u, kNoFragment});
   std::int32_t* link = &node_at(tree, node).first_fragment;
   while (*link != kNoFragment) {
     TreeFragment& next = tree.fragments[static_cast<std::size_t>(*link)];
@@ -44,7 +46,7 @@ void make_node(BspTree& tree, const Step& step, const Plane& plane) {
   node.splitter = step.part.source;
   node.plane = plane;
   tree.nodes.push_back(node);
-  put(tree, id, step.part);
+  put(tree, id, step.part, plane);
 }
 
 }  // namespace
@@ -82,7 +84,7 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
     switch (
         builder.relation(step.part, node.splitter, filter_plane(node.plane))) {
       case Relation::kCoincident:
-        put(tree, step.node, step.part);
+        put(tree, step.node, step.part, plane);
         break;
       case Relation::kPositive:
         go(step.part, Side::kPositive);

@@ -17,6 +17,17 @@ struct Part {
   std::uint32_t count = 0;
 };
 
+/// TreeFragment::corner_count has 31 bits; no fragment has more corners.
+constexpr std::uint32_t kCountMask = 0x7fffffff;
+
+/// Whether two planes that are the same point set have opposite normals.
+///
+/// Products of parallel vectors' components all have one sign, so their sum in
+/// doubles has it too.
+inline bool opposed(const Plane& p, const Plane& q) {
+  return p.a * q.a + p.b * q.b + p.c * q.c < 0;
+}
+
 /// Two parts that a plane made of one.
 struct CutParts {
   Part positive;

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/predicate.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::fast {
+
+/// A part of the image: columns `left` up to but not including `right`, lines
+/// `top` up to but not including `bottom`. Units: pixels.
+struct Rectangle {
+  std::int32_t left = 0;
+  std::int32_t top = 0;
+  std::int32_t right = 0;
+  std::int32_t bottom = 0;
+  friend bool operator==(const Rectangle&, const Rectangle&) = default;
+};
+
+/// What render() does that does not change a pixel.
+struct RenderOptions {
+  int threads = 1;  ///< at least 1
+  /// The part of the image that is wanted; nothing: all of it. It must lie in
+  /// the image and not be empty.
+  std::optional<Rectangle> rectangle;
+  bool colors = true;     ///< false: leave Rendering::colors empty
+  bool portable = false;  ///< only the loops that run on every machine
+};
+
+/// An image, and what it took.
+struct Rendering {
+  ItemImage items;    ///< of the rectangle
+  ColorImage colors;  ///< of the rectangle
+  /// How often a pixel was set: for render() those that are not background,
+  /// else as often as it was overwritten.
+  std::size_t pixels_painted = 0;
+  /// How many fragments were displayed; a band of lines counts its own.
+  std::size_t fragments_displayed = 0;
+  /// Of splitters against the eye, and of scan lines and channels.
+  FilterStats decisions;
+};
+
+/// The image of the scene (S5.1), whose tree is `tree`: from front to back,
+/// onto a screen of tiles, until that is full (S5.5).
+///
+/// The images do not depend on the number of threads, nor a pixel of them on
+/// the rectangle.
+/// Requires: options.threads >= 1; a rectangle within the image.
+/// Exact:    yes: doubles with bounds, and integers where they touch.
+/// Ties:     coplanar polygons: the lowest id is seen.
+/// Cost:     what is seen, and the way to it.
+Rendering render(const Scene& scene, const BspTree& tree, const Camera& camera,
+                 const ImageOptions& image, const RenderOptions& options = {});
+
+/// The same into a rendering that is there: no memory is asked for where the
+/// sizes agree.
+void render(const Scene& scene, const BspTree& tree, const Camera& camera,
+            const ImageOptions& image, const RenderOptions& options,
+            Rendering& result);
+
+/// The same image by the painter's algorithm: back to front, later over
+/// earlier (S5.5).
+///
+/// Requires: a tree without leaves.
+Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& image, const RenderOptions& options = {});
+
+}  // namespace halfspace::fast

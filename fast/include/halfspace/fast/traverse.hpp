@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/predicate.hpp"
+
+namespace halfspace::fast {
+
+/// What is done with each fragment; false ends the traversal.
+using Display = std::function<bool(const Node&, const TreeFragment&)>;
+
+/// Displays the fragments of the tree so that none is hidden by one displayed
+/// before it (S3.7; F2B fig. 5, FAG83 Traverse_tree; E2).
+///
+/// Far subtree, node, near subtree. On the eye's side of a splitter that holds
+/// the eye, positive counts as near; that node's own fragments are invisible
+/// and are not displayed.
+/// Requires: a tree without leaves.
+/// Ties:     fragments of one node, highest id first.
+/// Exact:    yes.
+void back_to_front(const BspTree& tree, const Scene& scene,
+                   const Camera& camera, const Display& display);
+
+/// Displays the fragments of the tree so that none hides one displayed before
+/// it (S3.7; F2B fig. 6): near subtree, node, far subtree.
+///
+/// Ties: fragments of one node, lowest id first.
+void front_to_back(const BspTree& tree, const Scene& scene,
+                   const Camera& camera, const Display& display);
+
+}  // namespace halfspace::fast

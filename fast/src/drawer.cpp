@@ -1,0 +1,168 @@
+#include "drawer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace::fast {
+namespace {
+
+/// Outlines whose corners are known no better than this go line by line: what
+/// the kernel derives needs errors far below a pixel.
+constexpr double kMostError = 0x1p-10;
+
+/// Beyond this, too: differences of coordinates shall stay finite and small
+/// enough for 32 bits.
+constexpr double kFarthest = 0x1p30;
+
+}  // namespace
+
+template <int kBits>
+Drawer<kBits>::Drawer(const Frame& frame, Canvas& canvas)
+    : frame_(frame),
+      canvas_(canvas),
+      scan_(frame.reader, frame.camera),
+      shader_(frame.reader.scene(), frame.camera),
+      gouraud_(frame.image.shading == Shading::kGouraud &&
+               !frame.reader.scene().data().corner_colors.empty()) {}
+
+/// Projects the corners, with a bound on their error.
+///
+/// With X, t and their errors a, b: X / t - X' / t' = (a - b x) / t' for the
+/// true X', t', so x is off by (a + b |x|) / (t - b); the reciprocal and the
+/// product add 2u |x|, 4u with a margin for the bound's own roundings.
+template <int kBits>
+typename Drawer<kBits>::Fate Drawer<kBits>::project(
+    const TreeFragment& fragment) {
+  const View& view = frame_.view;
+  const auto corners = frame_.reader.corners(fragment);
+  if (corners.size() > kMostCorners) return Fate::kLines;
+  bool all_behind = true;
+  bool some_in_doubt = false;
+  double error = 0;
+  std::size_t k = 0;
+  for (const Corner& corner : corners) {
+    const Vertex v = frame_.reader.vertex(corner.vertex);
+    const double t = view.t.at(v.x, v.y, v.z);
+    const double t_error =
+        (view.t_error + view.t_growth * v.error) * (1 + 0x1p-48);
+    all_behind = all_behind && t + t_error < view.near;
+    // In perspective `near` is 0 at least, so the quotients are finite.
+    if (!(t - t_error > view.near)) {
+      some_in_doubt = true;
+      continue;
+    }
+    double x = view.x.at(v.x, v.y, v.z);
+    double y = view.y.at(v.x, v.y, v.z);
+    double doubt = view.xy_error + view.xy_growth * v.error;
+    if (view.perspective) {
+      const double reciprocal = 1 / t;
+      x *= reciprocal;
+      y *= reciprocal;
+      doubt = (doubt + t_error * std::max(std::abs(x), std::abs(y))) /
+              (t - t_error);
+    }
+    const double size = std::max(std::abs(x), std::abs(y));
+    error = std::max(error, doubt + 4 * kRounding * size);
+    some_in_doubt = some_in_doubt || !(size < kFarthest);
+    x_[k] = x;
+    y_[k] = y;
+    ++k;
+  }
+  if (all_behind) return Fate::kUnseen;
+  error_ = error * (1 + 0x1p-40);
+  return some_in_doubt || !(error_ < kMostError) ? Fate::kLines
+                                                 : Fate::kOutline;
+}
+
+template <int kBits>
+void Drawer<kBits>::draw(const TreeFragment& fragment, int eye_sign) {
+  if (frame_.image.cull && eye_sign < 0) return;
+  const Fate fate = project(fragment);
+  if (fate == Fate::kUnseen) return;
+  ++fragments_;
+  fragment_ = &fragment;
+  eye_sign_ = eye_sign;
+  scan_.start(fragment, eye_sign);
+
+  const Scene& scene = frame_.reader.scene();
+  Rgb color = scene.color(fragment.source);
+  bool shaded = false;
+  if (gouraud_) {
+    shaded = has_gradient(scene, fragment.source);
+    if (shaded) {
+      shader_.start(fragment.source, eye_sign);
+    } else {
+      color = scene.corner_colors(fragment.source)[0];
+    }
+  }
+  const Ink ink = {fragment.source, {color.r, color.g, color.b}};
+  const Decider decider = {exact_line, nearer, shaded ? shade : nullptr, this};
+  if (fate == Fate::kLines) {
+    pixels_ += static_cast<std::size_t>(
+        frame_.kernel.draw_lines(canvas_, canvas_.lines, ink, decider));
+    return;
+  }
+  const Outline outline = {x_, y_,
+                           static_cast<std::int32_t>(fragment.corner_count),
+                           error_, -frame_.view.orientation * eye_sign};
+  pixels_ += static_cast<std::size_t>(
+      frame_.kernel.draw(canvas_, outline, ink, decider));
+}
+
+template <int kBits>
+PixelRange Drawer<kBits>::exact_line(void* self, std::int32_t j,
+                                     PixelRange range) {
+  auto& drawer = *static_cast<Drawer*>(self);
+  ++drawer.stats_.exact;
+  return drawer.scan_.line(j, range);
+}
+
+template <int kBits>
+void Drawer<kBits>::shade(void* self, std::int32_t x, std::int32_t y,
+                          const std::uint32_t* lit) {
+  auto& drawer = *static_cast<Drawer*>(self);
+  const Canvas& canvas = drawer.canvas_;
+  for (std::int32_t r = 0; r < kTileHeight; ++r) {
+    if (lit[r] == 0) continue;
+    std::uint8_t* line =
+        canvas.colors + (y + r) * canvas.colors_stride + std::int64_t{3} * x;
+    drawer.stats_.exact += static_cast<std::uint64_t>(
+        drawer.shader_.shade(x, y + r, lit[r], line));
+  }
+}
+
+/// Whether the fragment at hand is nearer than `other` at the sample (S5.3):
+/// the planes' order along the ray is the sign of the line they meet in.
+template <int kBits>
+bool Drawer<kBits>::is_nearer(PolygonId other, std::int32_t i, std::int32_t j) {
+  const Geometry& geometry = frame_.reader.geometry();
+  const auto here =
+      see(geometry.exact<kBits>(fragment_->source), frame_.camera);
+  const auto there = see(geometry.exact<kBits>(other), frame_.camera);
+  const int order = meet_line<kBits>(here, there).sign_at_sample(i, j) *
+                    eye_sign_ * sign(there.eye);
+  return order > 0 || (order == 0 && fragment_->source < other);
+}
+
+template <int kBits>
+void Drawer<kBits>::nearer(void* self, std::int32_t x, std::int32_t y,
+                           std::uint32_t* lit) {
+  auto& drawer = *static_cast<Drawer*>(self);
+  const Canvas& canvas = drawer.canvas_;
+  for (std::int32_t r = 0; r < kTileHeight; ++r) {
+    const std::int32_t* items =
+        canvas.items + (y + r) * canvas.items_stride + x;
+    for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
+      const int k = __builtin_ctz(bits);
+      if (!drawer.is_nearer(items[k], x + k, y + r)) {
+        lit[r] &= ~(std::uint32_t{1} << k);
+      }
+    }
+  }
+}
+
+template class Drawer<26>;
+template class Drawer<40>;
+template class Drawer<54>;
+
+}  // namespace halfspace::fast

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "exact_scan.hpp"
+#include "halfspace/fast/render.hpp"
+#include "halfspace/image.hpp"
+#include "kernel.hpp"
+#include "shader.hpp"
+#include "view.hpp"
+
+namespace halfspace::fast {
+
+/// What all threads of one frame share.
+struct Frame {
+  const TreeReader& reader;
+  const CameraData& camera;
+  const ImageOptions& image;
+  const View& view;
+  const Kernel& kernel;
+};
+
+/// Draws the fragments of a tree on one canvas.
+template <int kBits>
+class Drawer {
+ public:
+  Drawer(const Frame& frame, Canvas& canvas);
+
+  /// Draws a fragment whose source has the eye on side `eye_sign`.
+  void draw(const TreeFragment& fragment, int eye_sign);
+
+  std::size_t pixels() const { return pixels_; }
+  std::size_t fragments() const { return fragments_; }
+  const FilterStats& stats() const { return stats_; }
+
+ private:
+  /// Where the corners of an outline go.
+  static constexpr std::int32_t kMostCorners = 32;
+
+  enum class Fate { kOutline, kLines, kUnseen };
+
+  Fate project(const TreeFragment& fragment);
+  static PixelRange exact_line(void* self, std::int32_t j, PixelRange range);
+  static void nearer(void* self, std::int32_t x, std::int32_t y,
+                     std::uint32_t* lit);
+  static void shade(void* self, std::int32_t x, std::int32_t y,
+                    const std::uint32_t* lit);
+  bool is_nearer(PolygonId other, std::int32_t i, std::int32_t j);
+
+  const Frame& frame_;
+  Canvas& canvas_;
+  ExactScan<kBits> scan_;
+  Shader shader_;
+  bool gouraud_;
+  const TreeFragment* fragment_ = nullptr;
+  int eye_sign_ = 0;
+  double x_[kMostCorners];
+  double y_[kMostCorners];
+  double error_ = 0;
+  std::size_t pixels_ = 0;
+  std::size_t fragments_ = 0;
+  FilterStats stats_;
+};
+
+extern template class Drawer<26>;
+extern template class Drawer<40>;
+extern template class Drawer<54>;
+
+}  // namespace halfspace::fast

@@ -1,0 +1,174 @@
+#include "halfspace/fast/render.hpp"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "drawer.hpp"
+#include "halfspace/assert.hpp"
+#include "screen.hpp"
+#include "walk.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// What one thread found.
+struct BandResult {
+  std::size_t pixels = 0;
+  std::size_t fragments = 0;
+  FilterStats stats;
+};
+
+/// The eye's side of a fragment's source, from that of its node.
+int source_side(const TreeFragment& fragment, int node_sign) {
+  return fragment.turned != 0 ? -node_sign : node_sign;
+}
+
+template <int kBits>
+BandResult render_band(const Frame& frame, Screen& screen) {
+  const BspTree& tree = frame.reader.tree();
+  Canvas& canvas = screen.canvas();
+  Drawer<kBits> drawer(frame, canvas);
+  FilterStats stats;
+  const EyeSide eye_side(frame.reader, frame.view, frame.camera, stats);
+  walk_front_to_back(
+      tree, eye_side, [](NodeId) { return true; },
+      [&](const Node& node, int sign) {
+        for_fragments(tree, node, [&](const TreeFragment& fragment) {
+          drawer.draw(fragment, source_side(fragment, sign));
+          return true;
+        });
+        return canvas.open_tiles > 0;
+      });
+  const Rgb background = frame.image.background;
+  frame.kernel.fill_rest(
+      canvas, {kBackground, {background.r, background.g, background.b}});
+  stats.add(drawer.stats());
+  return {drawer.pixels(), drawer.fragments(), stats};
+}
+
+template <int kBits>
+BandResult paint_band(const Frame& frame, Screen& screen) {
+  const BspTree& tree = frame.reader.tree();
+  Canvas& canvas = screen.canvas();
+  const Rgb background = frame.image.background;
+  frame.kernel.fill_rest(
+      canvas, {kBackground, {background.r, background.g, background.b}});
+  canvas.overwrite = true;
+  Drawer<kBits> drawer(frame, canvas);
+  FilterStats stats;
+  std::vector<std::int32_t> scratch;
+  const EyeSide eye_side(frame.reader, frame.view, frame.camera, stats);
+  walk_back_to_front(tree, eye_side, [&](const Node& node, int sign) {
+    return for_fragments_reversed(
+        tree, node, scratch, [&](const TreeFragment& fragment) {
+          drawer.draw(fragment, source_side(fragment, sign));
+          return true;
+        });
+  });
+  stats.add(drawer.stats());
+  return {drawer.pixels(), drawer.fragments(), stats};
+}
+
+/// Bands of whole tile rows, one or a few for each thread.
+std::vector<PixelRange> bands_of(const Rectangle& rectangle, int threads) {
+  const std::int32_t first = rectangle.top / kTileHeight;
+  const std::int32_t last = (rectangle.bottom - 1) / kTileHeight;
+  const std::int32_t rows = last - first + 1;
+  // More bands than threads even out what the bands cost.
+  const std::int32_t wanted = threads == 1 ? 1 : 4 * threads;
+  const std::int32_t count = std::min(wanted, rows);
+  std::vector<PixelRange> bands;
+  for (std::int32_t b = 0; b < count; ++b) {
+    const auto row = [&](std::int32_t k) {
+      return static_cast<std::int32_t>(first + std::int64_t{rows} * k / count);
+    };
+    bands.push_back({std::max(rectangle.top, row(b) * kTileHeight),
+                     std::min(rectangle.bottom, row(b + 1) * kTileHeight)});
+  }
+  return bands;
+}
+
+template <class T>
+void resize(Grid2<T>& image, std::int32_t width, std::int32_t height) {
+  if (image.width_px == width && image.height_px == height) return;
+  image = Grid2<T>(width, height, T{});
+}
+
+enum class Order { kFrontToBack, kBackToFront };
+
+void run(const Scene& scene, const BspTree& tree, const Camera& camera,
+         const ImageOptions& image, const RenderOptions& options, Order order,
+         Rendering& result) {
+  HALFSPACE_ASSERT(options.threads >= 1);
+  const CameraData& data = camera.data();
+  const Rectangle rectangle = options.rectangle.value_or(
+      Rectangle{0, 0, data.width_px, data.height_px});
+  HALFSPACE_ASSERT(0 <= rectangle.left && rectangle.left < rectangle.right &&
+                   rectangle.right <= data.width_px);
+  HALFSPACE_ASSERT(0 <= rectangle.top && rectangle.top < rectangle.bottom &&
+                   rectangle.bottom <= data.height_px);
+  const std::int32_t width = rectangle.right - rectangle.left;
+  const std::int32_t height = rectangle.bottom - rectangle.top;
+  resize(result.items, width, height);
+  resize(result.colors, options.colors ? width : 0,
+         options.colors ? height : 0);
+
+  const TreeReader reader(scene, tree);
+  const View view = make_view(camera, scene.grid_bits());
+  const Frame frame = {reader, data, image, view,
+                       options.portable ? kPlainKernel : best_kernel()};
+  const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
+  std::vector<BandResult> found(bands.size());
+  const auto one = [&](std::size_t b) {
+    Screen screen(rectangle, bands[b], result, false);
+    found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
+      return order == Order::kFrontToBack ? render_band<bits()>(frame, screen)
+                                          : paint_band<bits()>(frame, screen);
+    });
+  };
+  if (options.threads == 1) {
+    for (std::size_t b = 0; b < bands.size(); ++b) one(b);
+  } else {
+    // Asking for more threads than there are makes the library complain.
+    oneapi::tbb::task_arena arena(
+        std::min(options.threads, oneapi::tbb::info::default_concurrency()));
+    arena.execute(
+        [&] { oneapi::tbb::parallel_for(std::size_t{0}, bands.size(), one); });
+  }
+  result.pixels_painted = 0;
+  result.fragments_displayed = 0;
+  result.decisions = {};
+  for (const BandResult& band : found) {
+    result.pixels_painted += band.pixels;
+    result.fragments_displayed += band.fragments;
+    result.decisions.add(band.stats);
+  }
+}
+
+}  // namespace
+
+Rendering render(const Scene& scene, const BspTree& tree, const Camera& camera,
+                 const ImageOptions& image, const RenderOptions& options) {
+  Rendering result;
+  run(scene, tree, camera, image, options, Order::kFrontToBack, result);
+  return result;
+}
+
+void render(const Scene& scene, const BspTree& tree, const Camera& camera,
+            const ImageOptions& image, const RenderOptions& options,
+            Rendering& result) {
+  run(scene, tree, camera, image, options, Order::kFrontToBack, result);
+}
+
+Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& image, const RenderOptions& options) {
+  Rendering result;
+  run(scene, tree, camera, image, options, Order::kBackToFront, result);
+  return result;
+}
+
+}  // namespace halfspace::fast

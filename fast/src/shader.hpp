@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/scene.hpp"
+#include "image_line.hpp"
+
+namespace halfspace::fast {
+
+/// Whether the polygon has corner colours that differ: then it is a triangle.
+bool has_gradient(const Scene& scene, PolygonId polygon);
+
+/// The colours of a triangle whose corners' differ (S5.4).
+///
+/// With w[k] the image line of the edge opposite corner k, the point seen has
+/// the weights w[k] / (w[0] + w[1] + w[2]), for they are the volumes that the
+/// edges span with the eye and the point. So a channel is a quotient of two
+/// affine functions of the image: here in doubles with a bound, and exactly
+/// where that touches a rounding step.
+class Shader {
+ public:
+  Shader(const Scene& scene, const CameraData& camera)
+      : scene_(scene), camera_(camera) {}
+
+  /// The triangle that is meant from now on; the eye is on side `eye_sign`.
+  void start(PolygonId polygon, int eye_sign) {
+    polygon_ = polygon;
+    eye_sign_ = eye_sign;
+    ready_ = false;
+  }
+
+  /// Writes the colours of the pixels `bits` of line `j`, from column `x` on,
+  /// to `line`, which is column x. Returns how many channels were decided
+  /// exactly.
+  int shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
+            std::uint8_t* line);
+
+ private:
+  /// a (2i + 1) + b (2j + 1) + c, in doubles.
+  struct Line {
+    double a = 0;
+    double b = 0;
+    double c = 0;
+  };
+
+  void prepare();
+  std::uint8_t exact_channel(std::size_t channel, std::int32_t i,
+                             std::int32_t j, std::int32_t guess) const;
+
+  const Scene& scene_;
+  const CameraData& camera_;
+  PolygonId polygon_ = 0;
+  int eye_sign_ = 0;
+  bool ready_ = false;
+  std::array<ImageLine<4>, 3> exact_sums_;
+  ImageLine<4> exact_total_;
+  std::array<Line, 3> sums_;
+  Line total_;
+  double doubt_ = 0;  ///< bound on a channel's error, times the total
+};
+
+}  // namespace halfspace::fast
