@@ -132,7 +132,8 @@ class Autopartition {
           negative_.push_back(part);
           break;
         case Relation::kSpanning: {
-          const CutParts cut = builder_.cut(part, splitter);
+          const CutParts cut = builder_.cut(
+              part, splitter, planes_[static_cast<std::size_t>(splitter)]);
           positive_.push_back(cut.positive);
           negative_.push_back(cut.negative);
           break;

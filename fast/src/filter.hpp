@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "halfspace/fast/predicate.hpp"
 
@@ -83,6 +85,49 @@ inline Vertex meet(const Vertex& p, const Bounded& hp, const Vertex& q,
   return {
       p.x + t * dx, p.y + t * dy, p.z + t * dz,
       (std::max(p.error, q.error) + doubt * length) * (1 + 0x1p-48) + rounding};
+}
+
+/// Where two planes meet the plane of three points, from the values `f` and `g`
+/// that they take there; `extent` bounds the sizes of p1 - p0 and p2 - p0, and
+/// of the meet less p0.
+///
+/// With w = f x g and W = w0 + w1 + w2 it is p0 + (w1 d1 + w2 d2) / W. Let F
+/// and G bound the errors of f and g: each of w's two products is off by
+/// |f| G + |g| F + F G, and rounding adds 3u of their sizes. With e0, e1, e2
+/// those bounds and E their sum, a coordinate is off by at most
+/// extent (e1 + e2 + E) / (|W| - E) <= extent 2E / (|W| - E). Rounding: the
+/// quotients w / W by 4u, each product, sum and difference by u, in all less
+/// than 12 u of extent (|w1| + |w2|) / |W| and u of the result: hence the 16u.
+inline Vertex meet(const std::array<Vertex, 3>& p,
+                   const std::array<Bounded, 3>& f,
+                   const std::array<Bounded, 3>& g, double extent,
+                   double rounding) {
+  std::array<double, 3> w;
+  double doubt = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const auto size = [](const Bounded& b) { return std::abs(b.value); };
+    w[i] = f[j].value * g[k].value - f[k].value * g[j].value;
+    doubt +=
+        size(f[j]) * g[k].error + size(g[k]) * f[j].error +
+        f[j].error * g[k].error + size(f[k]) * g[j].error +
+        size(g[j]) * f[k].error + f[k].error * g[j].error +
+        3 * kRounding * (size(f[j]) * size(g[k]) + size(f[k]) * size(g[j]));
+  }
+  doubt *= 1 + 0x1p-40;
+  const double total = w[0] + w[1] + w[2];
+  const double sure = std::abs(total) - 2 * doubt;
+  if (!(sure > 0)) return {p[0].x, p[0].y, p[0].z, 2 * extent + rounding};
+  const double s = w[1] / total;
+  const double t = w[2] / total;
+  const auto at = [s, t](double a, double b, double c) {
+    return a + (s * (b - a) + t * (c - a));
+  };
+  const double error = extent * (2 * doubt / sure) +
+                       16 * kRounding * extent * (std::abs(s) + std::abs(t));
+  return {at(p[0].x, p[1].x, p[2].x), at(p[0].y, p[1].y, p[2].y),
+          at(p[0].z, p[1].z, p[2].z), error * (1 + 0x1p-40) + rounding};
 }
 
 inline Vertex to_vertex(const GridPoint& p) {

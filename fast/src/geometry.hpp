@@ -58,6 +58,11 @@ class Geometry {
   std::array<GridPoint, 2> source_edge(PolygonId source,
                                        std::int32_t corner) const;
 
+  /// The point in which the plane passes through an edge of a fragment, from
+  /// the source's corners: errors of earlier cuts do not add up.
+  Vertex crossing(PolygonId source, EdgeCode edge,
+                  const FilterPlane& plane) const;
+
   /// The sign of the plane at the vertex between two edges of a fragment.
   int exact_sign(PolygonId source, EdgeCode before, EdgeCode after,
                  PlaneId plane) const;

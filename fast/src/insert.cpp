@@ -81,8 +81,8 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
                        side == Side::kPositive ? node.positive : node.negative,
                        step.node, side});
     };
-    switch (
-        builder.relation(step.part, node.splitter, filter_plane(node.plane))) {
+    const FilterPlane filter = filter_plane(node.plane);
+    switch (builder.relation(step.part, node.splitter, filter)) {
       case Relation::kCoincident:
         put(tree, step.node, step.part, plane);
         break;
@@ -93,7 +93,7 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
         go(step.part, Side::kNegative);
         break;
       case Relation::kSpanning: {
-        const CutParts cut = builder.cut(step.part, node.splitter);
+        const CutParts cut = builder.cut(step.part, node.splitter, filter);
         go(cut.negative, Side::kNegative);
         go(cut.positive, Side::kPositive);
         break;

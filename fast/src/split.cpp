@@ -28,10 +28,15 @@ SplitResult split(const Scene& scene, const Fragment& fragment,
   walk_cut(signs, [&](int part, std::size_t k, bool crossing, bool cut) {
     Fragment& to = part > 0 ? result.positive : result.negative;
     const std::size_t next = k + 1 == count ? 0 : k + 1;
-    to.vertices.push_back(crossing ? meet(fragment.vertices[k], values[k],
-                                          fragment.vertices[next], values[next],
-                                          geometry.rounding())
-                                   : fragment.vertices[k]);
+    Vertex vertex = fragment.vertices[k];
+    if (crossing) {
+      vertex = meet(vertex, values[k], fragment.vertices[next], values[next],
+                    geometry.rounding());
+      const Vertex from_source =
+          geometry.crossing(fragment.source, code_of(fragment.edges[k]), plane);
+      if (from_source.error <= vertex.error) vertex = from_source;
+    }
+    to.vertices.push_back(vertex);
     to.edges.push_back(cut ? cut_name : fragment.edges[k]);
   });
   return result;

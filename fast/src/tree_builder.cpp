@@ -44,7 +44,8 @@ Relation TreeBuilder::relation(const Part& part, PlaneId id,
   return Relation::kCoincident;
 }
 
-CutParts TreeBuilder::cut(const Part& part, PlaneId id) {
+CutParts TreeBuilder::cut(const Part& part, PlaneId id,
+                          const FilterPlane& plane) {
   std::int32_t crossing_vertex = 0;
   bool crossing_is_new = true;
   new_corners_[0].clear();
@@ -58,9 +59,13 @@ CutParts TreeBuilder::cut(const Part& part, PlaneId id) {
         const std::size_t next = k + 1 == part.count ? 0 : k + 1;
         crossing_vertex = vertex_count_ +
                           static_cast<std::int32_t>(tree_.cut_vertices.size());
-        tree_.cut_vertices.push_back(meet(vertex(index), values_[k],
-                                          vertex(corners[next].vertex),
-                                          values_[next], geometry_.rounding()));
+        const Vertex from_source =
+            geometry_.crossing(part.source, corners[k].edge, plane);
+        const Vertex from_ends =
+            meet(vertex(index), values_[k], vertex(corners[next].vertex),
+                 values_[next], geometry_.rounding());
+        tree_.cut_vertices.push_back(
+            from_source.error <= from_ends.error ? from_source : from_ends);
       }
       crossing_is_new = !crossing_is_new;
       index = crossing_vertex;

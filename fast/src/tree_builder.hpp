@@ -53,7 +53,7 @@ class TreeBuilder {
 
   /// Cuts the part along the plane (S2.3).
   /// Requires: the last call was relation(part, id, plane), and spanning.
-  CutParts cut(const Part& part, PlaneId id);
+  CutParts cut(const Part& part, PlaneId id, const FilterPlane& plane);
 
   Vertex vertex(std::int32_t index) const {
     if (index >= vertex_count_) {

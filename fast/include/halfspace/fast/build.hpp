@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -47,6 +48,13 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
+/// A box with faces parallel to the axes. Units: grid steps.
+struct Box {
+  std::array<float, 3> low{};
+  std::array<float, 3> high{};
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
 /// A tree of a scene; its root, if it has one, is the first node (S3.1).
 ///
 /// Everything lies in arrays, by index: nothing to destroy one by one, however
@@ -57,6 +65,9 @@ struct BspTree {
   std::vector<Corner> corners;
   std::vector<Vertex> cut_vertices;
   std::vector<FreePlane> free_planes;
+  /// Empty, or for each node a box that holds all fragments of its subtree,
+  /// rounded outwards.
+  std::vector<Box> boxes;
 };
 
 /// The tree of the scene (S3.5; FAG83 sec. 2.2.1, Make_tree).

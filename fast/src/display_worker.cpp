@@ -1,0 +1,424 @@
+#include "display_worker.hpp"
+
+#include <utility>
+
+namespace halfspace::fast {
+namespace {
+
+/// How often progress is told, at most.
+constexpr double kToldShare = 1.0 / 256;
+
+/// A plane across an axis that costs more than this share of its list is
+/// compared with planes of polygons.
+constexpr double kPoorCost = 0.8;
+
+constexpr Box kNothing = kNoBox;
+
+/// a + b, rounded downwards to a float.
+float sum_below(double a, double b) {
+  const double sum = a + b;
+  const double b_part = sum - a;
+  const double error = (a - (sum - b_part)) + (b - b_part);
+  return below(error < 0 ? std::nextafter(
+                               sum, -std::numeric_limits<double>::infinity())
+                         : sum);
+}
+
+std::array<double, 3> to_doubles(const GridPoint& p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y),
+          static_cast<double>(p.z)};
+}
+
+std::int64_t coordinate_of(const GridPoint& p, std::size_t axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+}  // namespace
+
+DisplayWork::DisplayWork(const Scene& a_scene,
+                         const DisplayTreeOptions& the_options)
+    : scene(a_scene), options(the_options) {
+  if (scene.data().vertices.empty()) return;
+  GridPoint low = scene.data().vertices.front();
+  GridPoint high = low;
+  for (const GridPoint& p : scene.data().vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y),
+            std::max(high.z, p.z)};
+  }
+  origin = {low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2,
+            low.z + (high.z - low.z) / 2};
+}
+
+Item DisplayWork::item_of(PolygonId polygon) const {
+  const auto corners = scene.corners(polygon);
+  GridPoint low = scene.point(corners[0]);
+  GridPoint high = low;
+  for (const VertexId v : corners.subspan(1)) {
+    const GridPoint& p = scene.point(v);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y),
+            std::max(high.z, p.z)};
+  }
+  // Differences of at most 54 bits and a sign: rounded once, outwards.
+  const auto down = [](std::int64_t a, std::int64_t b) {
+    return below(static_cast<double>(a - b));
+  };
+  const auto up = [](std::int64_t a, std::int64_t b) {
+    return above(static_cast<double>(a - b));
+  };
+  return {{down(low.x, origin.x), down(low.y, origin.y),
+           down(low.z, origin.z)},
+          polygon,
+          {up(high.x, origin.x), up(high.y, origin.y), up(high.z, origin.z)},
+          kWhole};
+}
+
+void DisplayWork::add_done(double share) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  done_ += share;
+  if (is_stopped() || done_ < told_ + kToldShare) return;
+  told_ = done_;
+  if (!options.progress(std::min(done_, 1.0))) stopped_ = true;
+}
+
+DisplayWorker::DisplayWorker(DisplayWork& work, DisplayJob& job)
+    : work_(work),
+      job_(job),
+      builder_(work.scene, job.tree, job.stats),
+      items_(job.items) {}
+
+void DisplayWorker::make_subtree() {
+  tasks_.push_back(
+      {0, items_.size(), job_.box, job_.share, kNoNode, Side::kOn});
+  while (!tasks_.empty() && !work_.is_stopped()) {
+    const Task task = tasks_.back();
+    tasks_.pop_back();
+    items_.resize(task.first + task.count);
+    const auto id = static_cast<NodeId>(job_.piece.nodes.size());
+    const auto parts = make_node(task);
+    if (!parts) continue;
+    const auto all = static_cast<double>(parts->negative_count +
+                                         positive_.size() + 1);
+    const auto share = [&](std::size_t count) {
+      return task.share * static_cast<double>(count) / all;
+    };
+    add_done(share(1));
+    items_.resize(task.first + parts->negative_count);
+    if (parts->negative_count > 0) {
+      tasks_.push_back({task.first, parts->negative_count,
+                        parts->negative_box, share(parts->negative_count), id,
+                        Side::kNegative});
+    }
+    if (!positive_.empty()) {
+      tasks_.push_back({items_.size(), positive_.size(), parts->positive_box,
+                        share(positive_.size()), id, Side::kPositive});
+      items_.insert(items_.end(), positive_.begin(), positive_.end());
+    }
+  }
+  job_.piece.cut_vertices = std::move(job_.tree.cut_vertices);
+  job_.piece.free_planes = std::move(job_.tree.free_planes);
+}
+
+DisplayWorker::Divided DisplayWorker::divide() {
+  Divided result;
+  const auto parts = make_node(
+      {0, items_.size(), job_.box, job_.share, kNoNode, Side::kOn});
+  if (parts) {
+    const double share =
+        job_.share / static_cast<double>(parts->negative_count +
+                                         positive_.size());
+    const auto part = [&](const Item* items, std::size_t count,
+                          const Box& box) {
+      return job_of(items, count, box, share * static_cast<double>(count));
+    };
+    if (!positive_.empty()) {
+      result.positive =
+          part(positive_.data(), positive_.size(), parts->positive_box);
+    }
+    if (parts->negative_count > 0) {
+      result.negative =
+          part(items_.data(), parts->negative_count, parts->negative_box);
+    }
+  }
+  if (!job_.piece.fragments.empty()) {
+    job_.piece.cut_vertices = std::move(job_.tree.cut_vertices);
+  }
+  job_.piece.free_planes = std::move(job_.tree.free_planes);
+  return result;
+}
+
+NodeId DisplayWorker::add_node(const Task& task) {
+  BspTree& piece = job_.piece;
+  const auto id = static_cast<NodeId>(piece.nodes.size());
+  if (task.parent != kNoNode) {
+    Node& parent = piece.nodes[static_cast<std::size_t>(task.parent)];
+    (task.side == Side::kPositive ? parent.positive : parent.negative) = id;
+  }
+  piece.nodes.emplace_back();
+  piece.boxes.push_back(absolute(task.box));
+  return id;
+}
+
+/// Makes a node of the task's list: a leaf, or nothing is left undone but the
+/// subtrees.
+std::optional<DisplayWorker::Partition> DisplayWorker::make_node(
+    const Task& task) {
+  const DisplayTreeOptions& options = work_.options;
+  const NodeId id = add_node(task);
+  const auto leaf = [&]() -> std::optional<Partition> {
+    make_leaf(id, task);
+    add_done(task.share);
+    return std::nullopt;
+  };
+  if (task.count <= options.leaf_size) return leaf();
+
+  // Step 1: choose a plane.
+  const ItemList list = {items_.data() + task.first, task.count};
+  const auto undivided = static_cast<double>(task.count);
+  const AxisSplit axis = best_axis_split(list, task.box, options.cut_weight);
+  OwnSplit own;
+  if (options.own_planes > 0 && !(axis.cost.cost < kPoorCost * undivided)) {
+    own = best_own_split({work_.scene, job_.tree, job_.parts}, list, task.box,
+                         to_doubles(work_.origin), options.own_planes,
+                         options.cut_weight);
+  }
+  if (!(std::min(axis.cost.cost, own.cost.cost) < undivided)) return leaf();
+
+  // Step 2: divide the list.
+  const bool across = axis.cost.cost <= own.cost.cost;
+  PlaneId plane = own.polygon;
+  if (across) {
+    plane = static_cast<PlaneId>(work_.scene.polygon_count() +
+                                 job_.tree.free_planes.size());
+    job_.tree.free_planes.push_back(
+        {static_cast<std::int32_t>(axis.axis),
+         static_cast<std::int64_t>(axis.coordinate) +
+             coordinate_of(work_.origin, axis.axis)});
+  }
+  Node& node = job_.piece.nodes[static_cast<std::size_t>(id)];
+  node.splitter = plane;
+  node.plane = builder_.geometry().plane(plane);
+  const Partition parts =
+      distribute(task, plane, node.plane, across ? &axis : nullptr);
+  add_fragments(id, coincident_);
+  return parts;
+}
+
+DisplayWorker::Partition DisplayWorker::distribute(const Task& task, PlaneId id,
+                                                   const Plane& plane,
+                                                   const AxisSplit* axis) {
+  Partition result;
+  positive_.clear();
+  coincident_.clear();
+  const FilterPlane filter = filter_plane(plane);
+  std::size_t negative_end = task.first;
+  const std::size_t end = task.first + task.count;
+  for (std::size_t i = task.first; i < end; ++i) {
+    const Item item = items_[i];
+    if (axis != nullptr) {
+      const float low = item.low[axis->axis];
+      const float high = item.high[axis->axis];
+      const float at = axis->coordinate;
+      // Boxes are rounded outwards: what they say holds.
+      if (high < at || (high == at && low < at)) {
+        items_[negative_end++] = item;
+        include(result.negative_box, item);
+        continue;
+      }
+      if (low > at || (low == at && high > at)) {
+        positive_.push_back(item);
+        include(result.positive_box, item);
+        continue;
+      }
+    }
+    cut_or_send(item, id, filter, axis, result, negative_end);
+  }
+  result.negative_count = negative_end - task.first;
+  return result;
+}
+
+/// What the box cannot tell.
+void DisplayWorker::cut_or_send(const Item& item, PlaneId id,
+                                const FilterPlane& plane, const AxisSplit* axis,
+                                Partition& result, std::size_t& negative_end) {
+  const auto send = [&](const Item& sent, int side) {
+    if (side < 0) {
+      items_[negative_end++] = sent;
+      include(result.negative_box, sent);
+    } else {
+      positive_.push_back(sent);
+      include(result.positive_box, sent);
+    }
+  };
+  const std::size_t corners = job_.tree.corners.size();
+  const Part part = part_of(item);
+  const Relation relation = builder_.relation(part, id, plane);
+  if (relation == Relation::kSpanning) {
+    const CutParts cut = builder_.cut(part, id, plane);
+    send(part_item(item, cut.positive, 1, axis), 1);
+    send(part_item(item, cut.negative, -1, axis), -1);
+    return;
+  }
+  job_.tree.corners.resize(corners);
+  if (relation == Relation::kCoincident) {
+    coincident_.push_back(item);
+  } else {
+    send(item, relation == Relation::kPositive ? 1 : -1);
+  }
+}
+
+/// The item of a part of `whole`: the box of its vertices, which is within that
+/// of the whole, and on its side of the plane.
+Item DisplayWorker::part_item(const Item& whole, const Part& part, int side,
+                              const AxisSplit* axis) {
+  Item item = {kNothing.low, part.source, kNothing.high,
+               static_cast<std::int32_t>(job_.parts.size())};
+  job_.parts.push_back(part);
+  const std::array<double, 3> origin = to_doubles(work_.origin);
+  for (std::uint32_t k = 0; k < part.count; ++k) {
+    const Vertex v =
+        builder_.vertex(job_.tree.corners[part.first + k].vertex);
+    const std::array<double, 3> at = {v.x, v.y, v.z};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double away = at[a] - origin[a];
+      // The difference is rounded once, as are those of the error.
+      const double doubt = v.error + std::abs(away) * 0x1p-51;
+      item.low[a] = std::min(item.low[a], below(away - doubt));
+      item.high[a] = std::max(item.high[a], above(away + doubt));
+    }
+  }
+  for (std::size_t a = 0; a < 3; ++a) {
+    item.low[a] = std::max(item.low[a], whole.low[a]);
+    item.high[a] = std::min(item.high[a], whole.high[a]);
+  }
+  if (axis != nullptr) {
+    float& low = item.low[axis->axis];
+    float& high = item.high[axis->axis];
+    if (side > 0) low = std::max(low, axis->coordinate);
+    if (side < 0) high = std::min(high, axis->coordinate);
+  }
+  return item;
+}
+
+Part DisplayWorker::part_of(const Item& item) {
+  if (item.part == kWhole) return builder_.whole(item.source);
+  return job_.parts[static_cast<std::size_t>(item.part)];
+}
+
+/// Whether all fragments of the list lie in one plane, that of the polygon
+/// `splitter`, the lowest of them: then their ids settle their order (S5.3).
+bool DisplayWorker::is_flat(const Task& task, PolygonId& splitter) {
+  if (task.count < 2) return false;
+  const ItemList list = {items_.data() + task.first, task.count};
+  splitter = list.items[0].source;
+  for (const Item& item : list) splitter = std::min(splitter, item.source);
+  const FilterPlane plane = filter_plane(plane_of(work_.scene, splitter));
+  const std::size_t corners = job_.tree.corners.size();
+  for (const Item& item : list) {
+    const Relation relation = builder_.relation(part_of(item), splitter, plane);
+    job_.tree.corners.resize(corners);
+    if (relation != Relation::kCoincident) return false;
+  }
+  return true;
+}
+
+void DisplayWorker::make_leaf(NodeId id, const Task& task) {
+  PolygonId splitter = 0;
+  if (is_flat(task, splitter)) {
+    Node& node = job_.piece.nodes[static_cast<std::size_t>(id)];
+    node.splitter = splitter;
+    node.plane = plane_of(work_.scene, splitter);
+  }
+  coincident_.assign(items_.begin() + static_cast<std::ptrdiff_t>(task.first),
+                     items_.begin() +
+                         static_cast<std::ptrdiff_t>(task.first + task.count));
+  add_fragments(id, coincident_);
+}
+
+/// Gives the node these fragments, in id order.
+void DisplayWorker::add_fragments(NodeId id, std::vector<Item>& items) {
+  if (items.empty()) return;
+  std::sort(items.begin(), items.end(), [](const Item& p, const Item& q) {
+    return p.source < q.source;
+  });
+  BspTree& piece = job_.piece;
+  Node& node = piece.nodes[static_cast<std::size_t>(id)];
+  node.first_fragment = static_cast<std::int32_t>(piece.fragments.size());
+  for (const Item& item : items) {
+    const auto first = static_cast<std::uint32_t>(piece.corners.size());
+    if (item.part == kWhole) {
+      const auto corners = work_.scene.corners(item.source);
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        piece.corners.push_back({static_cast<EdgeCode>(k), corners[k]});
+      }
+    } else {
+      const Part& part = job_.parts[static_cast<std::size_t>(item.part)];
+      const auto from = job_.tree.corners.begin() + part.first;
+      piece.corners.insert(piece.corners.end(), from, from + part.count);
+    }
+    const auto count = static_cast<std::uint32_t>(piece.corners.size()) - first;
+    const bool turned =
+        node.splitter != kNoPlane && node.splitter != item.source &&
+        opposed(plane_of(work_.scene, item.source), node.plane);
+    piece.fragments.push_back(
+        {item.source, first, count & kCountMask, turned ? 1u : 0u,
+         static_cast<std::int32_t>(piece.fragments.size()) + 1});
+  }
+  piece.fragments.back().next = kNoFragment;
+}
+
+/// A job of its own for some of the items: with copies of what they refer to.
+DisplayJob DisplayWorker::job_of(const Item* items, std::size_t count,
+                                 const Box& box, double share) const {
+  DisplayJob job;
+  job.items.assign(items, items + count);
+  job.box = box;
+  job.share = share;
+  job.tree.free_planes = job_.tree.free_planes;
+  job.inherited_planes = job_.tree.free_planes.size();
+  const auto vertex_count =
+      static_cast<std::int32_t>(work_.scene.data().vertices.size());
+  std::vector<std::int32_t> copies(job_.tree.cut_vertices.size(), -1);
+  for (Item& item : job.items) {
+    if (item.part == kWhole) continue;
+    const Part& part = job_.parts[static_cast<std::size_t>(item.part)];
+    item.part = static_cast<std::int32_t>(job.parts.size());
+    job.parts.push_back({part.source,
+                         static_cast<std::uint32_t>(job.tree.corners.size()),
+                         part.count});
+    for (std::uint32_t k = 0; k < part.count; ++k) {
+      Corner corner = job_.tree.corners[part.first + k];
+      if (corner.vertex >= vertex_count) {
+        const auto old = static_cast<std::size_t>(corner.vertex - vertex_count);
+        if (copies[old] < 0) {
+          copies[old] = static_cast<std::int32_t>(job.tree.cut_vertices.size());
+          job.tree.cut_vertices.push_back(job_.tree.cut_vertices[old]);
+        }
+        corner.vertex = vertex_count + copies[old];
+      }
+      job.tree.corners.push_back(corner);
+    }
+  }
+  return job;
+}
+
+Box DisplayWorker::absolute(const Box& box) const {
+  const std::array<double, 3> origin = to_doubles(work_.origin);
+  Box result;
+  for (std::size_t a = 0; a < 3; ++a) {
+    result.low[a] = sum_below(origin[a], double{box.low[a]});
+    result.high[a] = -sum_below(-origin[a], -double{box.high[a]});
+  }
+  return result;
+}
+
+void DisplayWorker::add_done(double share) {
+  if (!work_.options.progress) return;
+  done_ += share;
+  if (done_ < kToldShare / 4) return;
+  work_.add_done(done_);
+  done_ = 0;
+}
+
+}  // namespace halfspace::fast
