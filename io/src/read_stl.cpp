@@ -164,16 +164,11 @@ bool TextStl::facets() {
 
 Result<Mesh> TextStl::read() {
   builder_.mesh.decimal = true;
-  std::string_view token;
-  while (text_.next(token)) {
-    if (!is_word(token, "solid")) {
-      fail(ErrorCode::kSyntax,
-           "there should be 'solid', not " + in_quotes(token));
-      return *error_;
-    }
+  do {
+    if (!expect("solid")) return *error_;
     text_.skip_line();
     if (!facets()) return *error_;
-  }
+  } while (!text_.at_end());
   return std::move(builder_.mesh);
 }
 

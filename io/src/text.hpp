@@ -44,6 +44,10 @@ class TextReader {
   /// The next token, of this line or a later one; false where there is none.
   bool next(std::string_view& token);
 
+  /// Whether next() would find nothing; goes on to the next line if this one
+  /// is used up.
+  bool at_end() { return used_ == tokens_.size() && !next_line(); }
+
   /// The tokens of this line that next() has not given yet.
   std::span<const std::string_view> left() const {
     return std::span(tokens_).subspan(used_);

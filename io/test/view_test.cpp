@@ -1,0 +1,242 @@
+#include "halfspace/io/view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace halfspace::io {
+namespace {
+
+using glm::dvec3;
+
+/// A scene of one triangle that fills a box.
+Scene box_scene(Unit unit, std::int64_t size, int bits,
+                GridPoint at = {0, 0, 0}) {
+  SceneData data;
+  data.unit = unit;
+  data.grid_bits = bits;
+  data.vertices = {{at.x, at.y, at.z},
+                   {at.x + size, at.y, at.z + size},
+                   {at.x, at.y + size, at.z + size}};
+  data.first_corner = {0, 3};
+  data.corners = {0, 1, 2};
+  data.colors = {{}};
+  const Result<Scene> scene = make_scene(data);
+  EXPECT_TRUE(scene) << scene.error().message;
+  return scene ? *scene : Scene{};
+}
+
+dvec3 vector(const LatticeVector& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y),
+          static_cast<double>(v.z)};
+}
+
+/// The image point that sees a point of the lattice; nothing behind the eye.
+dvec3 image_of(const CameraData& camera, const dvec3& point) {
+  // point - origin = a (s0 - origin') + b sx + c sy, by Cramer's rule.
+  const dvec3 sx = vector(camera.sx);
+  const dvec3 sy = vector(camera.sy);
+  const dvec3 eye = vector(camera.eye);
+  const dvec3 s0 = vector(camera.s0);
+  const dvec3 w = camera.perspective ? s0 - eye : eye;
+  const dvec3 p = camera.perspective ? point - eye : point - s0;
+  const double all = glm::dot(w, glm::cross(sx, sy));
+  const double a = glm::dot(p, glm::cross(sx, sy)) / all;
+  const double b = glm::dot(w, glm::cross(p, sy)) / all;
+  const double c = glm::dot(w, glm::cross(sx, p)) / all;
+  return camera.perspective ? dvec3{b / a, c / a, a} : dvec3{b, c, -a};
+}
+
+Viewed viewed(const Scene& scene, const ViewOptions& options) {
+  const Result<Viewed> view = look_at(scene, options);
+  EXPECT_TRUE(view) << view.error().message;
+  return *view;
+}
+
+ViewOptions options_at(dvec3 eye, dvec3 target) {
+  ViewOptions options;
+  options.eye = eye;
+  options.target = target;
+  options.width_px = 200;
+  options.height_px = 100;
+  return options;
+}
+
+TEST(LookAt, SeesTheTargetInTheMiddleAndUpUpwards) {
+  const Scene scene = box_scene({10, -3}, 1000, 26);
+  for (const bool orthographic : {false, true}) {
+    ViewOptions options = options_at({5, -4, 3}, {0.5, 0.25, 0.125});
+    options.orthographic = orthographic;
+    const Viewed view = viewed(scene, options);
+    const CameraData& camera = view.camera.data();
+    const dvec3 target = options.target * 1000.0 * 256.0;
+    const dvec3 middle = image_of(camera, target);
+    EXPECT_NEAR(middle.x, 100, orthographic ? 0.01 : 1e-4);
+    EXPECT_NEAR(middle.y, 50, orthographic ? 0.01 : 1e-4);
+    const dvec3 above = image_of(camera, target + dvec3{0, 0, 25600});
+    EXPECT_NEAR(above.x, 100, 0.01);
+    EXPECT_LT(above.y, 49);
+    // Right of the view from the front is where x grows.
+    const dvec3 right = image_of(camera, target + dvec3{25600, 0, 0});
+    EXPECT_GT(right.x, 101);
+    EXPECT_LT(view.max_move, 1);
+    EXPECT_GT(above.z, 0);
+  }
+}
+
+TEST(LookAt, HasTheFieldOfViewThatWasAskedFor) {
+  const Scene scene = box_scene({2, 0}, 1000, 26);
+  ViewOptions options = options_at({0, -1000, 0}, {0, 0, 0});
+  options.fov_deg = 90;
+  const dvec3 edge =
+      image_of(viewed(scene, options).camera.data(), dvec3{0, 0, 1000} * 256.0);
+  EXPECT_NEAR(edge.y, 0, 1e-6);
+  options.orthographic = true;
+  options.ortho_height = 500;
+  const dvec3 top =
+      image_of(viewed(scene, options).camera.data(), dvec3{0, 77, 250} * 256.0);
+  EXPECT_NEAR(top.y, 0, 1e-6);
+  EXPECT_NEAR(top.x, 100, 1e-6);
+}
+
+TEST(LookAt, UsesTheRangeOfTheLattice) {
+  for (const int bits : kGridBits) {
+    const Scene scene = box_scene({2, 0}, 1000, bits);
+    const CameraData camera =
+        viewed(scene, options_at({3000, -2000, 1500}, {0, 0, 0})).camera.data();
+    const double limit = std::ldexp(1, bits + 13);
+    double most = 0;
+    for (const int x : {0, 200}) {
+      for (const int y : {0, 100}) {
+        const dvec3 corner = vector(camera.s0) +
+                             static_cast<double>(x) * vector(camera.sx) +
+                             static_cast<double>(y) * vector(camera.sy);
+        for (int axis = 0; axis < 3; ++axis) {
+          most = std::max(most, std::abs(corner[axis]));
+        }
+      }
+    }
+    EXPECT_LT(most, limit);
+    EXPECT_GT(most, 0.99 * limit);
+  }
+}
+
+TEST(LookAt, PutsTheNearDistanceExactly) {
+  const Scene scene = box_scene({10, -3}, 1000, 26);
+  for (const bool orthographic : {false, true}) {
+    for (const double near : {0.001, 0.5, 1.0, 2.0, 700.0}) {
+      ViewOptions options = options_at({0, -5, 0}, {0, 0, 0});
+      options.orthographic = orthographic;
+      options.near = near;
+      const CameraData camera = viewed(scene, options).camera.data();
+      ASSERT_TRUE(camera.near);
+      // The point at that distance has that parameter.
+      const dvec3 point = dvec3{0, -5 + near, 0} * 256000.0;
+      const double parameter = image_of(camera, point).z * 65536;
+      EXPECT_NEAR(parameter / static_cast<double>(*camera.near), 1, 1e-3)
+          << near;
+    }
+    ViewOptions options = options_at({0, -5, 0}, {0, 0, 0});
+    options.orthographic = orthographic;
+    EXPECT_FALSE(viewed(scene, options).camera.data().near);
+    options.near = 0;
+    EXPECT_EQ(viewed(scene, options).camera.data().near, 0);
+    options.near = -1;
+    const Result<Viewed> behind = look_at(scene, options);
+    EXPECT_EQ(behind.has_value(), orthographic);
+  }
+}
+
+TEST(LookAt, MovesTheEyeByAtMostHalfALatticeStep) {
+  const Scene scene = box_scene({2, 0}, 1000, 40);
+  const ViewOptions options =
+      options_at({1.0 / 3, -1000.0 / 7, 100.1}, {0, 0, 0});
+  const Viewed view = viewed(scene, options);
+  const dvec3 eye = vector(view.camera.data().eye) / 256.0;
+  double moved = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    moved = std::max(moved, std::abs(eye[axis] - options.eye[axis]));
+  }
+  EXPECT_LE(moved, 0.5 / 256);
+  EXPECT_GE(view.max_move, moved * 0.999);
+}
+
+TEST(LookAt, NamesWhatIsWrong) {
+  const Scene scene = box_scene({2, 0}, 1000, 26);
+  const ViewOptions good = options_at({0, -5, 0}, {0, 0, 0});
+  const auto code_of = [&](auto&& change) {
+    ViewOptions options = good;
+    change(options);
+    const Result<Viewed> view = look_at(scene, options);
+    EXPECT_FALSE(view);
+    return view ? static_cast<ErrorCode>(-1) : view.error().code;
+  };
+  using O = ViewOptions;
+  EXPECT_EQ(code_of([](O& o) { o.target = o.eye; }), ErrorCode::kBadCamera);
+  EXPECT_EQ(code_of([](O& o) { o.up = {0, 1, 0}; }), ErrorCode::kBadCamera);
+  EXPECT_EQ(code_of([](O& o) { o.up = {0, 0, 0}; }), ErrorCode::kBadCamera);
+  EXPECT_EQ(code_of([](O& o) { o.fov_deg = 180; }), ErrorCode::kBadCamera);
+  EXPECT_EQ(code_of([](O& o) { o.fov_deg = 0; }), ErrorCode::kBadCamera);
+  EXPECT_EQ(code_of([](O& o) { o.eye.x = std::nan(""); }),
+            ErrorCode::kNotFinite);
+  EXPECT_EQ(code_of([](O& o) { o.near = INFINITY; }), ErrorCode::kNotFinite);
+  EXPECT_EQ(code_of([](O& o) { o.width_px = 0; }), ErrorCode::kOutOfRange);
+  EXPECT_EQ(code_of([](O& o) { o.height_px = 65537; }), ErrorCode::kOutOfRange);
+  EXPECT_EQ(code_of([](O& o) { o.eye.x = 1e12; }), ErrorCode::kOutOfRange);
+  EXPECT_EQ(code_of([](O& o) { o.near = 1e30; }), ErrorCode::kOutOfRange);
+  for (const double height : {0.0, -1.0}) {
+    EXPECT_EQ(code_of([height](O& o) {
+                o.orthographic = true;
+                o.ortho_height = height;
+              }),
+              ErrorCode::kBadCamera);
+  }
+  for (const double height : {1e40, 1e300}) {
+    EXPECT_EQ(code_of([height](O& o) {
+                o.orthographic = true;
+                o.ortho_height = height;
+              }),
+              ErrorCode::kOutOfRange);
+  }
+  EXPECT_EQ(code_of([](O& o) {
+              o.orthographic = true;
+              o.ortho_height = 1e-9;
+            }),
+            ErrorCode::kBadCamera);
+}
+
+TEST(AutomaticView, JustHoldsTheScene) {
+  const struct {
+    Unit unit;
+    std::int64_t size;
+    int bits;
+    GridPoint at;
+  } cases[] = {{{10, -3}, 1000, 26, {0, 0, 0}},
+               {{2, 0}, 33554431, 26, {0, 0, 0}},
+               {{2, -30}, 1LL << 40, 54, {-(1LL << 52), 0, 1LL << 52}},
+               {{10, 20}, 3, 26, {5, 5, 5}},
+               {{2, -50}, 1 << 20, 26, {1, 2, 3}}};
+  for (const auto& [unit, size, bits, at] : cases) {
+    const Scene scene = box_scene(unit, size, bits, at);
+    for (const auto& [width, height] : {std::pair{640, 480}, {100, 400}}) {
+      const Result<Viewed> view = automatic_view(scene, width, height);
+      ASSERT_TRUE(view) << view.error().message;
+      double widest = 0;
+      for (const GridPoint& p : scene.data().vertices) {
+        const dvec3 point = dvec3{p.x, p.y, p.z} * 256.0;
+        const dvec3 image = image_of(view->camera.data(), point);
+        EXPECT_GT(image.z, 0);
+        widest = std::max({widest, std::abs(2 * image.x / width - 1),
+                           std::abs(2 * image.y / height - 1)});
+      }
+      EXPECT_LE(widest, 1.001);
+      EXPECT_GE(widest, 0.9);
+    }
+  }
+  EXPECT_EQ(automatic_view(Scene{}, 64, 48).error().code, ErrorCode::kEmpty);
+}
+
+}  // namespace
+}  // namespace halfspace::io
