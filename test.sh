@@ -1,7 +1,45 @@
 #!/usr/bin/env bash
-# Builds everything and runs the whole test suite.
+# Builds everything and runs the whole test suite: optimised, then with
+# assertions and sanitizers what can be afforded so; then the scripts that check
+# the sources. The last line says whether all is well.
 set -euo pipefail
 cd "$(dirname "$0")"
-cmake --preset release
-cmake --build --preset release
-ctest --preset release
+. scripts/packages.sh
+
+# Runs the rest of the line; its output is kept, and shown if it fails.
+step() {
+  local what=$1
+  shift
+  local begin=$SECONDS
+  printf '%-44s ' "$what"
+  if "$@" >"out/test.log" 2>&1; then
+    echo "ok ($((SECONDS - begin)) s)"
+    return
+  fi
+  echo "FAILED"
+  cat out/test.log >&2
+  fail "$what: failed; what it printed stands above"
+}
+
+# Configures and builds a preset.
+build() {
+  cmake --preset "$1" && cmake --build --preset "$1"
+}
+
+need_build_packages
+need_test_packages
+install_needed
+
+mkdir -p out
+# Two runs need not wait for each other's tests, but must not starve either.
+CTEST_PARALLEL_LEVEL=$(nproc)
+export CTEST_PARALLEL_LEVEL
+step "build, optimised" build release
+step "all tests, optimised" ctest --preset release --no-tests=error
+step "build, with sanitizers" build asan
+step "unit tests and fuzz corpus, with sanitizers" \
+  ctest --preset asan --no-tests=error -L 'unit|fuzz'
+for script in tools/check_laws.py tools/check_mirror.py; do
+  step "$script" python3 "$script"
+done
+echo "All tests passed."

@@ -4,12 +4,13 @@ include(CMakePackageConfigHelpers)
 
 set(HALFSPACE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/halfspace)
 
-install(TARGETS halfspace_spec halfspace_ref
+install(TARGETS halfspace_spec halfspace_ref halfspace_io
         EXPORT halfspaceTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/spec/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/ref/include/
+                  ${CMAKE_CURRENT_SOURCE_DIR}/io/include/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT halfspaceTargets
         NAMESPACE halfspace::

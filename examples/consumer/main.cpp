@@ -1,8 +1,10 @@
-// Builds the tree of two crossing triangles with the installed library: one of
-// them is cut in two.
+// Builds the tree of two crossing triangles with the installed library, one of
+// which is cut in two, and makes an image of them.
 #include <cstdio>
 #include <cstdlib>
+#include <halfspace/io/view.hpp>
 #include <halfspace/ref/build.hpp>
+#include <halfspace/ref/render.hpp>
 #include <halfspace/scene.hpp>
 #include <utility>
 
@@ -13,15 +15,17 @@ int main() {
   data.corners = {0, 1, 2, 3, 4, 5};
   data.first_corner = {0, 3, 6};
   data.colors = {{200, 80, 40}, {40, 80, 200}};
-  const halfspace::Result<halfspace::Scene> scene =
-      halfspace::make_scene(std::move(data));
-  if (!scene) {
-    std::fprintf(stderr, "%s\n", scene.error().message.c_str());
-    return EXIT_FAILURE;
-  }
-  const halfspace::ref::BspTree tree =
+  const auto scene = halfspace::make_scene(std::move(data));
+  if (!scene) return EXIT_FAILURE;
+  const auto view = halfspace::io::automatic_view(*scene, 64, 48);
+  if (!view) return EXIT_FAILURE;
+  const auto tree =
       halfspace::ref::build(*scene, {.rule = halfspace::RootRule::kFirst});
-  const halfspace::TreeStats stats = halfspace::ref::stats(tree);
-  std::printf("%zu nodes, %zu fragments\n", stats.nodes, stats.fragments);
-  return stats.nodes == 3 && stats.fragments == 3 ? EXIT_SUCCESS : EXIT_FAILURE;
+  const auto stats = halfspace::ref::stats(tree);
+  const auto image = halfspace::ref::render(*scene, tree, view->camera, {});
+  std::printf("%zu nodes, %zu fragments, %zu pixels\n", stats.nodes,
+              stats.fragments, image.pixels_painted);
+  const bool right =
+      stats.nodes == 3 && stats.fragments == 3 && image.pixels_painted > 100;
+  return right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

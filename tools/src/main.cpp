@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "command.hpp"
@@ -32,6 +33,15 @@ void add_commands(CLI::App& program, Status& status) {
   halfspace::tools::add_scene(program, status);
 }
 
+/// What is wrong with the command line.
+std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
+  // CLI11 says that a command is missing also where it is misspelt.
+  const std::string sentence = error.what();
+  const std::vector<std::string> unknown = program.remaining(true);
+  if (unknown.empty() || !sentence.starts_with("A subcommand")) return sentence;
+  return "there is no command called " + unknown.front();
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -47,7 +57,7 @@ int main(int count, char** words) {
   } catch (const CLI::Success& success) {
     return program.exit(success);  // --help and --version
   } catch (const CLI::ParseError& error) {
-    status = halfspace::tools::fail(std::string(error.what()) +
+    status = halfspace::tools::fail(complaint(program, error) +
                                     " (--help tells more)");
   } catch (const std::bad_alloc&) {
     status = halfspace::tools::fail("there is not enough memory");

@@ -82,11 +82,15 @@ void add_view_options(CLI::App& app, ViewArguments& arguments) {
   add_parsed(app, "--near", "LENGTH", arguments.near, parse_real,
              "What is not farther from the eye than this is not seen")
       ->group(group);
-  app.add_flag_function(
-         "--cull,!--no-cull",
-         [&arguments](std::int64_t count) { arguments.cull = count > 0; },
-         "Leave out polygons seen from behind")
-      ->group("Picture");
+  const auto set_cull = [&app, &arguments](const std::string& name, bool cull,
+                                           const std::string& meaning) {
+    app.add_flag_function(
+           name, [&arguments, cull](std::int64_t) { arguments.cull = cull; },
+           meaning)
+        ->group("Picture");
+  };
+  set_cull("--cull", true, "Leave out polygons seen from behind");
+  set_cull("--no-cull", false, "Do not, though a .scene says so");
   add_choice(app, "--shade", {"file", "flat", "gouraud"}, arguments.shading,
              "Colours: one a polygon, or between the corners; `file` is what "
              "a .scene says, else flat")

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Images: the methods agree, a scene file gives the same image as its mesh, and
+# the statistics say what happened.
+. "$(dirname "$0")/expect.sh"
+
+size=(--size 48x36)
+views=("" "--ortho" "--near 100" "--eye 300,-500,250 --target 10,20,30"
+  "--eye 0,0,900 --target 0,0,0 --ortho" "--cull" "--fov 20 --up 1,1,1"
+  "--eye -.5,-400.25,3 --target 0,0,0" "--grid 26")
+
+for model in cube pinwheel interlocking-cubes; do
+  "$make_model" "$model" -o "$model.off" || exit 1
+  for view in "${views[@]}"; do
+    # shellcheck disable=SC2086
+    set -- $view "${size[@]}"
+    expect 0 'span: 48x36' render "$model.off" "$@" -o a.png --ids a.npy
+    for method in painter zbuffer raycast; do
+      expect 0 "$method: 48x36" render "$model.off" "$@" --method "$method" \
+        -o b.png --ids b.npy
+      expect 0 'mismatches: 0 of 1728' compare a.npy b.npy
+      same a.png b.png
+    done
+    expect 0 'polygons' scene "$model.off" "$@" -o shot.scene
+    expect 0 'span' render shot.scene -o b.png --ids b.npy
+    expect 0 'mismatches: 0 of 1728' compare a.npy b.npy
+    same a.png b.png
+    expect 0 'polygons' scene shot.scene -o again.scene
+    same shot.scene again.scene
+  done
+done
+
+# Smooth colours, in a mesh and in a scene.
+"$make_model" sphere --count 8 -o sphere.scene || exit 1
+expect 0 'corners' info sphere.scene
+expect 0 'span' render sphere.scene "${size[@]}" -o flat.png
+expect 0 'span' render sphere.scene "${size[@]}" -o a.png --shade gouraud
+cmp -s flat.png a.png && wrong "flat and smooth colours look the same"
+expect 0 'polygons' scene sphere.scene "${size[@]}" --shade gouraud -o b.scene
+expect 0 'span' render b.scene -o b.png
+same a.png b.png
+expect 0 'span' render cube.off "${size[@]}" -o a.png --shade gouraud
+expect 0 'polygons' scene cube.off "${size[@]}" --shade gouraud -o b.scene
+expect 0 'raycast' render b.scene -o b.png --method raycast
+same a.png b.png
+
+# An image in which something is seen, and one in which nothing is.
+expect 0 'span' render cube.off "${size[@]}" -o a.png --stats a.json
+[ "$(number a.json pixels_painted)" -gt 300 ] || wrong "the cube is not seen"
+expect 0 'span: 48x36, 0 pixels' render cube.off "${size[@]}" -o b.png \
+  --eye 0,0,900 --target 0,0,999
+
+# Every name that --stats promises, by either method; repeats change nothing.
+for method in span zbuffer; do
+  expect 0 "$method" render pinwheel.off "${size[@]}" --ids a.npy \
+    --method "$method" --repeat 3 --threads 2 --stats a.json
+  for name in polygons fragments nodes height splits build_ms frame_ms \
+    pixels_painted bytes moved max_move triangulated dropped; do
+    [ -n "$(number a.json $name)" ] || wrong "$method: no $name in --stats"
+  done
+done
+expect 0 '"polygons": 24' render pinwheel.off "${size[@]}" --stats -
+finish
