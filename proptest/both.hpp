@@ -5,8 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "definition.hpp"
+#include "halfspace/boolean.hpp"
 #include "halfspace/bsp_tree.hpp"
+#include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
+#include "halfspace/ref/classify.hpp"
 #include "halfspace/ref/painter.hpp"
 #include "halfspace/ref/raycast.hpp"
 #include "halfspace/ref/render.hpp"
@@ -34,7 +38,14 @@ struct Image {
   std::size_t pixels_painted = 0;
 };
 
+/// A part of a solid's polygon, and its class against another solid.
+struct ClassifiedPart {
+  std::vector<definition::Point> vertices;
+  SolidClass solid_class;
+};
+
 struct Ref {
+  using Solid = ref::Solid;
   using Fragment = ref::Fragment;
   using Tree = ref::BspTree;
   using DynamicScreen = ref::DynamicScreen;
@@ -119,12 +130,65 @@ struct Ref {
     return image_of(ref::render(scene, tree, camera, options));
   }
 
+  // S6
+  static Solid to_solid(const halfspace::Solid& solid) {
+    return ref::to_solid(solid);
+  }
+  static Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
+                       const BuildOptions& options = {}) {
+    return ref::boolean(operation, a, b, options);
+  }
+  static std::vector<std::vector<definition::Point>> polygons_of(
+      const Solid& solid) {
+    std::vector<std::vector<definition::Point>> polygons;
+    for (const ref::Face& face : solid.faces)
+      polygons.push_back(points_of(face.vertices));
+    return polygons;
+  }
+  static bool is_closed(const Solid& solid) {
+    return ref::bad_edges(solid).empty();
+  }
+  static definition::Fraction volume6(const Solid& solid) {
+    const definition::Point p =
+        point_of({ref::volume6(solid), ref::Rational(0), ref::Rational(0)});
+    return definition::Fraction(p.x, p.w);
+  }
+  /// The parts of polygon `id` of `solid`, classified against `other`.
+  static std::vector<ClassifiedPart> classify(const Solid& solid, PolygonId id,
+                                              const Solid& other,
+                                              const BuildOptions& options) {
+    std::vector<ClassifiedPart> parts;
+    const auto& face = solid.faces[static_cast<std::size_t>(id)];
+    for (const auto& part : ref::classify(ref::build(other, options),
+                                          ref::whole(solid, id), face.plane))
+      parts.push_back({points_of(part.fragment.vertices), part.solid_class});
+    return parts;
+  }
+
   static Image image_of(ref::Rendering rendering) {
     return {std::move(rendering.items), std::move(rendering.colors),
             rendering.pixels_painted};
   }
 
  private:
+  static definition::Point point_of(const ref::Point& p) {
+    const auto over = [](const ref::Rational& value) {
+      const auto big = value.big();
+      return std::pair(definition::Integer(numerator(big).str()),
+                       definition::Integer(denominator(big).str()));
+    };
+    const auto [x, u] = over(p.x);
+    const auto [y, v] = over(p.y);
+    const auto [z, w] = over(p.z);
+    return {x * v * w, y * u * w, z * u * v, u * v * w};
+  }
+  static std::vector<definition::Point> points_of(
+      const std::vector<ref::Point>& vertices) {
+    std::vector<definition::Point> points;
+    for (const ref::Point& p : vertices) points.push_back(point_of(p));
+    return points;
+  }
+
   static constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
 
   static ref::Plane plane_of(const Scene& scene, PolygonId polygon) {

@@ -65,6 +65,10 @@ FragmentName whole(const Scene& scene, PolygonId polygon);
 /// The point set of a fragment.
 Facet facet_of(const Scene& scene, const FragmentName& fragment);
 
+/// The polygon with these vertices, counterclockwise where it is positive.
+/// Requires: convex, with an area.
+Facet facet_of(const std::vector<Point>& vertices);
+
 /// The two parts of a fragment that the splitter's plane spans (S2.3).
 struct Parts {
   FragmentName positive;

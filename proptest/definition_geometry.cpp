@@ -139,6 +139,33 @@ Facet facet_of(const Scene& scene, const FragmentName& fragment) {
   return facet;
 }
 
+Facet facet_of(const std::vector<Point>& vertices) {
+  // Homogeneous differences: vectors, up to a positive factor.
+  const auto difference = [](const Point& p, const Point& q) {
+    return Vector{q.x * p.w - p.x * q.w, q.y * p.w - p.y * q.w,
+                  q.z * p.w - p.z * q.w};
+  };
+  const auto through = [](const Vector& n, const Point& p) {
+    return Plane{n.x * p.w, n.y * p.w, n.z * p.w,
+                 -(n.x * p.x + n.y * p.y + n.z * p.z)};
+  };
+  const std::size_t count = vertices.size();
+  Facet facet;
+  for (std::size_t k = 1; k + 1 < count; ++k) {
+    const Vector n = cross(difference(vertices[0], vertices[k]),
+                           difference(vertices[0], vertices[k + 1]));
+    if (n.x == 0 && n.y == 0 && n.z == 0) continue;
+    facet.support = through(n, vertices[0]);
+    break;
+  }
+  const Vector normal{facet.support.a, facet.support.b, facet.support.c};
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vector along = difference(vertices[k], vertices[(k + 1) % count]);
+    facet.edges.push_back(through(cross(normal, along), vertices[k]));
+  }
+  return facet;
+}
+
 Parts split(const Scene& scene, const FragmentName& fragment,
             PolygonId splitter) {
   const Plane plane = plane_of(scene, splitter);

@@ -67,7 +67,8 @@ SceneFile both_of(const SolidPair& solids);
 /// Requires: of `file` each operand is closed.
 SolidPair solids_of(const SceneFile& file);
 
-/// Pairs of solids: nested, touching, with flush faces, crossing, equal.
+/// Pairs of solids: boxes, tetrahedra and heaps of cubes, nested, touching,
+/// with flush faces, crossing, equal, empty; straight and sheared.
 rc::Gen<SolidPair> solid_pairs();
 
 /// Sorted runs of pixels without overlap, as a mask: bit i is pixel i.

@@ -30,13 +30,13 @@ std::string text_of(const fs::path& path) {
 }
 
 /// Replays a property on the saved scenes of a folder.
-void replay(const fs::path& folder,
+void replay(const fs::path& folder, bool needs_camera,
             const std::function<void(const SceneFile&)>& property) {
   const std::vector<fs::path> files = scene_files(folder);
   EXPECT_FALSE(files.empty()) << "no saved scenes in " << folder;
   for (const fs::path& path : files) {
     const auto file = read_scene(text_of(path));
-    if (!file || !file->camera) {
+    if (!file || (needs_camera && !file->camera)) {
       ADD_FAILURE() << path << ": "
                     << (file ? "has no camera" : file.error().message);
       continue;
@@ -112,7 +112,7 @@ void check(int count, const std::function<void()>& property) {
 
 void for_all(const generate::Views& views, int count,
              const std::function<void(const SceneFile&)>& property) {
-  replay(HALFSPACE_REGRESSIONS, property);
+  replay(HALFSPACE_REGRESSIONS, /*needs_camera=*/true, property);
   check_saving([&] { return *views; }, count, property);
 }
 
@@ -126,6 +126,18 @@ void for_all_views(const std::function<void(const SceneFile&)>& property,
     property(view);
   });
   troubles.expect_all();
+}
+
+void for_all_solids(
+    const std::function<void(const generate::SolidPair&)>& property,
+    int count) {
+  const auto of_file = [&](const SceneFile& file) {
+    property(generate::solids_of(file));
+  };
+  replay(fs::path(HALFSPACE_REGRESSIONS) / "solids", /*needs_camera=*/false,
+         of_file);
+  check_saving([] { return generate::both_of(*generate::solid_pairs()); },
+               count, of_file);
 }
 
 }  // namespace halfspace::law

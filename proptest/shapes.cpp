@@ -261,6 +261,7 @@ MadeScene make(const SceneRecipe& recipe) {
 
 Scene scene_of(const Polygons& polygons, Rgb color) {
   SceneData data = data_of(polygons, 26);
+  data.grid_bits = grid_bits_for(data.vertices);
   std::fill(data.colors.begin(), data.colors.end(), color);
   auto scene = make_scene(std::move(data));
   HALFSPACE_ASSERT(scene.has_value());

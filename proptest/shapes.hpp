@@ -56,7 +56,8 @@ struct MadeScene {
 /// The scene of the polygons; those that are not valid are left out.
 MadeScene make(const SceneRecipe& recipe);
 
-/// The scene of `polygons`, all of which must be valid, in one colour.
+/// The scene of `polygons`, all of which must be valid, in one colour, on the
+/// smallest grid that holds it.
 Scene scene_of(const Polygons& polygons, Rgb color);
 
 /// Whether the polygon is valid on its own (S1.3), in a grid of 54 bits.
