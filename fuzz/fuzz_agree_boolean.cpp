@@ -1,0 +1,97 @@
+#include "definition.hpp"
+#include "fuzz.hpp"
+#include "halfspace/ref/boolean.hpp"
+#include "shapes.hpp"
+
+namespace halfspace {
+namespace {
+
+using definition::Integer;
+
+/// A solid that the bytes mean: a box, a heap of cubes or a tetrahedron.
+generate::Polygons solid_of(fuzz::Bytes& bytes) {
+  using enum generate::ShapeKind;
+  constexpr generate::ShapeKind kKinds[] = {kBox, kCubes, kTetrahedron};
+  generate::Polygons polygons;
+  const auto kind = kKinds[bytes.below(3)];
+  const int other = bytes.below(2);
+  generate::add({kind, other, bytes.numbers(9)}, polygons);
+  return polygons;
+}
+
+halfspace::Solid made(const generate::Polygons& polygons) {
+  auto solid = make_solid(generate::scene_of(polygons, {}));
+  HALFSPACE_FUZZ_EXPECT(solid.has_value());
+  return *solid;
+}
+
+definition::Point point_of(const ref::Point& p) {
+  const auto x = p.x.big(), y = p.y.big(), z = p.z.big();
+  const auto integer = [](const auto& value) { return Integer(value.str()); };
+  const Integer u = integer(denominator(x)), v = integer(denominator(y)),
+                w = integer(denominator(z));
+  return {integer(numerator(x)) * v * w, integer(numerator(y)) * u * w,
+          integer(numerator(z)) * u * v, u * v * w};
+}
+
+std::vector<std::vector<definition::Point>> polygons_of(
+    const ref::Solid& solid) {
+  std::vector<std::vector<definition::Point>> polygons;
+  for (const ref::Face& face : solid.faces) {
+    polygons.emplace_back();
+    for (const ref::Point& p : face.vertices)
+      polygons.back().push_back(point_of(p));
+  }
+  return polygons;
+}
+
+definition::Fraction volume(const ref::Solid& solid) {
+  return definition::volume6(polygons_of(solid));
+}
+
+/// The boolean; it must be closed, by either account.
+ref::Solid closed(BooleanOp operation, const ref::Solid& a, const ref::Solid& b,
+                  const BuildOptions& options) {
+  ref::Solid result = ref::boolean(operation, a, b, options);
+  HALFSPACE_FUZZ_EXPECT(ref::bad_edges(result).empty());
+  HALFSPACE_FUZZ_EXPECT(definition::is_closed(polygons_of(result)));
+  return result;
+}
+
+/// What volumes say of the booleans of two solids.
+void expect_volumes(const ref::Solid& a, const ref::Solid& b,
+                    const BuildOptions& options) {
+  using enum BooleanOp;
+  const auto both = volume(closed(kIntersection, a, b, options));
+  HALFSPACE_FUZZ_EXPECT(both >= 0 && both <= volume(a) && both <= volume(b));
+  HALFSPACE_FUZZ_EXPECT(volume(closed(kUnion, a, b, options)) + both ==
+                        volume(a) + volume(b));
+  HALFSPACE_FUZZ_EXPECT(volume(closed(kDifference, a, b, options)) + both ==
+                        volume(a));
+  HALFSPACE_FUZZ_EXPECT(volume(closed(kDifference, b, a, options)) + both ==
+                        volume(b));
+}
+
+}  // namespace
+}  // namespace halfspace
+
+/// Booleans of small solids, and of their results with a third, are closed and
+/// have the volumes that sets have.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  using namespace halfspace;
+  using enum BooleanOp;
+  fuzz::Bytes bytes(data, size);
+  BuildOptions options;
+  options.rule = static_cast<RootRule>(bytes.below(9));
+  options.candidates = 1 + static_cast<std::uint32_t>(bytes.below(6));
+  options.seed = bytes.next();
+  const auto operation = static_cast<BooleanOp>(bytes.below(3));
+  const auto a = ref::to_solid(made(solid_of(bytes)));
+  const auto b = ref::to_solid(made(solid_of(bytes)));
+  expect_volumes(a, b, options);
+  if (bytes.empty()) return 0;
+  const auto c = ref::to_solid(made(solid_of(bytes)));
+  expect_volumes(closed(operation, a, b, options), c, options);
+  return 0;
+}
