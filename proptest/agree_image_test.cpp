@@ -3,6 +3,7 @@
 #include <string>
 
 #include "agree_scenes.hpp"
+#include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/ref/render.hpp"
@@ -97,6 +98,13 @@ void compare(int polygons, std::int64_t width, std::int64_t height,
             ref::render(scene, ref::build(scene, build), camera, options);
         const fast::BspTree tree = fast::build(scene, build);
         expect_same(scene, camera, options, expected, tree, draws, stats);
+        if (::testing::Test::HasFatalFailure()) return;
+        fast::DisplayTreeOptions display;
+        display.leaf_size = static_cast<std::size_t>(draws.from_to(1, 8));
+        display.own_planes = draws.one_in(2) ? 8 : 0;
+        display.threads = 1;
+        expect_same(scene, camera, options, expected,
+                    fast::build_display_tree(scene, display), draws, stats);
         if (::testing::Test::HasFatalFailure()) return;
         const fast::Rendering painted =
             fast::paint(scene, tree, camera, options);

@@ -153,19 +153,6 @@ class Autopartition {
   std::vector<Task> tasks_;
 };
 
-/// Lays the corners out in the order of the fragments, without those of
-/// fragments that were cut.
-void drop_unused_corners(BspTree& tree) {
-  std::vector<Corner> kept;
-  for (TreeFragment& fragment : tree.fragments) {
-    const auto from = tree.corners.begin() + fragment.first_corner;
-    fragment.first_corner = static_cast<std::uint32_t>(kept.size());
-    kept.insert(kept.end(), from, from + fragment.corner_count);
-  }
-  kept.shrink_to_fit();
-  tree.corners = std::move(kept);
-}
-
 }  // namespace
 
 BspTree build(const Scene& scene, const BuildOptions& options) {
@@ -179,6 +166,7 @@ BspTree build(const Scene& scene, const BuildOptions& options,
   BspTree tree;
   Autopartition(scene, options, tree, stats).run();
   drop_unused_corners(tree);
+  add_boxes(tree, scene);
   return tree;
 }
 

@@ -103,10 +103,10 @@ class AxisChooser {
       const double positive = all - ended;
       if (negative == all && positive == all) continue;
       const double length = width * static_cast<double>(b);
-      const SplitCost cost = cost_of(
-          all, positive, negative,
-          halves.chance(double{halves.high} - halves.low - length),
-          halves.chance(length), cut_weight_);
+      const SplitCost cost =
+          cost_of(all, positive, negative,
+                  halves.chance(double{halves.high} - halves.low - length),
+                  halves.chance(length), cut_weight_);
       if (cost.cost < best.cost) best = {cost.cost, b};
     }
     return best;
@@ -148,6 +148,9 @@ class AxisChooser {
     AxisSplit best;
     for (std::size_t k = 0; k < filled; ++k) {
       if (!(low <= tried[k] && tried[k] <= high)) continue;
+      // A plane that leaves one side the whole list gets nowhere.
+      const auto all = static_cast<std::int32_t>(list_.count);
+      if (negative[k] == all || positive[k] == all) continue;
       const SplitCost cost =
           cost_of(static_cast<double>(list_.count), positive[k], negative[k],
                   halves.chance(double{high} - tried[k]),

@@ -82,10 +82,10 @@ inline SplitCost cost_of(double count, double positive, double negative,
                          double positive_chance, double negative_chance,
                          double cut_weight) {
   const double cuts = std::max(0.0, positive + negative - count);
-  return {kUnhidden *
-                  (positive * positive_chance + negative * negative_chance) +
-              cut_weight * cuts,
-          cuts};
+  return {
+      kUnhidden * (positive * positive_chance + negative * negative_chance) +
+          cut_weight * cuts,
+      cuts};
 }
 
 /// The best plane across an axis: by bins first, then among the ends of items

@@ -14,8 +14,7 @@ struct Point2 {
 /// The area of the part of the unit square on which a function is positive
 /// that is affine and has these values at (0,0), (1,0), (1,1), (0,1).
 double positive_area(const std::array<double, 4>& values) {
-  constexpr std::array<Point2, 4> kCorners = {
-      {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  constexpr std::array<Point2, 4> kCorners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   std::array<Point2, 8> outline;
   std::size_t count = 0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -120,9 +119,9 @@ Chances chances_of(const std::array<double, 3>& low,
       section[axis] += upper ? here : -here;
     }
   }
-  const double cut = std::sqrt(section[0] * section[0] +
-                               section[1] * section[1] +
-                               section[2] * section[2]);
+  const double cut =
+      std::sqrt(section[0] * section[0] + section[1] * section[1] +
+                section[2] * section[2]);
   if (!(whole > 0)) return {};
   return {std::min(1.0, (positive + cut) / whole),
           std::min(1.0, (whole - positive + cut) / whole)};
@@ -146,12 +145,11 @@ OwnSplit best_own_split(const ItemReader& reader, const ItemList& list,
   const std::size_t count = std::min(tried, list.count);
   for (std::size_t k = 0; k <= count; ++k) {
     // Spread over the list, then the largest.
-    const Item& item = k < count ? list.items[(2 * k + 1) * list.count /
-                                              (2 * count)]
-                                 : *sample.largest;
+    const Item& item = k < count
+                           ? list.items[(2 * k + 1) * list.count / (2 * count)]
+                           : *sample.largest;
     const Plane plane = plane_of(reader.scene, item.source);
-    const Counts counts =
-        count_sides(sample, filter_plane(plane), rounding);
+    const Counts counts = count_sides(sample, filter_plane(plane), rounding);
     const Chances chances = chances_of(low, high, plane);
     const SplitCost cost =
         cost_of(all, counts.positive * scale, counts.negative * scale,

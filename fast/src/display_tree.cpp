@@ -197,10 +197,9 @@ class Merger {
       }
       tree_.corners[at.corners + k] = corner;
     }
-    std::copy(
-        piece.cut_vertices.begin(), piece.cut_vertices.end(),
-        tree_.cut_vertices.begin() +
-            static_cast<std::ptrdiff_t>(at.cut_vertices));
+    std::copy(piece.cut_vertices.begin(), piece.cut_vertices.end(),
+              tree_.cut_vertices.begin() +
+                  static_cast<std::ptrdiff_t>(at.cut_vertices));
     std::copy(piece.free_planes.begin() +
                   static_cast<std::ptrdiff_t>(at.job->inherited_planes),
               piece.free_planes.end(),
@@ -238,8 +237,8 @@ BspTree build_display_tree(const Scene& scene,
   if (scene.polygon_count() == 0) return tree;
   // Asking for more threads than there are makes the library complain.
   const int most = tbb::info::default_concurrency();
-  tbb::task_arena arena(
-      options.threads == 0 ? most : std::min(options.threads, most));
+  tbb::task_arena arena(options.threads == 0 ? most
+                                             : std::min(options.threads, most));
   arena.execute([&] {
     DisplayWork work(scene, options);
     JobRunner runner(work);

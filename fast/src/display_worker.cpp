@@ -19,9 +19,9 @@ float sum_below(double a, double b) {
   const double sum = a + b;
   const double b_part = sum - a;
   const double error = (a - (sum - b_part)) + (b - b_part);
-  return below(error < 0 ? std::nextafter(
-                               sum, -std::numeric_limits<double>::infinity())
-                         : sum);
+  return below(
+      error < 0 ? std::nextafter(sum, -std::numeric_limits<double>::infinity())
+                : sum);
 }
 
 std::array<double, 3> to_doubles(const GridPoint& p) {
@@ -67,8 +67,7 @@ Item DisplayWork::item_of(PolygonId polygon) const {
   const auto up = [](std::int64_t a, std::int64_t b) {
     return above(static_cast<double>(a - b));
   };
-  return {{down(low.x, origin.x), down(low.y, origin.y),
-           down(low.z, origin.z)},
+  return {{down(low.x, origin.x), down(low.y, origin.y), down(low.z, origin.z)},
           polygon,
           {up(high.x, origin.x), up(high.y, origin.y), up(high.z, origin.z)},
           kWhole};
@@ -98,17 +97,16 @@ void DisplayWorker::make_subtree() {
     const auto id = static_cast<NodeId>(job_.piece.nodes.size());
     const auto parts = make_node(task);
     if (!parts) continue;
-    const auto all = static_cast<double>(parts->negative_count +
-                                         positive_.size() + 1);
+    const auto all =
+        static_cast<double>(parts->negative_count + positive_.size() + 1);
     const auto share = [&](std::size_t count) {
       return task.share * static_cast<double>(count) / all;
     };
     add_done(share(1));
     items_.resize(task.first + parts->negative_count);
     if (parts->negative_count > 0) {
-      tasks_.push_back({task.first, parts->negative_count,
-                        parts->negative_box, share(parts->negative_count), id,
-                        Side::kNegative});
+      tasks_.push_back({task.first, parts->negative_count, parts->negative_box,
+                        share(parts->negative_count), id, Side::kNegative});
     }
     if (!positive_.empty()) {
       tasks_.push_back({items_.size(), positive_.size(), parts->positive_box,
@@ -122,12 +120,12 @@ void DisplayWorker::make_subtree() {
 
 DisplayWorker::Divided DisplayWorker::divide() {
   Divided result;
-  const auto parts = make_node(
-      {0, items_.size(), job_.box, job_.share, kNoNode, Side::kOn});
+  const auto parts =
+      make_node({0, items_.size(), job_.box, job_.share, kNoNode, Side::kOn});
   if (parts) {
     const double share =
-        job_.share / static_cast<double>(parts->negative_count +
-                                         positive_.size());
+        job_.share /
+        static_cast<double>(parts->negative_count + positive_.size());
     const auto part = [&](const Item* items, std::size_t count,
                           const Box& box) {
       return job_of(items, count, box, share * static_cast<double>(count));
@@ -277,8 +275,7 @@ Item DisplayWorker::part_item(const Item& whole, const Part& part, int side,
   job_.parts.push_back(part);
   const std::array<double, 3> origin = to_doubles(work_.origin);
   for (std::uint32_t k = 0; k < part.count; ++k) {
-    const Vertex v =
-        builder_.vertex(job_.tree.corners[part.first + k].vertex);
+    const Vertex v = builder_.vertex(job_.tree.corners[part.first + k].vertex);
     const std::array<double, 3> at = {v.x, v.y, v.z};
     for (std::size_t a = 0; a < 3; ++a) {
       const double away = at[a] - origin[a];
@@ -330,18 +327,17 @@ void DisplayWorker::make_leaf(NodeId id, const Task& task) {
     node.splitter = splitter;
     node.plane = plane_of(work_.scene, splitter);
   }
-  coincident_.assign(items_.begin() + static_cast<std::ptrdiff_t>(task.first),
-                     items_.begin() +
-                         static_cast<std::ptrdiff_t>(task.first + task.count));
+  coincident_.assign(
+      items_.begin() + static_cast<std::ptrdiff_t>(task.first),
+      items_.begin() + static_cast<std::ptrdiff_t>(task.first + task.count));
   add_fragments(id, coincident_);
 }
 
 /// Gives the node these fragments, in id order.
 void DisplayWorker::add_fragments(NodeId id, std::vector<Item>& items) {
   if (items.empty()) return;
-  std::sort(items.begin(), items.end(), [](const Item& p, const Item& q) {
-    return p.source < q.source;
-  });
+  std::sort(items.begin(), items.end(),
+            [](const Item& p, const Item& q) { return p.source < q.source; });
   BspTree& piece = job_.piece;
   Node& node = piece.nodes[static_cast<std::size_t>(id)];
   node.first_fragment = static_cast<std::int32_t>(piece.fragments.size());
@@ -358,9 +354,9 @@ void DisplayWorker::add_fragments(NodeId id, std::vector<Item>& items) {
       piece.corners.insert(piece.corners.end(), from, from + part.count);
     }
     const auto count = static_cast<std::uint32_t>(piece.corners.size()) - first;
-    const bool turned =
-        node.splitter != kNoPlane && node.splitter != item.source &&
-        opposed(plane_of(work_.scene, item.source), node.plane);
+    const bool turned = node.splitter != kNoPlane &&
+                        node.splitter != item.source &&
+                        opposed(plane_of(work_.scene, item.source), node.plane);
     piece.fragments.push_back(
         {item.source, first, count & kCountMask, turned ? 1u : 0u,
          static_cast<std::int32_t>(piece.fragments.size()) + 1});

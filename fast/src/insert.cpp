@@ -60,6 +60,7 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
             FilterStats& stats) {
   TreeBuilder builder(scene, tree, stats);
   const Plane plane = plane_of(scene, polygon);
+  tree.boxes.clear();
   std::vector<Step> steps;
   steps.push_back({builder.whole(polygon), tree.nodes.empty() ? kNoNode : 0,
                    kNoNode, Side::kOn});

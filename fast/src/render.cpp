@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "culler.hpp"
 #include "drawer.hpp"
 #include "halfspace/assert.hpp"
 #include "screen.hpp"
@@ -34,15 +35,32 @@ BandResult render_band(const Frame& frame, Screen& screen) {
   Drawer<kBits> drawer(frame, canvas);
   FilterStats stats;
   const EyeSide eye_side(frame.reader, frame.view, frame.camera, stats);
-  walk_front_to_back(
-      tree, eye_side, [](NodeId) { return true; },
-      [&](const Node& node, int sign) {
-        for_fragments(tree, node, [&](const TreeFragment& fragment) {
-          drawer.draw(fragment, source_side(fragment, sign));
-          return true;
-        });
-        return canvas.open_tiles > 0;
-      });
+  const Culler culler(frame.view, frame.kernel, canvas);
+  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
+  const auto enter = [&](NodeId id) {
+    if (!has_boxes) return true;
+    const auto n = static_cast<std::size_t>(id);
+    const Node& node = tree.nodes[n];
+    // One fragment is sooner drawn than its box tested.
+    const bool is_single = node.splitter != kNoPlane &&
+                           node.positive == kNoNode && node.negative == kNoNode;
+    return is_single || culler.can_show(tree.boxes[n]);
+  };
+  const auto show = [&](const Node& node, int sign) {
+    const bool is_leaf = node.splitter == kNoPlane;
+    if (is_leaf) screen.enter_leaf();
+    for_fragments(tree, node, [&](const TreeFragment& fragment) {
+      const int side =
+          is_leaf ? eye_side(frame.reader.geometry().plane(fragment.source),
+                             fragment.source)
+                  : source_side(fragment, sign);
+      if (side != 0) drawer.draw(fragment, side);
+      return true;
+    });
+    if (is_leaf) screen.leave_leaf();
+    return canvas.open_tiles > 0;
+  };
+  walk_front_to_back(tree, eye_side, enter, show);
   const Rgb background = frame.image.background;
   frame.kernel.fill_rest(
       canvas, {kBackground, {background.r, background.g, background.b}});
@@ -117,6 +135,10 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   resize(result.colors, options.colors ? width : 0,
          options.colors ? height : 0);
 
+  const bool has_leaves =
+      std::any_of(tree.nodes.begin(), tree.nodes.end(),
+                  [](const Node& node) { return node.splitter == kNoPlane; });
+  HALFSPACE_ASSERT(order == Order::kFrontToBack || !has_leaves);
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
   const Frame frame = {reader, data, image, view,
@@ -124,7 +146,7 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
   std::vector<BandResult> found(bands.size());
   const auto one = [&](std::size_t b) {
-    Screen screen(rectangle, bands[b], result, false);
+    Screen screen(rectangle, bands[b], result, has_leaves);
     found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
       return order == Order::kFrontToBack ? render_band<bits()>(frame, screen)
                                           : paint_band<bits()>(frame, screen);

@@ -1,5 +1,7 @@
 #include "tree_builder.hpp"
 
+#include <utility>
+
 #include "cut.hpp"
 
 namespace halfspace::fast {
@@ -82,6 +84,17 @@ CutParts TreeBuilder::cut(const Part& part, PlaneId id,
   };
   const Part positive = add(new_corners_[0]);
   return {positive, add(new_corners_[1])};
+}
+
+void drop_unused_corners(BspTree& tree) {
+  std::vector<Corner> kept;
+  for (TreeFragment& fragment : tree.fragments) {
+    const auto from = tree.corners.begin() + fragment.first_corner;
+    fragment.first_corner = static_cast<std::uint32_t>(kept.size());
+    kept.insert(kept.end(), from, from + fragment.corner_count);
+  }
+  kept.shrink_to_fit();
+  tree.corners = std::move(kept);
 }
 
 }  // namespace halfspace::fast

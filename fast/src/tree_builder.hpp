@@ -73,4 +73,8 @@ class TreeBuilder {
   std::array<std::vector<Corner>, 2> new_corners_;
 };
 
+/// Lays the corners out in the order of the fragments, without those of
+/// fragments that were cut.
+void drop_unused_corners(BspTree& tree);
+
 }  // namespace halfspace::fast
