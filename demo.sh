@@ -7,7 +7,7 @@ cd "$(dirname "$0")"
 . scripts/packages.sh
 . scripts/meshes.sh
 
-readonly mesh=pig.off size=320x240
+readonly mesh=triceratops.off size=640x480
 readonly program=build/release/tools/halfspace
 readonly methods=(span painter zbuffer raycast)
 
