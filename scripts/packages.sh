@@ -85,6 +85,7 @@ need_build_packages() {
   need libboost-dev "exact numbers (Boost.Multiprecision, headers only)"
   need libgmp-dev "fast big integers below Boost's numbers"
   need libglm-dev "vectors for cameras"
+  need libtbb-dev "threads (oneTBB)"
   need libpng-dev "writes PNG pictures"
   need zlib1g-dev "compression, for PNG"
   need libcli11-dev "command line of the program"
