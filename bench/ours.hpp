@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/render.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::bench {
+
+/// The fast library on one scene and one camera, its tree built beforehand.
+///
+/// Requires: scene and tree outlive it.
+class Ours {
+ public:
+  Ours(const Scene& scene, const fast::BspTree& tree, const Camera& camera)
+      : scene_(scene), tree_(tree), camera_(camera) {}
+
+  /// Draws one frame from front to back, ids and colours.
+  void draw(Shading shading, int threads = 1) {
+    fast::RenderOptions options;
+    options.threads = threads;
+    fast::render(scene_, tree_, camera_, look(shading), options, frame_);
+  }
+
+  /// Draws one frame from back to front, over the same tree.
+  void paint(Shading shading) {
+    frame_ = fast::paint(scene_, tree_, camera_, look(shading));
+  }
+
+  /// The frame that was drawn last.
+  const fast::Rendering& frame() const { return frame_; }
+
+ private:
+  static ImageOptions look(Shading shading) {
+    ImageOptions options;
+    options.shading = shading;
+    return options;
+  }
+
+  const Scene& scene_;
+  const fast::BspTree& tree_;
+  Camera camera_;
+  fast::Rendering frame_;
+};
+
+/// A tree and what it took.
+struct Built {
+  fast::BspTree tree;
+  TreeStats stats;
+  double build_ms = 0;    ///< processor time, one thread
+  std::size_t bytes = 0;  ///< of the tree's arrays
+};
+
+/// The tree that the benchmarks draw.
+Built build_tree(const Scene& scene);
+
+}  // namespace halfspace::bench

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace halfspace::bench {
+
+/// Numbers as text, in rows under a head.
+struct Table {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// The table as comma-separated values; cells hold neither commas nor quotes.
+std::string to_csv(const Table& table);
+
+/// The table as Markdown, columns as wide as their widest cell.
+std::string to_markdown(const Table& table);
+
+/// `value` with so many digits in all, but whole numbers in full.
+std::string digits(double value, int count = 3);
+
+/// Writes `text`; false where the file cannot be written.
+bool write_file(const std::filesystem::path& path, const std::string& text);
+
+/// The middle of the values; of an even number the greater one.
+/// Requires: not empty.
+double median(std::vector<double> values);
+
+}  // namespace halfspace::bench

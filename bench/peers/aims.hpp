@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "papers/table.hpp"
+#include "peers/row.hpp"
+
+namespace halfspace::bench {
+
+/// A number that is wanted, and the one that was measured.
+struct Aim {
+  int number;        ///< the aim it belongs to, 1 to 8
+  std::string what;  ///< for example "W2 S500 N100000: llvmpipe z / ours"
+  bool at_least;     ///< or at most
+  double wanted;
+  double got;
+  bool reached() const { return at_least ? got >= wanted : got <= wanted; }
+};
+
+/// The eight aims of docs/performance.md, as far as the rows tell.
+std::vector<Aim> aims_of(const std::vector<Row>& rows);
+
+/// Costs of everyone, a row a workload. Units: ms.
+Table cost_table(const std::vector<Row>& rows);
+
+/// How many times longer the peers take than the fast library.
+Table ratio_table(const std::vector<Row>& rows);
+
+/// Trees: size, growth, memory, build time against Embree's.
+Table tree_table(const std::vector<Row>& rows);
+
+Table aim_table(const std::vector<Aim>& aims);
+
+}  // namespace halfspace::bench

@@ -1,0 +1,97 @@
+#include "peers/row.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <unordered_set>
+
+#include "peers/peer.hpp"
+
+namespace halfspace::bench {
+namespace {
+
+/// Where the system keeps the peak of this process's memory; written to, it
+/// starts anew.
+void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
+
+/// The peak since then; 0 where the system does not tell.
+std::size_t peak_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("VmHWM:", 0) != 0) continue;
+    std::size_t kibibytes = 0;
+    std::istringstream(line.substr(6)) >> kibibytes;
+    return kibibytes * 1024;
+  }
+  return 0;
+}
+
+bool same_picture(const fast::Rendering& a, const fast::Rendering& b) {
+  return a.items == b.items && a.colors == b.colors;
+}
+
+OurCosts measure_ours(const Scene& scene, const Camera& camera,
+                      const Plan& plan, std::vector<PolygonId>& items,
+                      std::vector<Complaint>& complaints) {
+  OurCosts costs;
+  forget_peak();
+  const Built built = build_tree(scene);
+  costs.build = built.build_ms;
+  costs.build_peak_bytes = peak_bytes();
+  costs.tree_bytes = built.bytes;
+  costs.stats = built.stats;
+
+  Ours ours(scene, built.tree, camera);
+  const auto flat = [&] { ours.draw(Shading::kFlat); };
+  const auto smooth = [&] { ours.draw(Shading::kGouraud); };
+  costs.smooth = processor_time(smooth, plan.repeats).median;
+  const fast::Rendering smooth_frame = ours.frame();
+  costs.flat = processor_time(flat, plan.repeats).median;
+  const fast::Rendering flat_frame = ours.frame();
+  items = flat_frame.items.pixels;
+  costs.elapsed_one = elapsed_time(flat, plan.repeats).median;
+  costs.elapsed_two =
+      elapsed_time([&] { ours.draw(Shading::kFlat, 2); }, plan.repeats).median;
+  if (!same_picture(ours.frame(), flat_frame)) {
+    complaints.push_back({"ours, two threads", 0});
+  }
+  if (!plan.back_to_front) return costs;
+  costs.painter_flat =
+      processor_time([&] { ours.paint(Shading::kFlat); }, plan.repeats).median;
+  if (!same_picture(ours.frame(), flat_frame)) {
+    complaints.push_back({"ours, back to front, flat", 0});
+  }
+  costs.painter_smooth =
+      processor_time([&] { ours.paint(Shading::kGouraud); }, plan.repeats)
+          .median;
+  if (!same_picture(ours.frame(), smooth_frame)) {
+    complaints.push_back({"ours, back to front, smooth", 0});
+  }
+  return costs;
+}
+
+}  // namespace
+
+Row measure_row(const Workload& workload, const Scene& scene,
+                const Plan& plan) {
+  Row row;
+  row.name = workload.name;
+  row.polygons = scene.polygon_count();
+  const Camera camera = workload.camera(scene, plan.view, plan.size_px);
+  std::vector<PolygonId> items;
+  row.ours = measure_ours(scene, camera, plan, items, row.complaints);
+
+  std::unordered_set<PolygonId> seen(items.begin(), items.end());
+  seen.erase(kBackground);
+  row.visible = seen.size();
+  const Soup soup = make_soup(scene, camera);
+  row.overdraw = overdraw_of(soup);
+  const Checks checks = {items, workload.parallel && plan.view == View::kFront};
+  if (plan.peers) {
+    row.peers = measure_peers(soup, checks, plan.repeats, row.complaints);
+  }
+  return row;
+}
+
+}  // namespace halfspace::bench

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ours.hpp"
+#include "peers/measure.hpp"
+#include "timing.hpp"
+#include "workloads.hpp"
+
+namespace halfspace::bench {
+
+/// What a workload costs the fast library. Units: ms of processor time in one
+/// thread, but for the two elapsed times.
+struct OurCosts {
+  double flat = 0;
+  double smooth = 0;
+  std::optional<double> painter_flat;  ///< back to front, the same tree
+  std::optional<double> painter_smooth;
+  double elapsed_one = 0;  ///< flat, by the wall
+  double elapsed_two = 0;  ///< the same with two threads
+  double build = 0;
+  std::size_t build_peak_bytes = 0;  ///< of the whole process
+  std::size_t tree_bytes = 0;
+  TreeStats stats;
+};
+
+/// What to measure.
+struct Plan {
+  View view = View::kFront;
+  std::int32_t size_px = 1500;
+  Repeats repeats;
+  bool peers = true;          ///< and not ourselves alone
+  bool back_to_front = true;  ///< our own painter, too
+};
+
+/// One workload, measured.
+struct Row {
+  std::string name;
+  std::size_t polygons = 0;
+  double overdraw = 0;
+  std::size_t visible = 0;  ///< polygons that are seen somewhere
+  OurCosts ours;
+  PeerCosts peers;
+  std::vector<Complaint> complaints;
+};
+
+/// Measures the workload's scene by everyone, and checks every picture: ours
+/// by threads and by painter must be the very same, the peers' nearly.
+Row measure_row(const Workload& workload, const Scene& scene, const Plan& plan);
+
+}  // namespace halfspace::bench

@@ -1,0 +1,132 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "halfspace/io/import.hpp"
+#include "halfspace/io/read_mesh.hpp"
+#include "peers/aims.hpp"
+#include "peers/row.hpp"
+#include "workloads.hpp"
+
+namespace halfspace::bench {
+namespace {
+
+/// What the command line asks for.
+struct Request {
+  Plan plan;
+  std::uint64_t seed = 1;
+  std::string view = "front";
+  std::vector<std::string> only;
+  std::vector<std::string> meshes;
+  std::string csv;
+
+  bool wants(const std::string& name) const {
+    return only.empty() ||
+           std::any_of(only.begin(), only.end(), [&](const std::string& part) {
+             return (" " + name + " ").find(" " + part + " ") !=
+                    std::string::npos;
+           });
+  }
+};
+
+Result<Scene> scene_of(const std::filesystem::path& path) {
+  const Result<io::Mesh> mesh = io::read_mesh(path);
+  if (!mesh) return mesh.error();
+  io::ImportOptions options;
+  options.gouraud = true;
+  Result<io::Imported> imported = io::import_scene(*mesh, options);
+  if (!imported) return imported.error();
+  return imported->scene;
+}
+
+Workload workload_of(const std::filesystem::path& path) {
+  return {"W4 " + path.filename().string(), false,
+          [path] { return scene_of(path); }, &scene_camera};
+}
+
+void print(const char* title, const Table& table) {
+  std::printf("## %s\n\n%s\n", title, to_markdown(table).c_str());
+}
+
+/// Whether everyone drew what they should; tells if not.
+bool agree(const std::vector<Row>& rows) {
+  bool good = true;
+  for (const Row& row : rows) {
+    for (const Complaint& complaint : row.complaints) {
+      std::fprintf(stderr, "run_peers: %s: wrong picture by %s (%s equal)\n",
+                   row.name.c_str(), complaint.peer.c_str(),
+                   digits(complaint.share_equal, 4).c_str());
+      good = false;
+    }
+  }
+  return good;
+}
+
+int run(Request request) {
+  request.plan.view = *view_named(request.view);
+  std::vector<Workload> all = workloads(request.seed);
+  for (const std::string& mesh : request.meshes) {
+    all.push_back(workload_of(mesh));
+  }
+  std::vector<Row> rows;
+  for (const Workload& workload : all) {
+    if (!request.wants(workload.name)) continue;
+    const Result<Scene> scene = workload.scene();
+    if (!scene) {
+      std::fprintf(stderr, "run_peers: %s\n", scene.error().message.c_str());
+      return 2;
+    }
+    std::fprintf(stderr, "%s ...\n", workload.name.c_str());
+    rows.push_back(measure_row(workload, *scene, request.plan));
+  }
+  std::printf(
+      "seed %llu, view %s, %d x %d pixels, one thread, processor time "
+      "in ms, median of up to %d\n\n",
+      static_cast<unsigned long long>(request.seed), request.view.c_str(),
+      request.plan.size_px, request.plan.size_px, request.plan.repeats.most);
+  print("Time per frame", cost_table(rows));
+  print("Peers' time / ours", ratio_table(rows));
+  print("Trees", tree_table(rows));
+  print("Aims", aim_table(aims_of(rows)));
+  if (!request.csv.empty() &&
+      !write_file(request.csv, to_csv(cost_table(rows)))) {
+    std::fprintf(stderr, "run_peers: cannot write %s\n", request.csv.c_str());
+    return 2;
+  }
+  return agree(rows) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace halfspace::bench
+
+int main(int argc, char** argv) {
+  halfspace::bench::Request request;
+  CLI::App app(
+      "Draws each workload by the fast library and by everyone else, and "
+      "prints who takes how long.");
+  app.add_option("--seed", request.seed, "What the scenes are drawn from");
+  app.add_option("--size", request.plan.size_px, "Columns and rows")
+      ->check(CLI::Range(16, 8192));
+  app.add_option("--view", request.view, "From where to look")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(halfspace::bench::kViewNames.begin(),
+                                   halfspace::bench::kViewNames.end())));
+  app.add_option("--only", request.only,
+                 "Workloads whose names have one of these words in them");
+  app.add_option("--mesh", request.meshes, "Mesh files, as workloads W4");
+  app.add_option("--repeats", request.plan.repeats.most,
+                 "How often each frame is drawn, at most")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--budget", request.plan.repeats.budget_ms,
+                 "How long one number is measured. Units: ms");
+  app.add_flag("!--no-peers", request.plan.peers, "Measure ourselves alone");
+  app.add_flag("!--no-back-to-front", request.plan.back_to_front,
+               "Leave out our own painter");
+  app.add_option("--csv", request.csv, "Write the times here, too");
+  CLI11_PARSE(app, argc, argv);
+  return halfspace::bench::run(std::move(request));
+}
