@@ -83,6 +83,7 @@ void Drawer<kBits>::draw(const TreeFragment& fragment, int eye_sign) {
   fragment_ = &fragment;
   eye_sign_ = eye_sign;
   scan_.start(fragment, eye_sign);
+  seen_ready_ = false;
 
   const Scene& scene = frame_.reader.scene();
   Rgb color = scene.color(fragment.source);
@@ -131,10 +132,12 @@ void Drawer<kBits>::shade(void* self, std::int32_t x, std::int32_t y,
   }
 }
 
-/// Whether the fragment at hand is nearer than `other` at the sample (S5.3):
-/// the planes' order along the ray is the sign of the line they meet in.
+/// Whether the fragment at hand is nearer than `other` at the sample (S5.3),
+/// exactly: the planes' order along the ray is the sign of the line they meet
+/// in.
 template <int kBits>
 bool Drawer<kBits>::is_nearer(PolygonId other, std::int32_t i, std::int32_t j) {
+  ++stats_.exact;
   const Geometry& geometry = frame_.reader.geometry();
   const auto here =
       see(geometry.exact<kBits>(fragment_->source), frame_.camera);
@@ -145,18 +148,50 @@ bool Drawer<kBits>::is_nearer(PolygonId other, std::int32_t i, std::int32_t j) {
 }
 
 template <int kBits>
+const typename Drawer<kBits>::Rival& Drawer<kBits>::rival(PolygonId other) {
+  const Geometry& geometry = frame_.reader.geometry();
+  if (!seen_ready_) {
+    seen_ready_ = true;
+    seen_ = see_approximately(geometry.plane(fragment_->source), frame_.view);
+    rivals_.fill({});
+  }
+  Rival& entry = rivals_[static_cast<std::size_t>(other) % rivals_.size()];
+  if (entry.polygon == other) return entry;
+  const SeenApproximately there =
+      see_approximately(geometry.plane(other), frame_.view);
+  entry = {other, order_line(seen_, there)};
+  // Read against the sides that the eye is on; where the other's is in doubt,
+  // so is all of this.
+  const int there_sign = known_sign(there.eye);
+  if (there_sign == 0) entry.line.error = 1e300;
+  if (there_sign * eye_sign_ < 0) {
+    entry.line = {-entry.line.a, -entry.line.b, -entry.line.c,
+                  entry.line.error};
+  }
+  return entry;
+}
+
+template <int kBits>
 void Drawer<kBits>::nearer(void* self, std::int32_t x, std::int32_t y,
                            std::uint32_t* lit) {
   auto& drawer = *static_cast<Drawer*>(self);
   const Canvas& canvas = drawer.canvas_;
   for (std::int32_t r = 0; r < kTileHeight; ++r) {
-    const std::int32_t* items =
-        canvas.items + (y + r) * canvas.items_stride + x;
+    const std::int32_t j = y + r;
+    const std::int32_t* items = canvas.items + j * canvas.items_stride + x;
+    const Rival* rival = nullptr;
+    double level = 0;
     for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
       const int k = __builtin_ctz(bits);
-      if (!drawer.is_nearer(items[k], x + k, y + r)) {
-        lit[r] &= ~(std::uint32_t{1} << k);
+      if (rival == nullptr || rival->polygon != items[k]) {
+        rival = &drawer.rival(items[k]);
+        level = rival->line.b * j + rival->line.c;
       }
+      const double order = rival->line.a * (x + k) + level;
+      const bool is_nearer = std::abs(order) > rival->line.error
+                                 ? order > 0
+                                 : drawer.is_nearer(rival->polygon, x + k, j);
+      if (!is_nearer) lit[r] &= ~(std::uint32_t{1} << k);
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -48,6 +49,13 @@ class Drawer {
                     const std::uint32_t* lit);
   bool is_nearer(PolygonId other, std::int32_t i, std::int32_t j);
 
+  /// How the fragment at hand lies to a polygon that it contests pixels with.
+  struct Rival {
+    PolygonId polygon = kBackground;
+    OrderLine line;  ///< positive where the fragment at hand is nearer
+  };
+  const Rival& rival(PolygonId other);
+
   const Frame& frame_;
   Canvas& canvas_;
   ExactScan<kBits> scan_;
@@ -58,6 +66,9 @@ class Drawer {
   double x_[kMostCorners];
   double y_[kMostCorners];
   double error_ = 0;
+  bool seen_ready_ = false;
+  SeenApproximately seen_;
+  std::array<Rival, 16> rivals_;
   std::size_t pixels_ = 0;
   std::size_t fragments_ = 0;
   FilterStats stats_;

@@ -44,6 +44,28 @@ double growth_of(const Affine3& f) {
 
 }  // namespace
 
+SeenApproximately see_approximately(const Plane& plane, const View& view) {
+  const auto along = [&plane](const std::array<double, 3>& v) {
+    return plane.a * v[0] + plane.b * v[1] + plane.c * v[2];
+  };
+  const double size = std::abs(plane.a) + std::abs(plane.b) + std::abs(plane.c);
+  const double most = size * view.reach;
+  return {view.eye_value(plane),       along(view.right),     along(view.down),
+          along(view.start) + plane.d, 16 * kRounding * most, most};
+}
+
+OrderLine order_line(const SeenApproximately& p, const SeenApproximately& q) {
+  const double e = p.eye.value;
+  const double f = q.eye.value;
+  const double e_most = std::abs(e) + p.eye.error;
+  const double f_most = std::abs(f) + q.eye.error;
+  const double error = e_most * q.error + (q.most + q.error) * p.eye.error +
+                       f_most * p.error + (p.most + p.error) * q.eye.error +
+                       12 * kRounding * (e_most * q.most + f_most * p.most);
+  return {e * q.a - f * p.a, e * q.b - f * p.b, e * q.c - f * p.c,
+          error * (1 + 0x1p-40)};
+}
+
 View make_view(const Camera& camera, int grid_bits) {
   const CameraData& data = camera.data();
   const LatticeVector origin = data.perspective ? data.eye : data.s0;
@@ -75,6 +97,25 @@ View make_view(const Camera& camera, int grid_bits) {
   } else {
     view.near = -std::numeric_limits<double>::infinity();
   }
+
+  const auto to_steps = [](const LatticeVector& v) {
+    const double lattice = 1.0 / (1 << kLatticeBits);
+    return std::array<double, 3>{static_cast<double>(v.x) * lattice,
+                                 static_cast<double>(v.y) * lattice,
+                                 static_cast<double>(v.z) * lattice};
+  };
+  view.start = to_steps(data.s0);
+  view.right = to_steps(data.sx);
+  view.down = to_steps(data.sy);
+  view.reach = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    view.reach =
+        std::max(view.reach, std::abs(view.start[a]) +
+                                 (data.width_px + 1) * std::abs(view.right[a]) +
+                                 (data.height_px + 1) * std::abs(view.down[a]));
+    view.start[a] += (view.right[a] + view.down[a]) / 2;
+  }
+  view.reach = (view.reach + grid) * (1 + 0x1p-40);
 
   const double step = data.perspective ? 1.0 / (1 << kLatticeBits) : 1.0;
   view.eye = {static_cast<double>(data.eye.x) * step,

@@ -56,6 +56,13 @@ struct View {
   /// N E + |d| <= N (E + M); 8u of that with a margin.
   double eye_error = 0;
 
+  /// The centre of pixel (i, j) is start + i right + j down. Units: grid steps.
+  std::array<double, 3> start{};
+  std::array<double, 3> right{};
+  std::array<double, 3> down{};
+  /// Bounds the sizes of the image points' coordinates and M together.
+  double reach = 0;
+
   /// Units: grid steps for points, pixels for images.
   Bounded eye_value(const Plane& p) const {
     const double value =
@@ -63,6 +70,39 @@ struct View {
     return {value, (std::abs(p.a) + std::abs(p.b) + std::abs(p.c)) * eye_error};
   }
 };
+
+/// A plane as the camera sees it, in doubles: at pixel (i, j)'s centre it is
+/// a i + b j + c. With N the sum of the normal's sizes and R the view's reach:
+/// a coefficient is off by 2u, a camera vector by 2u, a product by u, sums by
+/// 4u, so each of a i, b j and c by 9u N times its share of R, and their sum by
+/// 3u more: `error`, 16u N R, bounds all that and stays a bound for the sum
+/// of any two of them. |a i + b j + c| <= N R.
+struct SeenApproximately {
+  Bounded eye;
+  double a = 0;
+  double b = 0;
+  double c = 0;
+  double error = 0;
+  double most = 0;  ///< N R
+};
+
+SeenApproximately see_approximately(const Plane& plane, const View& view);
+
+/// P(e) Q(s) - Q(e) P(s), positive where plane `p` is nearer if the eye is on
+/// the positive side of both: at pixel (i, j)'s centre a i + b j + c, off by at
+/// most `error`.
+struct OrderLine {
+  double a = 0;
+  double b = 0;
+  double c = 0;
+  double error = 0;
+};
+
+/// With E, F the true values at the eye, |E| <= |e| + e', and q, p the values
+/// at s: |E q - e q~| <= |E| q' + |q| e' for each of both products; q~ is at
+/// most most + error. Rounding adds 2u in each coefficient's products and sum,
+/// and 5u in those of a i + b j + c: 8u of (|e| + |f|) most, with a margin.
+OrderLine order_line(const SeenApproximately& p, const SeenApproximately& q);
 
 View make_view(const Camera& camera, int grid_bits);
 
