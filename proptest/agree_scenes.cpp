@@ -103,7 +103,7 @@ Corners random_corners(Kind kind, int grid_bits, Draws& draws) {
     case Kind::kFine:
       return fine(draws, size);
   }
-  HALFSPACE_ASSERT(!"a kind");
+  HALFSPACE_ASSERT(false && "a kind");
   return {};
 }
 

@@ -58,7 +58,7 @@ std::array<GridPoint, 3> plane_corners(const Scene& scene, PolygonId id) {
       return {at(i), at(i + 1), at(i + 2)};
     }
   }
-  HALFSPACE_ASSERT(!"a polygon has an area");
+  HALFSPACE_ASSERT(false && "a polygon has an area");
   return {};
 }
 

@@ -132,7 +132,7 @@ Keep keep(BooleanOp operation, SolidClass solid_class, bool first_operand) {
     case BooleanOp::kDifference:
       return first_operand ? row.minus_a : row.minus_b;
   }
-  HALFSPACE_ASSERT(!"an operation of S6.4");
+  HALFSPACE_ASSERT(false && "an operation of S6.4");
   return o;
 }
 

@@ -45,7 +45,7 @@ Plane plane_of(const std::vector<Point>& vertices) {
     if (n == Point{0, 0, 0}) continue;  // a straight corner
     return {n.x, n.y, n.z, -(n.x * p0.x + n.y * p0.y + n.z * p0.z)};
   }
-  HALFSPACE_ASSERT(!"a polygon has an area");
+  HALFSPACE_ASSERT(false && "a polygon has an area");
   return {};
 }
 

@@ -93,7 +93,7 @@ std::pair<std::uint64_t, std::uint64_t> cost(const Counts& counts,
     case RootRule::kH6:
       return {options.cut_weight * counts.out_degree + counts.imbalance(), 0};
   }
-  HALFSPACE_ASSERT(!"a rule of S3.3");
+  HALFSPACE_ASSERT(false && "a rule of S3.3");
   return {};
 }
 
