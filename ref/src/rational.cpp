@@ -73,6 +73,13 @@ Rational::Rational(BigRational value) {
       small_ = to_int128(whole);
       return;
     }
+    if (msb(abs(whole)) < 184) {
+      const BigInteger word = BigInteger(1) << 64;
+      BigInteger high = whole / word;  // towards zero
+      if (whole < 0 && high * word != whole) high -= 1;
+      small_ = to_int128(high);
+      low_ = BigInteger(whole - high * word).convert_to<std::uint64_t>();
+    }
   }
   big_ = std::make_unique<BigRational>(std::move(value));
 }

@@ -56,7 +56,7 @@ TEST(ChooseRoot, EveryRuleMinimisesItsOwnNumber) {
 }
 
 TEST(ChooseRoot, CandidatesAreDrawnByKeyWithoutRepetition) {
-  // Worked out from S3.4: key, the two drawn, and the one with fewer cuts. Equals
+  // Worked out from S3.4: key, the two drawn, the one with fewer cuts. Equals
   // go to the lower id, whichever was drawn first (keys 2 and 3).
   const std::pair<std::uint64_t, std::size_t> pairs[] = {
       {0, 2},   // 2 and 5
@@ -98,7 +98,10 @@ TEST(Build, CoincidentPolygonsOfEitherDirectionShareANode) {
   const Scene scene =
       scene_of({wall_x(3, 0, 1), wall_x(5, 0, 1), turned_over(wall_x(5, 4, 6)),
                 wall_x(5, 8, 9), wall_x(7, 0, 1)});
-  const TreeName name = name_of(build(scene, {.rule = kH4}));
+  const BspTree tree = build(scene, {.rule = kH4});
+  EXPECT_EQ(stats(tree),
+            (TreeStats{.nodes = 3, .height = 2, .fragments = 5, .splits = 0}));
+  const TreeName name = name_of(tree);
   // Balanced: x = 5, then x = 7 on its positive and x = 3 on its negative side.
   ASSERT_EQ(name.size(), 3u);
   EXPECT_EQ(name[0].splitter, 1);
@@ -110,6 +113,16 @@ TEST(Build, CoincidentPolygonsOfEitherDirectionShareANode) {
   EXPECT_EQ(name[0].negative, 2);
   EXPECT_EQ(name[1].splitter, 4);
   EXPECT_EQ(name[2].splitter, 0);
+}
+
+TEST(Build, HeightIsThatOfTheDeeperSide) {
+  const std::vector<GridPoint> root = wall_x(0, 0, 1);
+  for (const int side : {-1, 1}) {
+    const Scene scene =
+        scene_of({root, wall_x(side, 0, 1), wall_x(2 * side, 0, 1),
+                  wall_x(3 * side, 0, 1), wall_x(-side, 0, 1)});
+    EXPECT_EQ(stats(build(scene, {.rule = kFirst})).height, 4u) << side;
+  }
 }
 
 /// The splitters, in the order of a tree's name, of walls x = first, ...,

@@ -21,7 +21,7 @@ BigRational power_of_2(int exponent) {
 std::vector<BigRational> border_values() {
   std::vector<BigRational> values = {0, BigRational(1) / 2, BigRational(-1) / 2,
                                      BigRational(7) / 3, BigRational(-7) / 3};
-  for (const int bits : {0, 1, 31, 62, 63, 64, 65, 126, 127, 128, 200}) {
+  for (const int bits : {0, 1, 31, 61, 63, 64, 127, 128, 183, 184, 192, 200}) {
     for (const int beside : {-1, 0, 1}) {
       values.push_back(power_of_2(bits) + beside);
       values.push_back(-power_of_2(bits) + beside);
@@ -91,6 +91,11 @@ TEST(Rational, CopiesAreOfTheirOwn) {
 TEST(Rational, TheSignOfAnAffineExpressionIsThatOfItsValue) {
   const std::vector<BigRational> values = border_values();
   std::mt19937_64 random(/*seed=*/1);
+  for (const BigRational& p : values) {
+    const Rational d(p);
+    EXPECT_EQ(sign_of_affine(0, 1, 0, 1, 0, 1, d), sign(d)) << p;
+    EXPECT_EQ(sign_of_affine(-1, 2, 1, 1, 1, 1, d), sign(d)) << p;
+  }
   int zeros = 0;
   for (int run = 0; run < 20000; ++run) {
     const auto draw = [&] {

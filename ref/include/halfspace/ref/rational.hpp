@@ -30,6 +30,8 @@ using BigRational = boost::multiprecision::number<
 /// An integer of 128 bits is kept as such and everything else as a
 /// BigRational: most numbers of a scene are small integers, and this makes
 /// them cheap. Which of the two holds a value cannot be seen from outside.
+/// The words of a somewhat greater integer stand beside its BigRational, for
+/// the offsets of planes on the grid of 54 bits.
 ///
 /// Exact: yes, without limit of size.
 class Rational {
@@ -42,6 +44,7 @@ class Rational {
 
   Rational(const Rational& other)
       : small_(other.small_),
+        low_(other.low_),
         big_(other.big_ ? std::make_unique<BigRational>(*other.big_)
                         : nullptr) {}
   Rational(Rational&&) noexcept = default;
@@ -105,9 +108,10 @@ class Rational {
                             const Rational& b, const Rational& y,
                             const Rational& c, const Rational& z,
                             const Rational& d) {
-    Int128 value;
-    if (small_affine(a, x, b, y, c, z, d, value))
-      return value > 0 ? 1 : value < 0 ? -1 : 0;
+    if (!a.big_ && !b.big_ && !c.big_ && d.has_words() && x.is_narrow() &&
+        y.is_narrow() && z.is_narrow()) {
+      return sign_of_small_affine(a, x.word(), b, y.word(), c, z.word(), d);
+    }
     return sign_of_big_affine(a, x, b, y, c, z, d);
   }
 
@@ -128,19 +132,43 @@ class Rational {
   static bool is_word(Int128 value) {
     return value == static_cast<std::int64_t>(value);
   }
-  bool is_small_word() const { return !big_ && is_word(small_); }
-  /// a x + b y + c z + d, if all are small and no step overflows.
-  static bool small_affine(const Rational& a, const Rational& x,
-                           const Rational& b, const Rational& y,
-                           const Rational& c, const Rational& z,
-                           const Rational& d, Int128& value) {
-    return a.is_small_word() && x.is_small_word() && b.is_small_word() &&
-           y.is_small_word() && c.is_small_word() && z.is_small_word() &&
-           !d.big_ &&
-           !__builtin_add_overflow(a.small_ * x.small_, b.small_ * y.small_,
-                                   &value) &&
-           !__builtin_add_overflow(value, c.small_ * z.small_, &value) &&
-           !__builtin_add_overflow(value, d.small_, &value);
+  /// Whether the value is an integer below 2^61 in size, as all coordinates on
+  /// a grid are.
+  bool is_narrow() const {
+    constexpr Int128 kLimit = Int128{1} << 61;
+    return !big_ && -kLimit < small_ && small_ < kLimit;
+  }
+  std::int64_t word() const { return static_cast<std::int64_t>(small_); }
+  /// Whether the value is an integer below 2^184 in size; then it is
+  /// high() 2^64 + low(), where 0 <= low() < 2^64.
+  bool has_words() const { return !big_ || small_ != 0; }
+  Int128 high() const { return big_ ? small_ : small_ >> 64; }
+  std::uint64_t low() const {
+    return big_ ? low_ : static_cast<std::uint64_t>(small_);
+  }
+  /// The sign of a x + b y + c z + d, where a, b, c are small, d has words, and
+  /// x, y, z are narrow.
+  ///
+  /// The products of lower words are below 2^(64+61), so that the lower sum is
+  /// below 3 * 2^125 + 2^64 < 2^127. What it has beyond 64 bits goes to the
+  /// higher sum, below 3 * 2^(63+61) + 2^120 + 2^64 < 2^127. Their sign is that
+  /// of the higher sum, else of what the lower one has left.
+  static int sign_of_small_affine(const Rational& a, std::int64_t x,
+                                  const Rational& b, std::int64_t y,
+                                  const Rational& c, std::int64_t z,
+                                  const Rational& d) {
+    const auto times_high = [](const Rational& value, std::int64_t factor) {
+      return Int128{static_cast<std::int64_t>(value.small_ >> 64)} * factor;
+    };
+    const auto times_low = [](const Rational& value, std::int64_t factor) {
+      return Int128{static_cast<std::uint64_t>(value.small_)} * factor;
+    };
+    const Int128 lower =
+        times_low(a, x) + times_low(b, y) + times_low(c, z) + d.low();
+    const Int128 higher = times_high(a, x) + times_high(b, y) +
+                          times_high(c, z) + d.high() + (lower >> 64);
+    if (higher != 0) return higher > 0 ? 1 : -1;
+    return static_cast<std::uint64_t>(lower) != 0 ? 1 : 0;
   }
   static int sign_of_big_affine(const Rational& a, const Rational& x,
                                 const Rational& b, const Rational& y,
@@ -153,7 +181,10 @@ class Rational {
   /// The value as a BigRational: its own, or `room` set to it.
   const BigRational& in(BigRational& room) const;
 
-  Int128 small_ = 0;  ///< the value, where big_ is null
+  /// The value, where big_ is null; else its higher words, or 0 for a value
+  /// that is no integer or too great for them.
+  Int128 small_ = 0;
+  std::uint64_t low_ = 0;  ///< the lowest word of such a value
   std::unique_ptr<BigRational> big_;
 };
 
