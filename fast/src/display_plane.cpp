@@ -70,6 +70,7 @@ Sample sample_of(const ItemReader& reader, const ItemList& list) {
 struct Counts {
   double positive = 0;
   double negative = 0;
+  double neither = 0;
 };
 
 Counts count_sides(const Sample& sample, const FilterPlane& plane,
@@ -88,8 +89,29 @@ Counts count_sides(const Sample& sample, const FilterPlane& plane,
     }
     counts.positive += positive ? 1 : 0;
     counts.negative += negative ? 1 : 0;
+    counts.neither += positive || negative ? 0 : 1;
   }
   return counts;
+}
+
+double area_of(const ItemReader& reader, const Item& item) {
+  std::array<double, 3> first{};
+  std::array<double, 3> last{};
+  std::array<double, 3> twice{};
+  std::size_t k = 0;
+  reader.for_vertices(item, [&](double x, double y, double z) {
+    if (k == 0) first = {x, y, z};
+    const std::array<double, 3> here = {x - first[0], y - first[1],
+                                        z - first[2]};
+    twice[0] += last[1] * here[2] - last[2] * here[1];
+    twice[1] += last[2] * here[0] - last[0] * here[2];
+    twice[2] += last[0] * here[1] - last[1] * here[0];
+    last = here;
+    ++k;
+  });
+  return std::sqrt(twice[0] * twice[0] + twice[1] * twice[1] +
+                   twice[2] * twice[2]) /
+         2;
 }
 
 }  // namespace
@@ -151,12 +173,38 @@ OwnSplit best_own_split(const ItemReader& reader, const ItemList& list,
     const Plane plane = plane_of(reader.scene, item.source);
     const Counts counts = count_sides(sample, filter_plane(plane), rounding);
     const Chances chances = chances_of(low, high, plane);
-    const SplitCost cost =
-        cost_of(all, counts.positive * scale, counts.negative * scale,
-                chances.positive, chances.negative, cut_weight);
+    const SplitCost cost = cost_of(
+        all - counts.neither * scale, counts.positive * scale,
+        counts.negative * scale, chances.positive, chances.negative,
+        cut_weight);
     if (cost.cost < best.cost.cost) best = {cost, item.source};
   }
   return best;
+}
+
+double overlap_of(const ItemReader& reader, const ItemList& list,
+                  const Box& box) {
+  const double shown = half_surface(double{box.high[0]} - box.low[0],
+                                    double{box.high[1]} - box.low[1],
+                                    double{box.high[2]} - box.low[2]) /
+                       2;
+  double area = 0;
+  for (const Item& item : list) area += area_of(reader, item) / 2;
+  if (!(shown > 0)) return 0;
+  return area * area / shown;
+}
+
+double share_of_own_vertices(const ItemReader& reader, const ItemList& list,
+                             std::vector<VertexId>& scratch) {
+  scratch.clear();
+  for (const Item& item : list) {
+    const auto corners = reader.scene.corners(item.source);
+    scratch.insert(scratch.end(), corners.begin(), corners.end());
+  }
+  std::sort(scratch.begin(), scratch.end());
+  const auto own = std::unique(scratch.begin(), scratch.end());
+  return static_cast<double>(own - scratch.begin()) /
+         static_cast<double>(scratch.size());
 }
 
 }  // namespace halfspace::fast

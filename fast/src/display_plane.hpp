@@ -57,11 +57,25 @@ struct OwnSplit {
 };
 
 /// The best of `tried` planes of polygons in the list, and of its largest
-/// polygon's, judged by a sample of the list.
+/// polygon's, judged by a sample of the list. What lies in a plane is settled.
 ///
 /// Cost: bounded for a given number of planes.
 OwnSplit best_own_split(const ItemReader& reader, const ItemList& list,
                         const Box& box, const std::array<double, 3>& origin,
                         std::size_t tried, double cut_weight);
+
+/// How much of the image the list's polygons contend for with each other, seen
+/// from anywhere, if they are strewn over the box. Units: squares of grid
+/// steps.
+///
+/// A flat polygon shows half its area on average, a box a quarter of its
+/// surface; of areas A strewn over a box that shows B, A A / B overlap.
+double overlap_of(const ItemReader& reader, const ItemList& list,
+                  const Box& box);
+
+/// How many vertices the list's polygons have, for each corner: 1 where they
+/// share none. Those of a mesh share most, and hide each other next to never.
+double share_of_own_vertices(const ItemReader& reader, const ItemList& list,
+                             std::vector<VertexId>& scratch);
 
 }  // namespace halfspace::fast

@@ -12,6 +12,18 @@ constexpr double kToldShare = 1.0 / 256;
 /// compared with planes of polygons.
 constexpr double kPoorCost = 0.8;
 
+/// The image that trees are made for. Units: pixels.
+constexpr double kImagePixels = 1500.0 * 1500.0;
+
+/// What a pixel costs that is decided by depth, in fragments.
+constexpr double kContendedPixel = 0.02;
+
+/// A leaf may cost so many fragments on top of its own.
+constexpr double kContended = 8;
+
+/// From this share of own vertices on polygons are a mesh.
+constexpr double kMeshShare = 0.6;
+
 constexpr Box kNothing = kNoBox;
 
 /// a + b, rounded downwards to a float.
@@ -46,6 +58,13 @@ DisplayWork::DisplayWork(const Scene& a_scene,
     high = {std::max(high.x, p.x), std::max(high.y, p.y),
             std::max(high.z, p.z)};
   }
+  const auto length = [](std::int64_t from, std::int64_t to) {
+    return static_cast<double>(to - from);
+  };
+  scene_size = std::max(
+      1.0, half_surface(length(low.x, high.x), length(low.y, high.y),
+                        length(low.z, high.z)) /
+               2);
   origin = {low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2,
             low.z + (high.z - low.z) / 2};
 }
@@ -169,19 +188,26 @@ std::optional<DisplayWorker::Partition> DisplayWorker::make_node(
     add_done(task.share);
     return std::nullopt;
   };
-  if (task.count <= options.leaf_size) return leaf();
+  const bool is_short = task.count <= options.leaf_size;
+  const double contended = is_short ? contended_by(task) : 0;
+  if (is_short && contended <= kContended) return leaf();
 
   // Step 1: choose a plane.
   const ItemList list = {items_.data() + task.first, task.count};
-  const auto undivided = static_cast<double>(task.count);
+  const double undivided = static_cast<double>(task.count) + contended;
   const AxisSplit axis = best_axis_split(list, task.box, options.cut_weight);
   OwnSplit own;
-  if (options.own_planes > 0 && !(axis.cost.cost < kPoorCost * undivided)) {
+  if (options.own_planes > 0 &&
+      (is_short || !(axis.cost.cost < kPoorCost * undivided))) {
     own = best_own_split({work_.scene, job_.tree, job_.parts}, list, task.box,
                          to_doubles(work_.origin), options.own_planes,
                          options.cut_weight);
   }
-  if (!(std::min(axis.cost.cost, own.cost.cost) < undivided)) return leaf();
+  const double cost = std::min(axis.cost.cost, own.cost.cost);
+  if (!(cost < undivided) &&
+      (is_short || !(cost < undivided + contended_by(task)))) {
+    return leaf();
+  }
 
   // Step 2: divide the list.
   const bool across = axis.cost.cost <= own.cost.cost;
@@ -201,6 +227,18 @@ std::optional<DisplayWorker::Partition> DisplayWorker::make_node(
       distribute(task, plane, node.plane, across ? &axis : nullptr);
   add_fragments(id, coincident_);
   return parts;
+}
+
+/// What deciding by depth costs a leaf of the list, in fragments.
+double DisplayWorker::contended_by(const Task& task) {
+  const ItemReader reader = {work_.scene, job_.tree, job_.parts};
+  const ItemList list = {items_.data() + task.first, task.count};
+  const double pixels =
+      overlap_of(reader, list, task.box) / work_.scene_size * kImagePixels;
+  const double cost = pixels * kContendedPixel;
+  if (cost <= kContended) return cost;
+  const double own = share_of_own_vertices(reader, list, vertices_);
+  return cost * std::clamp((own - kMeshShare) / (1 - kMeshShare), 0.0, 1.0);
 }
 
 DisplayWorker::Partition DisplayWorker::distribute(const Task& task, PlaneId id,

@@ -27,6 +27,9 @@ class DisplayWork {
   const Scene& scene;
   const DisplayTreeOptions& options;
   GridPoint origin;  ///< the frame of items: the middle of the scene
+  /// What the scene's box shows from anywhere, on average; above 0.
+  /// Units: squares of grid steps.
+  double scene_size = 1;
 
  private:
   std::mutex mutex_;
@@ -92,6 +95,7 @@ class DisplayWorker {
   std::optional<Partition> make_node(const Task& task);
   void make_leaf(NodeId id, const Task& task);
   bool is_flat(const Task& task, PolygonId& splitter);
+  double contended_by(const Task& task);
   Partition distribute(const Task& task, PlaneId id, const Plane& plane,
                        const AxisSplit* axis);
   void cut_or_send(const Item& item, PlaneId id, const FilterPlane& plane,
@@ -113,6 +117,7 @@ class DisplayWorker {
   std::vector<Item> positive_;
   std::vector<Item> coincident_;
   std::vector<Task> tasks_;
+  std::vector<VertexId> vertices_;
   double done_ = 0;
 };
 

@@ -21,7 +21,7 @@ Drawer<kBits>::Drawer(const Frame& frame, Canvas& canvas)
     : frame_(frame),
       canvas_(canvas),
       scan_(frame.reader, frame.camera),
-      shader_(frame.reader.scene(), frame.camera),
+      shader_(frame.reader.scene(), frame.camera, frame.view),
       gouraud_(frame.image.shading == Shading::kGouraud &&
                !frame.reader.scene().data().corner_colors.empty()) {}
 
@@ -78,7 +78,38 @@ template <int kBits>
 void Drawer<kBits>::draw(const TreeFragment& fragment, int eye_sign) {
   if (frame_.image.cull && eye_sign < 0) return;
   const Fate fate = project(fragment);
-  if (fate == Fate::kUnseen) return;
+  if (fate != Fate::kUnseen) draw_projected(fragment, fate, eye_sign);
+}
+
+/// The way the outline turns, or 0 where its area is too small to tell.
+///
+/// With D the largest difference to the first corner, d the corners' error:
+/// each of a triangle's two products is off by 2D (2d + 2uD) + (2d)^2 and
+/// rounding, 3u D^2 for both and their difference: 16 (D + d)(d + u D) bounds
+/// that, for each of the fan's triangles and its sum.
+template <int kBits>
+int Drawer<kBits>::turn(std::size_t count) const {
+  double area = 0;
+  double extent = 0;
+  double x = x_[1] - x_[0];
+  double y = y_[1] - y_[0];
+  extent = std::max(std::abs(x), std::abs(y));
+  for (std::size_t k = 2; k < count; ++k) {
+    const double next_x = x_[k] - x_[0];
+    const double next_y = y_[k] - y_[0];
+    area += x * next_y - y * next_x;
+    extent = std::max({extent, std::abs(next_x), std::abs(next_y)});
+    x = next_x;
+    y = next_y;
+  }
+  const double doubt = static_cast<double>(count) * 16 * (extent + error_) *
+                       (error_ + 4 * kRounding * extent);
+  return (area > doubt) - (area < -doubt);
+}
+
+template <int kBits>
+void Drawer<kBits>::draw_projected(const TreeFragment& fragment, Fate fate,
+                                   int eye_sign) {
   ++fragments_;
   fragment_ = &fragment;
   eye_sign_ = eye_sign;

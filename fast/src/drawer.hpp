@@ -31,6 +31,25 @@ class Drawer {
   /// Draws a fragment whose source has the eye on side `eye_sign`.
   void draw(const TreeFragment& fragment, int eye_sign);
 
+  /// Draws one for which that is not known: eye_side(fragment) tells, and is
+  /// asked only where its outline does not.
+  template <class EyeSide>
+  void draw_any(const TreeFragment& fragment, EyeSide&& eye_side) {
+    const Fate fate = project(fragment);
+    if (fate == Fate::kUnseen) return;
+    int sign = fate == Fate::kOutline ? turn(fragment.corner_count) : 0;
+    sign = sign != 0 ? -frame_.view.orientation * sign : eye_side(fragment);
+    if (sign == 0 || (frame_.image.cull && sign < 0)) return;
+    draw_projected(fragment, fate, sign);
+  }
+
+  /// Asks for the memory that drawing the fragment will read.
+  void prefetch(const TreeFragment& fragment) const {
+    for (const Corner& corner : frame_.reader.corners(fragment)) {
+      __builtin_prefetch(frame_.reader.address(corner.vertex));
+    }
+  }
+
   std::size_t pixels() const { return pixels_; }
   std::size_t fragments() const { return fragments_; }
   const FilterStats& stats() const { return stats_; }
@@ -42,6 +61,8 @@ class Drawer {
   enum class Fate { kOutline, kLines, kUnseen };
 
   Fate project(const TreeFragment& fragment);
+  int turn(std::size_t count) const;
+  void draw_projected(const TreeFragment& fragment, Fate fate, int eye_sign);
   static PixelRange exact_line(void* self, std::int32_t j, PixelRange range);
   static void nearer(void* self, std::int32_t x, std::int32_t y,
                      std::uint32_t* lit);

@@ -28,6 +28,11 @@ class TreeReader {
     return {tree_.corners.data() + fragment.first_corner,
             fragment.corner_count};
   }
+  /// Where vertex() will read.
+  const void* address(std::int32_t index) const {
+    if (index < vertex_count_) return points_ + index;
+    return tree_.cut_vertices.data() + (index - vertex_count_);
+  }
   Vertex vertex(std::int32_t index) const {
     if (index < vertex_count_) return to_vertex(points_[index]);
     return tree_.cut_vertices[static_cast<std::size_t>(index - vertex_count_)];

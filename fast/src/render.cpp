@@ -46,18 +46,31 @@ BandResult render_band(const Frame& frame, Screen& screen) {
                            node.positive == kNoNode && node.negative == kNoNode;
     return is_single || culler.can_show(tree.boxes[n]);
   };
-  const auto show = [&](const Node& node, int sign) {
-    const bool is_leaf = node.splitter == kNoPlane;
-    if (is_leaf) screen.enter_leaf();
+  const auto side_of_source = [&](const TreeFragment& fragment) {
+    return eye_side(frame.reader.geometry().plane(fragment.source),
+                    fragment.source);
+  };
+  const auto show_leaf = [&](const Node& node) {
+    screen.enter_leaf();
     for_fragments(tree, node, [&](const TreeFragment& fragment) {
-      const int side =
-          is_leaf ? eye_side(frame.reader.geometry().plane(fragment.source),
-                             fragment.source)
-                  : source_side(fragment, sign);
-      if (side != 0) drawer.draw(fragment, side);
+      drawer.prefetch(fragment);
       return true;
     });
-    if (is_leaf) screen.leave_leaf();
+    for_fragments(tree, node, [&](const TreeFragment& fragment) {
+      drawer.draw_any(fragment, side_of_source);
+      return true;
+    });
+    screen.leave_leaf();
+  };
+  const auto show = [&](const Node& node, int sign) {
+    if (node.splitter == kNoPlane) {
+      show_leaf(node);
+    } else {
+      for_fragments(tree, node, [&](const TreeFragment& fragment) {
+        drawer.draw(fragment, source_side(fragment, sign));
+        return true;
+      });
+    }
     return canvas.open_tiles > 0;
   };
   walk_front_to_back(tree, eye_side, enter, show);

@@ -25,8 +25,8 @@ bool has_gradient(const Scene& scene, PolygonId polygon) {
                             std::not_equal_to<>()) != colors.end();
 }
 
-void Shader::prepare() {
-  ready_ = true;
+void Shader::prepare_exact() {
+  exact_ready_ = true;
   const auto corners = scene_.corners(polygon_);
   const auto colors = scene_.corner_colors(polygon_);
   exact_sums_ = {};
@@ -41,31 +41,71 @@ void Shader::prepare() {
       add(exact_sums_[c], weight, eye_sign_ * channels[c]);
     }
   }
-  const auto rounded = [](const ImageLine<4>& line) {
-    return Line{to_double(line.a), to_double(line.b), to_double(line.c)};
+}
+
+/// The weights as edge_line() has them, in doubles.
+///
+/// Let R bound the sizes of all coordinates: of the view's reach, and of the
+/// eye. A difference of two points is at most 2R, and off by 2u of each and its
+/// own rounding: 6u R. A component of the cross product has two products of at
+/// most 4 R^2, off by 2 (2R 6u R) + 4u R^2 each, and a difference: 68u R^2 in
+/// all, and is at most 8 R^2. Its product with the image point, at most 2R: off
+/// by 68u R^2 2R + 8 R^2 6u R + 16u R^3 = 200u R^3, three of them and their
+/// sums: 750u R^3. The three parts a i, b j, c are each as large at most, so a
+/// weight is off by 2300u R^3. A total has three of them, a sum of a channel
+/// three times 255: with the sums' roundings a quotient of at most 256 is off
+/// by (256 + 255) 3 2400u R^3 over the total: 2^22 u R^3.
+void Shader::prepare() {
+  ready_ = true;
+  using Point = std::array<double, 3>;
+  const auto minus = [](const Point& p, const Point& q) {
+    return Point{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
   };
-  // Each coefficient is off by 2u of its size at most, each product by u and
-  // each of two sums by u: 5u of the sum of sizes, for pixels of the image. A
-  // quotient N / D, at most 256, is off by (N's error + 256 D's) / D, and its
-  // own rounding and that of the reciprocal by 3u 256, which D's share, twice
-  // counted here, pays for: no D exceeds the sum of its sizes.
-  const auto error = [this](const Line& line) {
-    return 8 * kRounding *
-           (2.0 * camera_.width_px * std::abs(line.a) +
-            2.0 * camera_.height_px * std::abs(line.b) + std::abs(line.c));
+  const auto dot = [](const Point& p, const Point& q) {
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
   };
-  total_ = rounded(exact_total_);
-  doubt_ = 2 * 256 * error(total_);
-  for (std::size_t c = 0; c < 3; ++c) {
-    sums_[c] = rounded(exact_sums_[c]);
-    doubt_ += 2 * error(sums_[c]);
+  const auto corners = scene_.corners(polygon_);
+  const auto colors = scene_.corner_colors(polygon_);
+  std::array<Point, 3> points;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const GridPoint& p = scene_.point(corners[k]);
+    points[k] = {static_cast<double>(p.x), static_cast<double>(p.y),
+                 static_cast<double>(p.z)};
   }
+  sums_ = {};
+  total_ = {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point& from = points[(k + 1) % 3];
+    const Point& to = points[(k + 2) % 3];
+    const Point u = view_.perspective ? minus(to, view_.eye) : view_.eye;
+    const Point v =
+        view_.perspective ? minus(from, view_.eye) : minus(to, from);
+    const Point m = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                     u[0] * v[1] - u[1] * v[0]};
+    const Point& origin = view_.perspective ? view_.eye : from;
+    const Line weight = {eye_sign_ * dot(m, view_.right),
+                         eye_sign_ * dot(m, view_.down),
+                         eye_sign_ * dot(m, minus(view_.start, origin))};
+    const auto add_to = [&weight](Line& line, double factor) {
+      line.a += factor * weight.a;
+      line.b += factor * weight.b;
+      line.c += factor * weight.c;
+    };
+    add_to(total_, 1);
+    add_to(sums_[0], colors[k].r);
+    add_to(sums_[1], colors[k].g);
+    add_to(sums_[2], colors[k].b);
+  }
+  const double reach =
+      view_.reach + std::max({std::abs(view_.eye[0]), std::abs(view_.eye[1]),
+                              std::abs(view_.eye[2])});
+  doubt_ = 0x1p22 * kRounding * reach * reach * reach;
 }
 
 int Shader::shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
                   std::uint8_t* line) {
   if (!ready_) prepare();
-  const double v = 2.0 * j + 1;
+  const double v = j;
   const double total_here = total_.b * v + total_.c;
   std::array<double, 3> sums_here;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -74,7 +114,7 @@ int Shader::shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
   int exact = 0;
   for (; bits != 0; bits &= bits - 1) {
     const int k = __builtin_ctz(bits);
-    const double u = 2.0 * (x + k) + 1;
+    const double u = x + k;
     const double reciprocal = 1 / (total_.a * u + total_here);
     const double doubt = doubt_ * reciprocal;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -95,7 +135,8 @@ int Shader::shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
 }
 
 std::uint8_t Shader::exact_channel(std::size_t channel, std::int32_t i,
-                                   std::int32_t j, std::int32_t guess) const {
+                                   std::int32_t j, std::int32_t guess) {
+  if (!exact_ready_) prepare_exact();
   // The greatest k with k <= sum / total + 1/2, or 2 k total <= 2 sum + total.
   const Wide<4> total = exact_total_.at_centre(i, j);
   const Wide<4> sum = exact_sums_[channel].at_centre(i, j);

@@ -6,6 +6,7 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/scene.hpp"
 #include "image_line.hpp"
+#include "view.hpp"
 
 namespace halfspace::fast {
 
@@ -21,14 +22,15 @@ bool has_gradient(const Scene& scene, PolygonId polygon);
 /// where that touches a rounding step.
 class Shader {
  public:
-  Shader(const Scene& scene, const CameraData& camera)
-      : scene_(scene), camera_(camera) {}
+  Shader(const Scene& scene, const CameraData& camera, const View& view)
+      : scene_(scene), camera_(camera), view_(view) {}
 
   /// The triangle that is meant from now on; the eye is on side `eye_sign`.
   void start(PolygonId polygon, int eye_sign) {
     polygon_ = polygon;
     eye_sign_ = eye_sign;
     ready_ = false;
+    exact_ready_ = false;
   }
 
   /// Writes the colours of the pixels `bits` of line `j`, from column `x` on,
@@ -38,7 +40,7 @@ class Shader {
             std::uint8_t* line);
 
  private:
-  /// a (2i + 1) + b (2j + 1) + c, in doubles.
+  /// a i + b j + c at the centre of pixel (i, j), in doubles.
   struct Line {
     double a = 0;
     double b = 0;
@@ -46,14 +48,17 @@ class Shader {
   };
 
   void prepare();
+  void prepare_exact();
   std::uint8_t exact_channel(std::size_t channel, std::int32_t i,
-                             std::int32_t j, std::int32_t guess) const;
+                             std::int32_t j, std::int32_t guess);
 
   const Scene& scene_;
   const CameraData& camera_;
+  const View& view_;
   PolygonId polygon_ = 0;
   int eye_sign_ = 0;
   bool ready_ = false;
+  bool exact_ready_ = false;
   std::array<ImageLine<4>, 3> exact_sums_;
   ImageLine<4> exact_total_;
   std::array<Line, 3> sums_;
