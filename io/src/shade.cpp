@@ -24,7 +24,7 @@ Direction normal_of(std::span<const GridPoint> corners) {
 }
 
 Rgb shaded(const Direction& normal) {
-  constexpr Direction kLight = {0.25, -0.65, 0.72};
+  constexpr Direction kLight = {0.15, -0.45, 0.88};
   constexpr Direction kSurface = {236, 214, 184};
   constexpr double kAmbient = 0.22;
   const double length = std::sqrt(
