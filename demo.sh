@@ -7,7 +7,8 @@ cd "$(dirname "$0")"
 . scripts/packages.sh
 . scripts/meshes.sh
 
-readonly mesh=triceratops.off size=640x480
+readonly mesh=triceratops.off
+readonly view=(--size 640x480 --up 0,1,0 --eye 13,8,16 --target 0,0,0 --fov 32)
 readonly program=build/release/tools/halfspace
 readonly methods=(span painter zbuffer raycast)
 
@@ -27,9 +28,9 @@ echo "Building (release)."
 
 need_meshes "$mesh"
 
-echo "Rendering $mesh at $size by the exact reference, four ways."
+echo "Rendering $mesh by the exact reference, four ways."
 for method in "${methods[@]}"; do
-  "$program" render "out/models/$mesh" --size "$size" --method "$method" \
+  "$program" render "out/models/$mesh" "${view[@]}" --method "$method" \
     -o "out/$method.png" --ids "out/$method.npy" \
     --stats "out/$method.json" >/dev/null ||
     fail "rendering by $method failed"
