@@ -35,14 +35,10 @@ Int128 to_int128(const BigInteger& value) {
 }
 
 BigInteger to_big_integer(Int128 value) {
-  __extension__ using UInt128 = unsigned __int128;
-  const bool negative = value < 0;
-  const UInt128 bits =
-      negative ? -static_cast<UInt128>(value) : static_cast<UInt128>(value);
-  const BigInteger result =
-      (BigInteger(static_cast<std::uint64_t>(bits >> 64)) << 64) +
-      static_cast<std::uint64_t>(bits);
-  return negative ? BigInteger(-result) : result;
+  BigInteger result = static_cast<std::int64_t>(value >> 64);
+  result <<= 64;
+  result += static_cast<std::uint64_t>(value);
+  return result;
 }
 
 /// A value above / below, perhaps not in lowest terms. below > 0.
