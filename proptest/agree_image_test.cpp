@@ -4,9 +4,16 @@
 
 #include "agree_scenes.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/scan.hpp"
+#include "halfspace/fast/screen.hpp"
+#include "halfspace/fast/split.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scan.hpp"
+#include "halfspace/ref/screen.hpp"
+#include "halfspace/ref/split.hpp"
 #include "halfspace/ref/traverse.hpp"
 
 namespace halfspace::agree {
@@ -170,6 +177,86 @@ TEST(AgreeImage, TraversalsDisplayTheSameFragmentsInTheSameOrder) {
       fast::back_to_front(tree, scene, camera, show);
       fast::front_to_back(tree, scene, camera, show);
       ASSERT_EQ(shown, expected);
+    }
+  }
+}
+
+/// Whole polygons and what is left of them after cuts, one by one.
+TEST(AgreeImage, FragmentsCoverTheSameSegments) {
+  std::size_t segments = 0;
+  fast::FilterStats stats;
+  for (const Kind kind : kKinds) {
+    for (const int bits : kGridBits) {
+      for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        SCOPED_TRACE(std::string(name_of(kind)) + ", " + std::to_string(bits) +
+                     " bits, seed " + std::to_string(seed));
+        Draws draws(seed * 77 + static_cast<std::uint64_t>(bits));
+        const Scene scene = random_scene(kind, bits, 6, draws);
+        const Camera camera = random_camera(kind, scene, 50, 20, draws);
+        const ref::Projection projection = ref::projection_of(camera);
+        const auto planes = ref::planes_of(scene);
+        const auto count = static_cast<PolygonId>(scene.polygon_count());
+        for (PolygonId p = 0; p < count; ++p) {
+          ref::Fragment f = ref::whole(scene, p);
+          fast::Fragment g = fast::whole(scene, p);
+          for (PolygonId s = 0; s < count; ++s) {
+            const auto expected = ref::scan_convert(f, projection);
+            const auto found = fast::scan_convert(scene, g, camera, stats);
+            ASSERT_EQ(found.size(), expected.size());
+            segments += found.size();
+            for (std::size_t k = 0; k < found.size(); ++k) {
+              ASSERT_EQ(found[k].line, expected[k].line);
+              ASSERT_EQ(found[k].span, expected[k].span);
+            }
+            const ref::Plane& plane = planes[static_cast<std::size_t>(s)];
+            if (ref::relation(f, plane) != Relation::kSpanning) continue;
+            const bool up = draws.one_in(2);
+            const auto parts = ref::split(f, plane, s);
+            const auto cut = fast::split(scene, g, s, stats);
+            f = up ? parts.positive : parts.negative;
+            g = up ? cut.positive : cut.negative;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(segments, 1000u);
+}
+
+/// All pairs of lines of 7 pixels, with every way to cut their runs up.
+TEST(AgreeImage, MergesAreTheSameOnEveryShortLine) {
+  constexpr std::int32_t kPixels = 7;
+  std::vector<std::vector<Span>> lists;
+  for (std::uint32_t lit = 0; lit < 1u << kPixels; ++lit) {
+    // A bit of `joined` says that a pixel goes on its left neighbour's run.
+    for (std::uint32_t joined = 0; joined < 1u << kPixels; ++joined) {
+      if ((joined & ~(lit & (lit << 1))) != 0) continue;
+      std::vector<Span> list;
+      for (std::int32_t i = 0; i < kPixels; ++i) {
+        if (((lit >> i) & 1u) == 0) continue;
+        if (((joined >> i) & 1u) != 0) {
+          list.back().last = i;
+        } else {
+          list.push_back({i, i});
+        }
+      }
+      lists.push_back(list);
+    }
+  }
+  for (const auto& objects : lists) {
+    for (const auto& unlit : lists) {
+      const ref::Merged expected = ref::merge(objects, unlit);
+      const fast::Merged found = fast::merge(objects, unlit);
+      ASSERT_EQ(found.lit, expected.lit);
+      ASSERT_EQ(found.unlit, expected.unlit);
+    }
+  }
+  for (const Span object : {Span{0, 2}, Span{1, 5}, Span{3, 3}, Span{4, 9}}) {
+    for (std::int32_t first = 0; first < 8; ++first) {
+      for (std::int32_t last = first; last < 8; ++last) {
+        ASSERT_EQ(fast::merge_case(object, {first, last}),
+                  ref::merge_case(object, {first, last}));
+      }
     }
   }
 }

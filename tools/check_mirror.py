@@ -22,6 +22,9 @@ ALONE = {
         "to_point": "coordinates as rationals; fast has none",
         "value_at": "the value as a rational; fast has its sign alone",
     },
+    ("ref", "screen"): {
+        "merge_segment": "F2B's step on a linked list; fast has no list",
+    },
     ("fast", "predicate"): {
         "plane_corners": "three grid points; ref has the plane's rationals",
         "intern_planes": "names planes, so that equal ones are told by id",

@@ -16,6 +16,11 @@ inline float rounded_up(double v) {
 }
 inline float rounded_down(double v) { return -rounded_up(-v); }
 
+/// Fills in the tree's boxes.
+/// Requires: children have greater indices than their parents, as in every
+///           tree built or extended here.
+void add_boxes(BspTree& tree, const Scene& scene);
+
 /// The box of nothing.
 constexpr Box kEmptyBox = {
     {std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),

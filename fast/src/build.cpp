@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "boxes.hpp"
 #include "halfspace/assert.hpp"
 #include "root_rule.hpp"
 #include "tree_builder.hpp"

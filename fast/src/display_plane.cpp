@@ -173,10 +173,10 @@ OwnSplit best_own_split(const ItemReader& reader, const ItemList& list,
     const Plane plane = plane_of(reader.scene, item.source);
     const Counts counts = count_sides(sample, filter_plane(plane), rounding);
     const Chances chances = chances_of(low, high, plane);
-    const SplitCost cost = cost_of(
-        all - counts.neither * scale, counts.positive * scale,
-        counts.negative * scale, chances.positive, chances.negative,
-        cut_weight);
+    const SplitCost cost =
+        cost_of(all - counts.neither * scale, counts.positive * scale,
+                counts.negative * scale, chances.positive, chances.negative,
+                cut_weight);
     if (cost.cost < best.cost.cost) best = {cost, item.source};
   }
   return best;

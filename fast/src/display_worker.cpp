@@ -61,10 +61,10 @@ DisplayWork::DisplayWork(const Scene& a_scene,
   const auto length = [](std::int64_t from, std::int64_t to) {
     return static_cast<double>(to - from);
   };
-  scene_size = std::max(
-      1.0, half_surface(length(low.x, high.x), length(low.y, high.y),
-                        length(low.z, high.z)) /
-               2);
+  scene_size =
+      std::max(1.0, half_surface(length(low.x, high.x), length(low.y, high.y),
+                                 length(low.z, high.z)) /
+                        2);
   origin = {low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2,
             low.z + (high.z - low.z) / 2};
 }

@@ -28,6 +28,9 @@ constexpr EdgeName name_of(EdgeCode edge) {
   return {EdgeName::Kind::kSplitter, splitter_of(edge)};
 }
 
+/// TreeFragment::corner_count has 31 bits; no fragment has more corners.
+constexpr std::uint32_t kMostCornersOfFragment = 0x7fffffff;
+
 /// A scene and the free planes of its tree: what signs are decided from.
 class Geometry {
  public:

@@ -10,6 +10,7 @@
 #include "culler.hpp"
 #include "drawer.hpp"
 #include "halfspace/assert.hpp"
+#include "halfspace/fast/painter.hpp"
 #include "screen.hpp"
 #include "walk.hpp"
 

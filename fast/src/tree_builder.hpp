@@ -17,8 +17,7 @@ struct Part {
   std::uint32_t count = 0;
 };
 
-/// TreeFragment::corner_count has 31 bits; no fragment has more corners.
-constexpr std::uint32_t kCountMask = 0x7fffffff;
+constexpr std::uint32_t kCountMask = kMostCornersOfFragment;
 
 /// Whether two planes that are the same point set have opposite normals.
 ///

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "boxes.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/render.hpp"
 

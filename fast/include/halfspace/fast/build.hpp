@@ -91,11 +91,6 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon);
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
             FilterStats& stats);
 
-/// Fills in the tree's boxes.
-/// Requires: children have greater indices than their parents, as in every
-///           tree built or extended here.
-void add_boxes(BspTree& tree, const Scene& scene);
-
 /// The size of the tree (S3.2). No recursion.
 TreeStats stats(const BspTree& tree);
 

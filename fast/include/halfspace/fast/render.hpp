@@ -63,11 +63,4 @@ void render(const Scene& scene, const BspTree& tree, const Camera& camera,
             const ImageOptions& image, const RenderOptions& options,
             Rendering& result);
 
-/// The same image by the painter's algorithm: back to front, later over
-/// earlier (S5.5).
-///
-/// Requires: a tree without leaves.
-Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
-                const ImageOptions& image, const RenderOptions& options = {});
-
 }  // namespace halfspace::fast

@@ -1,0 +1,174 @@
+#include "halfspace/fast/display_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <utility>
+
+namespace halfspace::fast {
+namespace {
+
+void add_triangle(SceneData& data, const GridPoint (&corners)[3]) {
+  for (const GridPoint& p : corners) {
+    data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
+    data.vertices.push_back(p);
+  }
+  data.first_corner.push_back(static_cast<std::uint32_t>(data.corners.size()));
+  data.colors.push_back({});
+}
+
+Scene made(SceneData data) {
+  Result<Scene> scene = make_scene(std::move(data));
+  EXPECT_TRUE(scene.has_value());
+  return std::move(scene).value();
+}
+
+/// `count` triangles strewn over a cube.
+Scene strewn(int count, std::int64_t size, int grid_bits) {
+  std::mt19937_64 random(1);
+  SceneData data;
+  data.grid_bits = grid_bits;
+  const std::int64_t limit = (std::int64_t{1} << (grid_bits - 1)) - 1;
+  const auto coordinate = [&](std::int64_t from, std::int64_t to) {
+    const auto width = static_cast<std::uint64_t>(to - from) + 1;
+    return from + static_cast<std::int64_t>(random() % width);
+  };
+  while (data.colors.size() < static_cast<std::size_t>(count)) {
+    const GridPoint at = {coordinate(-limit, limit - size),
+                          coordinate(-limit, limit - size),
+                          coordinate(-limit, limit - size)};
+    const auto near = [&](std::int64_t dx, std::int64_t dy) {
+      return GridPoint{at.x + dx, at.y + dy, at.z + coordinate(0, size)};
+    };
+    add_triangle(data, {near(0, 0), near(size, 0), near(0, size)});
+  }
+  return made(std::move(data));
+}
+
+template <class T>
+bool same_bytes(const std::vector<T>& p, const std::vector<T>& q) {
+  return p.size() == q.size() &&
+         (p.empty() ||
+          std::memcmp(p.data(), q.data(), p.size() * sizeof(T)) == 0);
+}
+
+/// Whether no byte differs but those between members.
+void expect_same(const BspTree& p, const BspTree& q) {
+  EXPECT_TRUE(same_bytes(p.nodes, q.nodes));
+  EXPECT_TRUE(same_bytes(p.fragments, q.fragments));
+  EXPECT_EQ(p.corners, q.corners);
+  EXPECT_TRUE(same_bytes(p.cut_vertices, q.cut_vertices));
+  EXPECT_EQ(p.free_planes, q.free_planes);
+  EXPECT_EQ(p.boxes, q.boxes);
+}
+
+TEST(DisplayTree, DoesNotDependOnTheNumberOfThreads) {
+  const Scene scene = strewn(60000, 1 << 20, 26);
+  DisplayTreeOptions options;
+  options.threads = 1;
+  const BspTree one = build_display_tree(scene, options);
+  EXPECT_GT(one.cut_vertices.size(), 1000u);
+  for (const int threads : {2, 3, 0}) {
+    options.threads = threads;
+    expect_same(one, build_display_tree(scene, options));
+  }
+}
+
+TEST(DisplayTree, OfNothingHasNoNodes) {
+  EXPECT_TRUE(build_display_tree(Scene()).nodes.empty());
+}
+
+TEST(DisplayTree, OfOnePolygonIsALeaf) {
+  SceneData data;
+  add_triangle(data, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const BspTree tree = build_display_tree(made(std::move(data)));
+  ASSERT_EQ(tree.nodes.size(), 1u);
+  EXPECT_EQ(tree.nodes[0].splitter, kNoPlane);
+  EXPECT_EQ(tree.fragments.size(), 1u);
+  EXPECT_EQ(tree.boxes[0], (Box{{0, 0, 0}, {1, 1, 0}}));
+}
+
+TEST(DisplayTree, IdenticalPolygonsAreOneNodesList) {
+  SceneData data;
+  for (int k = 0; k < 1000; ++k) {
+    add_triangle(data, {{0, 0, 3}, {100, 7, 50}, {9, 100, 0}});
+  }
+  const BspTree tree = build_display_tree(made(std::move(data)));
+  ASSERT_EQ(tree.nodes.size(), 1u);
+  EXPECT_NE(tree.nodes[0].splitter, kNoPlane);
+  ASSERT_EQ(tree.fragments.size(), 1000u);
+  for (std::size_t k = 0; k < 1000; ++k) {
+    EXPECT_EQ(tree.fragments[k].source, static_cast<PolygonId>(k));
+    EXPECT_EQ(tree.fragments[k].turned, 0u);
+  }
+}
+
+/// Triangles in planes of one coordinate, many of them in each: the splitters
+/// fall into those planes.
+TEST(DisplayTree, PolygonsInAFreePlaneAreItsNodes) {
+  SceneData data;
+  for (std::int64_t z = 0; z < 64; ++z) {
+    for (std::int64_t k = 0; k < 4; ++k) {
+      add_triangle(data, {{0, 0, z}, {500 + k, 0, z}, {0, 500, z}});
+    }
+  }
+  const BspTree tree = build_display_tree(made(std::move(data)));
+  EXPECT_EQ(tree.fragments.size(), 256u);
+  std::size_t in_nodes = 0;
+  for (const Node& node : tree.nodes) {
+    if (node.splitter == kNoPlane) continue;
+    for (std::int32_t f = node.first_fragment; f != kNoFragment;) {
+      ++in_nodes;
+      f = tree.fragments[static_cast<std::size_t>(f)].next;
+    }
+  }
+  EXPECT_GT(in_nodes, 200u);
+}
+
+TEST(DisplayTree, GrowsLittleWhereTrianglesAreSmall) {
+  const Scene scene = strewn(50000, 1 << 19, 26);
+  const BspTree tree = build_display_tree(scene);
+  EXPECT_LT(tree.fragments.size(), 2 * scene.polygon_count());
+  EXPECT_LT(bytes_of(tree), 100 * tree.fragments.size());
+  EXPECT_LT(bytes_of(tree), 300 * scene.polygon_count());
+  // A tree, not a chain.
+  EXPECT_LT(stats(tree).height, 40u);
+}
+
+TEST(DisplayTree, IsDividedOnTheWidestGridToo) {
+  const Scene scene = strewn(3000, std::int64_t{1} << 46, 54);
+  const BspTree tree = build_display_tree(scene);
+  EXPECT_GT(tree.nodes.size(), 50u);
+}
+
+TEST(DisplayTree, TellsHowFarItIs) {
+  const Scene scene = strewn(40000, 1 << 19, 26);
+  DisplayTreeOptions options;
+  std::vector<double> told;
+  options.progress = [&](double share) {
+    told.push_back(share);
+    return true;
+  };
+  const BspTree tree = build_display_tree(scene, options);
+  ASSERT_GT(told.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0);
+  EXPECT_GT(told.back(), 0.9);
+  EXPECT_LE(told.back(), 1);
+  options.progress = nullptr;
+  expect_same(tree, build_display_tree(scene, options));
+}
+
+TEST(DisplayTree, StopsWhenToldTo) {
+  const Scene scene = strewn(40000, 1 << 19, 26);
+  DisplayTreeOptions options;
+  int calls = 0;
+  options.progress = [&](double) { return ++calls < 3; };
+  EXPECT_TRUE(build_display_tree(scene, options).nodes.empty());
+  EXPECT_EQ(calls, 3);
+}
+
+}  // namespace
+}  // namespace halfspace::fast
