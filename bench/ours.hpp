@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
+#include "halfspace/bsp_tree.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/build.hpp"
+#include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/scene.hpp"
@@ -27,7 +27,8 @@ class Ours {
     fast::render(scene_, tree_, camera_, look(shading), options, frame_);
   }
 
-  /// Draws one frame from back to front, over the same tree.
+  /// Draws one frame from back to front.
+  /// Requires: a tree by rule.
   void paint(Shading shading) {
     frame_ = fast::paint(scene_, tree_, camera_, look(shading));
   }
@@ -56,7 +57,11 @@ struct Built {
   std::size_t bytes = 0;  ///< of the tree's arrays
 };
 
-/// The tree that the benchmarks draw.
-Built build_tree(const Scene& scene);
+/// The tree that a user gets for display: fast::build_display_tree, in one
+/// thread.
+Built build_for_display(const Scene& scene);
+
+/// A tree of the papers, by the options.
+Built build_by_rule(const Scene& scene, const BuildOptions& options);
 
 }  // namespace halfspace::bench

@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "papers/frames.hpp"
 #include "papers/report.hpp"
 #include "papers/tree_sizes.hpp"
 
@@ -51,12 +53,15 @@ int run(const Request& request) {
       return 2;
     }
     good = publish(fag83_table_1(*models, request.effort), request.out) && good;
+    good = publish(fag83_table_2(*models, request.effort), request.out) && good;
   }
   if (request.wants("heur")) {
     good = publish(heur_figures(request.effort), request.out) && good;
   }
   if (request.wants("f2b")) {
     good = publish(f2b_tree_sizes(request.effort), request.out) && good;
+    good = publish(f2b_figures_12_to_14(request.effort), request.out) && good;
+    good = publish(f2b_figures_15_16(request.effort), request.out) && good;
   }
   return good ? 0 : 1;
 }

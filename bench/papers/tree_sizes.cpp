@@ -81,19 +81,23 @@ Result<std::vector<Model>> fag83_models(
   std::vector<Model> models;
   models.push_back({"Klein bottle",
                     model_named("klein-bottle"),
-                    {"1475", "1118", "1035", "990"}});
+                    {"1475", "1118", "1035", "990"},
+                    {}});
   models.push_back({"3 cubes",
                     model_named("interlocking-cubes"),
-                    {"402", "279", "263", "240"}});
-  models.push_back(
-      {"Ribbon plot", model_named("ribbons"), {"1478", "929", "797", "860"}});
-  models.push_back({"3 atoms", three_atoms(), {}});
+                    {"402", "279", "263", "240"},
+                    {"280", "2.46 to 4.81"}});
+  models.push_back({"Ribbon plot",
+                    model_named("ribbons"),
+                    {"1478", "929", "797", "860"},
+                    {}});
+  models.push_back({"3 atoms", three_atoms(), {}, {"1440", "1.53 to 1.84"}});
   for (const std::filesystem::path& path : scans) {
     const Result<io::Mesh> mesh = io::read_mesh(path);
     if (!mesh) return mesh.error();
     Result<io::Imported> imported = io::import_scene(*mesh, {});
     if (!imported) return imported.error();
-    models.push_back({path.filename().string(), imported->scene, {}});
+    models.push_back({path.filename().string(), imported->scene, {}, {}});
   }
   return models;
 }

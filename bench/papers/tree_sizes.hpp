@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct Model {
   /// The tree's polygons in FAG83 table 1 for 1, 3, 5 and 15 candidates; empty
   /// where the paper has no such model.
   std::vector<std::string> paper;
+  /// FAG83 table 2: polygons in the tree, and frames in a second; empty where
+  /// the paper has no such model.
+  std::array<std::string, 2> paper_frames;
 };
 
 /// Klein bottle, three cubes, ribbon plot, three atoms, and the scans.

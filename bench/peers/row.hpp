@@ -17,7 +17,7 @@ namespace halfspace::bench {
 struct OurCosts {
   double flat = 0;
   double smooth = 0;
-  std::optional<double> painter_flat;  ///< back to front, the same tree
+  std::optional<double> painter_flat;  ///< back to front, a tree by rule
   std::optional<double> painter_smooth;
   double elapsed_one = 0;  ///< flat, by the wall
   double elapsed_two = 0;  ///< the same with two threads
