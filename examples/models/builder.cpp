@@ -13,6 +13,27 @@ std::uint8_t channel(double value) {
       std::lround(255 * std::clamp(value, 0.0, 1.0)));
 }
 
+/// `color` as light falls on a polygon: full on one side, half on the other.
+Rgb lit(Rgb color, std::span<const GridPoint> corners) {
+  constexpr std::array<double, 3> kLight = {0.37, -0.56, 0.74};
+  const GridPoint u = corners[1] - corners[0];
+  const GridPoint v = corners[2] - corners[0];
+  const std::array<double, 3> normal = {
+      static_cast<double>(u.y) * static_cast<double>(v.z) -
+          static_cast<double>(u.z) * static_cast<double>(v.y),
+      static_cast<double>(u.z) * static_cast<double>(v.x) -
+          static_cast<double>(u.x) * static_cast<double>(v.z),
+      static_cast<double>(u.x) * static_cast<double>(v.y) -
+          static_cast<double>(u.y) * static_cast<double>(v.x)};
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  double cosine = 0;
+  for (std::size_t i = 0; i < 3; ++i) cosine += normal[i] * kLight[i] / length;
+  const auto scaled = [cosine](std::uint8_t value) {
+    return channel((0.75 + 0.25 * cosine) * value / 255);
+  };
+  return {scaled(color.r), scaled(color.g), scaled(color.b)};
+}
+
 }  // namespace
 
 void Builder::add(std::span<const GridPoint> corners, Rgb color) {
@@ -24,7 +45,7 @@ void Builder::add(std::span<const GridPoint> corners, Rgb color) {
   }
   data_.first_corner.push_back(
       static_cast<std::uint32_t>(data_.corners.size()));
-  data_.colors.push_back(color);
+  data_.colors.push_back(lit(color, corners));
 }
 
 void Builder::add_face(const GridPoint& origin, const GridPoint& u,

@@ -22,7 +22,9 @@ constexpr GridPoint operator*(std::int64_t k, const GridPoint& a) {
 /// Collects polygons; equal points become one vertex.
 class Builder {
  public:
-  /// Adds the polygon with these corners, seen counterclockwise from outside.
+  /// Adds the polygon with these corners, seen counterclockwise from outside,
+  /// its colour darkened by how light falls on it.
+  /// Requires: its first three corners are not on one line.
   void add(std::span<const GridPoint> corners, Rgb color);
   void add(std::initializer_list<GridPoint> corners, Rgb color) {
     add(std::span(corners.begin(), corners.size()), color);

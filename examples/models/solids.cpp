@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -63,22 +64,24 @@ Result<Scene> cube(const ModelOptions&) {
 
 Result<Scene> interlocking_cubes(const ModelOptions& options) {
   // Edges of length 150, each axis cut into 2, 3 and 6: 2(6 + 18 + 12) = 72.
-  const std::int64_t k = 30;
+  constexpr std::int64_t k = 30;
+  struct Axes {
+    GridPoint u, v, w;
+  };
+  constexpr std::array<Axes, 3> kTurns = {
+      {{{5 * k, 0, 0}, {0, 5 * k, 0}, {0, 0, 5 * k}},
+       {{4 * k, 3 * k, 0}, {-3 * k, 4 * k, 0}, {0, 0, 5 * k}},
+       {{5 * k, 0, 0}, {0, 4 * k, 3 * k}, {0, -3 * k, 4 * k}}}};
   Builder builder;
   const int count = options.count == 0 ? 3 : options.count;
   for (int i = 0; i < count; ++i) {
-    const GridPoint origin = {61 * i, 47 * i, 53 * i};
-    const Rgb color = palette(static_cast<std::size_t>(i));
-    if (i % 3 == 0) {
-      builder.add_box(origin, {5 * k, 0, 0}, {0, 5 * k, 0}, {0, 0, 5 * k},
-                      color, 2, 3, 6);
-    } else if (i % 3 == 1) {
-      builder.add_box(origin, {4 * k, 3 * k, 0}, {-3 * k, 4 * k, 0},
-                      {0, 0, 5 * k}, color, 2, 3, 6);
-    } else {
-      builder.add_box(origin, {5 * k, 0, 0}, {0, 4 * k, 3 * k},
-                      {0, -3 * k, 4 * k}, color, 2, 3, 6);
-    }
+    const auto& [u, v, w] = kTurns[static_cast<std::size_t>(i % 3)];
+    const GridPoint sum = u + v + w;
+    const GridPoint centre = {70 * i, 43 * i, 31 * i};
+    const GridPoint origin =
+        centre - GridPoint{sum.x / 2, sum.y / 2, sum.z / 2};
+    builder.add_box(origin, u, v, w, palette(static_cast<std::size_t>(i)), 2, 3,
+                    6);
   }
   return std::move(builder).scene();
 }
@@ -86,10 +89,10 @@ Result<Scene> interlocking_cubes(const ModelOptions& options) {
 Result<Scene> pinwheel(const ModelOptions&) {
   Builder builder;
   GridPoint origin = {-300, -200, 0};
-  GridPoint along = {500, 0, 120};
+  GridPoint along = {500, 0, 60};
   GridPoint across = {0, 80, 0};
   for (std::size_t i = 0; i < 4; ++i) {
-    builder.add_box(origin, along, across, {0, 0, 30}, palette(i));
+    builder.add_box(origin, along, across, {0, 0, 24}, palette(i));
     // A quarter turn about the z axis.
     for (GridPoint* p : {&origin, &along, &across})
       *p = GridPoint{-p->y, p->x, p->z};
