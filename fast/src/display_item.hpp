@@ -72,20 +72,21 @@ struct AxisSplit {
   float coordinate = 0;  ///< an integer
 };
 
-/// How much less of a child is paid for because what lies before it hides it:
-/// 1 would make dividing flat stacks worthless.
-constexpr double kUnhidden = 0.85;
+/// How much less is paid for a child because its sibling, if that has all the
+/// rest, hides it: 0 would make dividing flat stacks worthless.
+constexpr double kHidden = 0.3;
 
 /// The cost of a plane that divides a list of `count` items into two lists
 /// that a ray through its box meets with the given probabilities.
 inline SplitCost cost_of(double count, double positive, double negative,
                          double positive_chance, double negative_chance,
                          double cut_weight) {
-  const double cuts = std::max(0.0, positive + negative - count);
-  return {
-      kUnhidden * (positive * positive_chance + negative * negative_chance) +
-          cut_weight * cuts,
-      cuts};
+  const double both = positive + negative;
+  const double cuts = std::max(0.0, both - count);
+  const double met = positive * positive_chance + negative * negative_chance;
+  const double hidden =
+      positive * negative * (positive_chance + negative_chance) * kHidden;
+  return {met - (both > 0 ? hidden / both : 0) + cut_weight * cuts, cuts};
 }
 
 /// The best plane across an axis: by bins first, then among the ends of items

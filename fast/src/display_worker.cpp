@@ -10,7 +10,7 @@ constexpr double kToldShare = 1.0 / 256;
 
 /// A plane across an axis that costs more than this share of its list is
 /// compared with planes of polygons.
-constexpr double kPoorCost = 0.8;
+constexpr double kPoorCost = 0.95;
 
 /// The image that trees are made for. Units: pixels.
 constexpr double kImagePixels = 1500.0 * 1500.0;
@@ -231,6 +231,7 @@ std::optional<DisplayWorker::Partition> DisplayWorker::make_node(
 
 /// What deciding by depth costs a leaf of the list, in fragments.
 double DisplayWorker::contended_by(const Task& task) {
+  if (task.count < 2) return 0;
   const ItemReader reader = {work_.scene, job_.tree, job_.parts};
   const ItemList list = {items_.data() + task.first, task.count};
   const double pixels =

@@ -11,10 +11,10 @@ namespace halfspace::fast {
 struct DisplayTreeOptions {
   /// Lists of so many fragments or fewer are not divided. Longer ones are where
   /// a plane pays: where none does, a leaf may be longer.
-  std::size_t leaf_size = 32;
+  std::size_t leaf_size = 64;
   /// What a cut costs, in fragments that a ray meets: more makes the tree
   /// smaller and its leaves longer.
-  double cut_weight = 0.5;
+  double cut_weight = 2;
   /// How many polygons' own planes are tried where no plane across an axis
   /// divides well; 0 for none.
   std::size_t own_planes = 8;
