@@ -5,6 +5,7 @@
 #include "both.hpp"
 #include "definition.hpp"
 #include "law.hpp"
+#include "operands.hpp"
 #include "scenes.hpp"
 
 namespace halfspace {
@@ -20,91 +21,6 @@ using enum BooleanOp;
 template <class Impl>
 class S6Boolean : public ::testing::Test {};
 TYPED_TEST_SUITE(S6Boolean, Implementations);
-
-constexpr int kPairs = 400;
-constexpr BooleanOp kOperations[] = {kUnion, kIntersection, kDifference};
-
-std::vector<Facet> facets_of(const std::vector<std::vector<Point>>& polygons) {
-  std::vector<Facet> facets;
-  for (const auto& polygon : polygons)
-    facets.push_back(definition::facet_of(polygon));
-  return facets;
-}
-
-template <class Impl>
-std::vector<Facet> facets_of(const typename Impl::Solid& solid) {
-  return facets_of(Impl::polygons_of(solid));
-}
-
-/// How two solids may lie against each other.
-const std::set<std::string> kSituations = {
-    "a polygon of the first spans the second's planes",
-    "flush faces",
-    "faces that touch from both sides",
-    "a vertex in the other's interior",
-    "a vertex in the other's exterior",
-    "an empty operand",
-    "more than one piece or a hollow"};
-
-/// Those of the situations that hold.
-void meet_situations(const generate::SolidPair& pair, law::Cases& cases) {
-  const Scene& a = pair.a.scene();
-  const Scene& b = pair.b.scene();
-  const auto whole = [](const Scene& scene, PolygonId id) {
-    return definition::points_of(scene, definition::whole(scene, id));
-  };
-  std::vector<Facet> inside_b;
-  for (const PolygonId q : ids_of(b))
-    inside_b.push_back(definition::facet_of(whole(b, q)));
-  if (a.polygon_count() == 0 || b.polygon_count() == 0)
-    cases.meet("an empty operand");
-  if (a.polygon_count() > 20) cases.meet("more than one piece or a hollow");
-  for (const PolygonId p : ids_of(a)) {
-    const Plane n = definition::plane_of(a, p);
-    const auto points = whole(a, p);
-    for (const PolygonId q : ids_of(b)) {
-      const Plane m = definition::plane_of(b, q);
-      const Relation relation = definition::relation(points, m);
-      if (relation == Relation::kSpanning)
-        cases.meet("a polygon of the first spans the second's planes");
-      if (relation != Relation::kCoincident) continue;
-      const Integer agree = n.a * m.a + n.b * m.b + n.c * m.c;
-      cases.meet(agree > 0 ? "flush faces"
-                           : "faces that touch from both sides");
-    }
-    for (const Point& point : points) {
-      const bool on_plane =
-          std::any_of(inside_b.begin(), inside_b.end(), [&](const Facet& f) {
-            return definition::side_of(f.support, point) == 0;
-          });
-      if (on_plane || inside_b.empty()) continue;
-      cases.meet(definition::winding(inside_b, point) == 1
-                     ? "a vertex in the other's interior"
-                     : "a vertex in the other's exterior");
-    }
-  }
-}
-
-/// Both operands, ready for an implementation.
-template <class Impl>
-struct Operands {
-  typename Impl::Solid a;
-  typename Impl::Solid b;
-};
-
-template <class Impl>
-void for_all_operands(
-    const std::function<void(const Operands<Impl>&)>& property,
-    int count = kPairs) {
-  law::Cases cases(kSituations);
-  law::for_all_solids(
-      [&](const generate::SolidPair& pair) {
-        meet_situations(pair, cases);
-        property({Impl::to_solid(pair.a), Impl::to_solid(pair.b)});
-      },
-      count);
-  cases.expect_all();
-}
 
 template <class Impl>
 Fraction volume(const typename Impl::Solid& solid) {
@@ -363,107 +279,6 @@ TYPED_TEST(S6Boolean, L9AChainHasTheVolumeAndMembersOfItsSets) {
         }
       },
       40);
-}
-
-/// A point inside a convex polygon, on none of its lines of symmetry.
-Point inner_point(const std::vector<Point>& polygon) {
-  Point sum{0, 0, 0, 0};
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    Integer weight = static_cast<int>(97 + 31 * k * k);
-    for (std::size_t l = 0; l < polygon.size(); ++l) {
-      if (l != k) weight *= polygon[l].w;
-    }
-    sum.x += weight * polygon[k].x;
-    sum.y += weight * polygon[k].y;
-    sum.z += weight * polygon[k].z;
-    sum.w += weight * polygon[k].w;
-  }
-  return sum;
-}
-
-/// The class of a point of a polygon in `support` against a solid: by the
-/// solid's facets through it, else by how it winds round the point.
-SolidClass class_of(const Point& point, const Plane& support,
-                    const std::vector<Facet>& solid) {
-  for (const Facet& facet : solid) {
-    const bool is_in =
-        definition::side_of(facet.support, point) == 0 &&
-        std::none_of(facet.edges.begin(), facet.edges.end(),
-                     [&](const Plane& edge) {
-                       return definition::side_of(edge, point) < 0;
-                     });
-    if (!is_in) continue;
-    const Integer agree = facet.support.a * support.a +
-                          facet.support.b * support.b +
-                          facet.support.c * support.c;
-    return agree > 0 ? SolidClass::kSame : SolidClass::kOpposite;
-  }
-  return definition::winding(solid, point) == 1 ? SolidClass::kInside
-                                                : SolidClass::kOutside;
-}
-
-TYPED_TEST(S6Boolean, L10ClassifiedPartsMakeUpThePolygonAndHaveItsClasses) {
-  std::map<SolidClass, int> met;
-  for_all_operands<TypeParam>([&](const Operands<TypeParam>& of) {
-    const auto b = facets_of<TypeParam>(of.b);
-    const auto polygons = TypeParam::polygons_of(of.a);
-    for (std::size_t p = 0; p < polygons.size(); ++p) {
-      const auto support = definition::facet_of(polygons[p]).support;
-      for (const RootRule rule : {RootRule::kFirst, RootRule::kRandom}) {
-        definition::Area area;
-        for (const ClassifiedPart& part : TypeParam::classify(
-                 of.a, static_cast<PolygonId>(p), of.b, {rule})) {
-          area = area + definition::area_of(part.vertices);
-          HALFSPACE_LAW(part.solid_class ==
-                        class_of(inner_point(part.vertices), support, b));
-          ++met[part.solid_class];
-        }
-        HALFSPACE_LAW(area == definition::area_of(polygons[p]));
-      }
-    }
-  });
-  for (const SolidClass solid_class :
-       {SolidClass::kInside, SolidClass::kOutside, SolidClass::kSame,
-        SolidClass::kOpposite})
-    EXPECT_GT(met[solid_class], 20) << static_cast<int>(solid_class);
-}
-
-/// Whether two convex polygons lie in one plane and overlap there: no edge of
-/// either has all of the other on its far side.
-bool overlap(const std::vector<Point>& p, const std::vector<Point>& q) {
-  const Facet f = definition::facet_of(p);
-  const Facet g = definition::facet_of(q);
-  if (definition::relation(q, f.support) != Relation::kCoincident) return false;
-  const auto separates = [](const Facet& facet,
-                            const std::vector<Point>& points) {
-    return std::any_of(
-        facet.edges.begin(), facet.edges.end(), [&](const Plane& edge) {
-          return std::all_of(points.begin(), points.end(),
-                             [&](const Point& point) {
-                               return definition::side_of(edge, point) <= 0;
-                             });
-        });
-  };
-  return !separates(f, q) && !separates(g, p);
-}
-
-TYPED_TEST(S6Boolean, L11NoTwoFragmentsOfAResultOverlap) {
-  int pairs = 0;
-  for_all_operands<TypeParam>(
-      [&](const Operands<TypeParam>& of) {
-        for (const BooleanOp operation : kOperations) {
-          const auto polygons =
-              TypeParam::polygons_of(TypeParam::boolean(operation, of.a, of.b));
-          for (std::size_t p = 0; p < polygons.size(); ++p) {
-            for (std::size_t q = 0; q < p; ++q) {
-              HALFSPACE_LAW(!overlap(polygons[p], polygons[q]));
-              ++pairs;
-            }
-          }
-        }
-      },
-      60);
-  EXPECT_GT(pairs, 10000);
 }
 
 TYPED_TEST(S6Boolean, L12ThePointSetDoesNotDependOnTheTrees) {

@@ -1,0 +1,107 @@
+#include <algorithm>
+
+#include "both.hpp"
+#include "definition.hpp"
+#include "law.hpp"
+#include "scenes.hpp"
+
+namespace halfspace {
+namespace {
+
+template <class Impl>
+class S5Color : public ::testing::Test {};
+TYPED_TEST_SUITE(S5Color, Implementations);
+
+/// The picture of a view by the tree of these options.
+template <class Impl>
+Image picture(const SceneFile& view, const BuildOptions& options = {}) {
+  return Impl::render(view.scene, Impl::build(view.scene, options),
+                      *view.camera, view.options);
+}
+
+SceneFile with_scene(const SceneFile& view, Scene scene) {
+  SceneFile changed = view;
+  changed.scene = std::move(scene);
+  return changed;
+}
+
+/// A view with corner colours on all triangles, in Gouraud shading.
+SceneFile gouraud(const SceneFile& view) {
+  SceneData data = view.scene.data();
+  data.corner_colors.assign(data.corners.size(), {});
+  for (std::size_t p = 0; p + 1 < data.first_corner.size(); ++p) {
+    const std::size_t first = data.first_corner[p];
+    const std::size_t count = data.first_corner[p + 1] - first;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t c = count == 3 ? k : 0;
+      data.corner_colors[first + k] = {
+          static_cast<std::uint8_t>(c == 0 ? 255 : 17 * p),
+          static_cast<std::uint8_t>(c == 1 ? 0 : 100 + c + p),
+          static_cast<std::uint8_t>(c == 2 ? 3 : 2)};
+    }
+  }
+  SceneFile changed = with_scene(view, *make_scene(std::move(data)));
+  changed.options.shading = Shading::kGouraud;
+  return changed;
+}
+
+TYPED_TEST(S5Color, L12ColoursAreThoseOfTheItemsSeen) {
+  std::size_t between = 0;
+  law::for_all_views([&](const SceneFile& original) {
+    SceneFile view = gouraud(original);
+    view.options.background = {1, 2, 3};
+    const Image smooth = picture<TypeParam>(view);
+    view.options.shading = Shading::kFlat;
+    const Image flat = picture<TypeParam>(view);
+    HALFSPACE_LAW(flat.items == smooth.items);
+    for (std::size_t k = 0; k < flat.items.pixels.size(); ++k) {
+      const PolygonId id = flat.items.pixels[k];
+      if (id == kBackground) {
+        HALFSPACE_LAW(flat.colors.pixels[k] == view.options.background);
+        HALFSPACE_LAW(smooth.colors.pixels[k] == view.options.background);
+        continue;
+      }
+      HALFSPACE_LAW(flat.colors.pixels[k] == view.scene.color(id));
+      const auto corners = view.scene.corner_colors(id);
+      for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+        const auto [least, most] = std::minmax_element(
+            corners.begin(), corners.end(), [&](const Rgb& a, const Rgb& b) {
+              return a.*channel < b.*channel;
+            });
+        const std::uint8_t value = smooth.colors.pixels[k].*channel;
+        HALFSPACE_LAW((*least).*channel <= value);
+        HALFSPACE_LAW(value <= (*most).*channel);
+        between += (*least).*channel < value && value < (*most).*channel;
+      }
+    }
+  });
+  EXPECT_GT(between, 1000u);
+}
+
+TYPED_TEST(S5Color, L13GouraudIsTheExactValueRoundedHalfUp) {
+  std::size_t compared = 0;
+  law::for_all_views([&](const SceneFile& original) {
+    const SceneFile view = gouraud(original);
+    const ColorImage expected =
+        definition::color_image(view.scene, *view.camera, view.options);
+    const Image image = picture<TypeParam>(view);
+    HALFSPACE_LAW(image.colors == expected);
+    HALFSPACE_LAW(
+        oracle::raycast(view.scene, *view.camera, view.options).colors ==
+        expected);
+    // Alone a triangle is not cut; where it is seen, its colours are the same.
+    for (const PolygonId id : ids_of(view.scene)) {
+      const Image alone =
+          picture<TypeParam>(with_scene(view, chosen(view.scene, {id})));
+      for (std::size_t k = 0; k < expected.pixels.size(); ++k) {
+        if (image.items.pixels[k] != id) continue;
+        HALFSPACE_LAW(alone.colors.pixels[k] == expected.pixels[k]);
+        ++compared;
+      }
+    }
+  });
+  EXPECT_GT(compared, 1000u);
+}
+
+}  // namespace
+}  // namespace halfspace
