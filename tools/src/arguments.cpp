@@ -81,6 +81,17 @@ std::optional<Size> parse_size(std::string_view text) {
   return Size{*width, *height};
 }
 
+std::string spelt_out(const std::string& form) {
+  if (form == "WxH") return "WxH, columns and rows from 1 to 65536";
+  if (form == "X,Y,Z") return "X,Y,Z, three finite numbers";
+  if (form == "SEED") return "a whole number of 64 bits";
+  if (form == "K" || form == "N" || form == "S") {
+    return "a whole number of at least 1";
+  }
+  if (form == "DEG" || form == "LENGTH") return "a finite number";
+  return form;
+}
+
 CLI::Option* add_choice(CLI::App& app, const std::string& name,
                         const std::vector<std::string>& words,
                         std::size_t& choice, const std::string& meaning) {

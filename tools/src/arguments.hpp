@@ -35,6 +35,9 @@ std::optional<std::uint32_t> parse_count(std::string_view text);
 /// The grid, 26, 40 or 54, that `text` spells.
 std::optional<int> parse_grid(std::string_view text);
 
+/// What a text of this form is, for people: "a whole number of at least 1".
+std::string spelt_out(const std::string& form);
+
 /// Adds the option `name`, whose text `parse` must understand; else the program
 /// says that it wants `form`, and gives up.
 ///
@@ -46,7 +49,7 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name,
                         const std::string& meaning) {
   const auto complain = [parse, form](const std::string& text) {
     return parse(text) ? std::string()
-                       : "must be " + form + ", not '" + text + "'";
+                       : "must be " + spelt_out(form) + ", not '" + text + "'";
   };
   const auto store = [parse, &value](const std::string& text) {
     value = parse(text);

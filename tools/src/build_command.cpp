@@ -19,15 +19,14 @@ struct Arguments {
 };
 
 Status run(const Arguments& arguments) {
-  const Result<std::unique_ptr<Engine>> engine =
+  const std::unique_ptr<Engine> engine =
       make_engine(static_cast<Library>(arguments.build.library));
-  if (!engine) return fail(engine.error().message);
   const Result<Loaded> loaded =
       load(arguments.path, {.grid_bits = arguments.grid_bits});
   if (!loaded) return fail(arguments.path, loaded.error());
   const Scene& scene = loaded->file.scene;
-  progress((*engine)->warning(scene.polygon_count()));
-  const BuildMeasure measure = build_measured(**engine, scene, arguments.build);
+  progress(engine->warning(scene.polygon_count()));
+  const BuildMeasure measure = build_measured(*engine, scene, arguments.build);
   if (arguments.build.stats_file != "-") {
     std::printf("%s: %zu polygons; %s\n", arguments.path.c_str(),
                 scene.polygon_count(), to_string(loaded->report).c_str());

@@ -34,7 +34,7 @@ void add_build_options(CLI::App& app, BuildArguments& arguments) {
   add_parsed(app, "--candidates", "K", arguments.candidates, parse_count,
              "Candidates of the random rule; 5 if not said")
       ->group(group);
-  add_parsed(app, "--seed", "N", arguments.seed, parse_natural,
+  add_parsed(app, "--seed", "SEED", arguments.seed, parse_natural,
              "Seed of the random rule; 1 if not said")
       ->group(group);
   add_parsed(app, "--cut-weight", "S", arguments.cut_weight, parse_count,

@@ -118,9 +118,11 @@ void print_summary(const Operands& operands, const BooleanResult& result,
 }
 
 Status run(BooleanOp operation, const Arguments& arguments) {
-  const Result<std::unique_ptr<Engine>> engine =
+  const std::unique_ptr<Engine> engine =
       make_engine(static_cast<Library>(arguments.build.library));
-  if (!engine) return fail(engine.error().message);
+  if (!engine->has_booleans()) {
+    return fail("--impl fast: has no booleans yet; use --impl ref");
+  }
   const std::string& output = arguments.output;
   if (!is_scene_name(output) && !io::format_of(output)) {
     return fail(output +
@@ -130,10 +132,10 @@ Status run(BooleanOp operation, const Arguments& arguments) {
   const Result<Operands> operands =
       load_operands(arguments.path_a, arguments.path_b, arguments.grid_bits);
   if (!operands) return fail(operands.error().message);
-  progress((*engine)->warning(operands->a.scene().polygon_count() +
-                              operands->b.scene().polygon_count()));
+  progress(engine->warning(operands->a.scene().polygon_count() +
+                           operands->b.scene().polygon_count()));
   const Stopwatch watch;
-  const BooleanResult result = (*engine)->boolean(
+  const BooleanResult result = engine->boolean(
       operation, operands->a, operands->b, build_options(arguments.build));
   const double boolean_ms = watch.elapsed_ms();
   if (result.bad_edges != 0) {

@@ -64,13 +64,20 @@ class Engine {
   /// The size of the tree; nothing but zeros before build().
   virtual TreeStats stats() const = 0;
 
-  /// Requires: where the method needs a tree, build() has made this scene's.
+  /// Whether the library makes images this way.
+  virtual bool has(Method method) const = 0;
+
+  /// Requires: has(method); where the method needs a tree, build() has made
+  /// this scene's.
   virtual Picture render(const Scene& scene, const Camera& camera,
                          const ImageOptions& options, Method method,
                          int threads) const = 0;
 
+  /// Whether the library has booleans.
+  virtual bool has_booleans() const = 0;
+
   /// The regularised boolean of two solids (S6.4).
-  /// Requires: both on one grid.
+  /// Requires: has_booleans(); both on one grid.
   virtual BooleanResult boolean(BooleanOp operation, const Solid& a,
                                 const Solid& b,
                                 const BuildOptions& options) const = 0;
@@ -81,10 +88,12 @@ class Engine {
 };
 
 /// The library's engine.
-/// Errors: kUnknownFormat where this program was built without it.
-Result<std::unique_ptr<Engine>> make_engine(Library library);
+std::unique_ptr<Engine> make_engine(Library library);
 
 /// The engine of the reference.
 std::unique_ptr<Engine> make_ref_engine();
+
+/// The engine of the fast library: the same trees and images, sooner.
+std::unique_ptr<Engine> make_fast_engine();
 
 }  // namespace halfspace::tools

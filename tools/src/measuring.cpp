@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <ctime>
 
-#if defined(__GLIBC__)
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/allocator_interface.h>
+#elif defined(__GLIBC__)
 #include <malloc.h>
 #endif
 
@@ -24,7 +26,10 @@ double median(std::vector<double> values) {
 }
 
 std::size_t allocated_bytes() {
-#if defined(__GLIBC__)
+#if defined(__SANITIZE_ADDRESS__)
+  // The sanitizer's allocator stands in for the C library's.
+  return __sanitizer_get_current_allocated_bytes();
+#elif defined(__GLIBC__)
   const struct mallinfo2 info = mallinfo2();
   return info.uordblks + info.hblkhd;
 #else

@@ -72,6 +72,8 @@ class RefEngine : public Engine {
 
   TreeStats stats() const override { return ref::stats(tree_); }
 
+  bool has(Method) const override { return true; }
+
   Picture render(const Scene& scene, const Camera& camera,
                  const ImageOptions& options, Method method,
                  int) const override {
@@ -93,6 +95,8 @@ class RefEngine : public Engine {
     return {std::move(image.items), std::move(image.colors),
             image.pixels_painted, image.fragments_displayed};
   }
+
+  bool has_booleans() const override { return true; }
 
   BooleanResult boolean(BooleanOp operation, const Solid& a, const Solid& b,
                         const BuildOptions& options) const override {

@@ -1,5 +1,7 @@
 #include <CLI/App.hpp>
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -35,6 +37,14 @@ struct Frame {
   BuildMeasure tree;
   double frame_ms = 0;  ///< median of the repeats
 };
+
+bool is_png_name(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return extension == ".png";
+}
 
 Frame make_frame(Engine& engine, const Loaded& loaded, const Camera& camera,
                  const Arguments& arguments) {
@@ -112,17 +122,25 @@ Status run(const Arguments& arguments) {
       !arguments.build.stats_file) {
     return fail("render: nothing to write; give -o, --ids or --stats");
   }
-  const Result<std::unique_ptr<Engine>> engine =
+  if (arguments.picture_file && !is_png_name(*arguments.picture_file)) {
+    return fail(*arguments.picture_file + ": pictures are written as .png");
+  }
+  const std::unique_ptr<Engine> engine =
       make_engine(static_cast<Library>(arguments.build.library));
-  if (!engine) return fail(engine.error().message);
+  if (!engine->has(static_cast<Method>(arguments.method))) {
+    return fail(
+        "--impl fast: makes images by span or painter; use --impl ref "
+        "for --method " +
+        method_words()[arguments.method]);
+  }
   const Result<Loaded> loaded =
       load(arguments.path, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.path, loaded.error());
   const Result<ChosenCamera> chosen =
       choose_camera(loaded->file, arguments.view);
   if (!chosen) return fail(arguments.path, chosen.error());
-  progress((*engine)->warning(loaded->file.scene.polygon_count()));
-  const Frame frame = make_frame(**engine, *loaded, chosen->camera, arguments);
+  progress(engine->warning(loaded->file.scene.polygon_count()));
+  const Frame frame = make_frame(*engine, *loaded, chosen->camera, arguments);
   if (arguments.build.stats_file != "-") {
     print_summary(*loaded, frame, arguments);
   }

@@ -24,7 +24,10 @@ expect 2 '\-\-heuristic.*h7' build cube.off --heuristic h7
 expect 2 '\-\-candidates.*0' build cube.off --candidates 0
 expect 2 '\-\-seed.*-1' build cube.off --seed=-1
 expect 2 '\-\-repeat' render cube.off -o a.png --repeat 0
-expect 2 'not built yet' render cube.off -o a.png --impl fast
+expect 2 '\-\-candidates.*at least 1' build cube.off --candidates 0
+expect 2 '\.png' render cube.off -o a.jpg
+expect 2 'fast.*zbuffer' render cube.off -o a.png --impl fast --method zbuffer
+expect 2 'no booleans' csg union cube.off cube.off -o c.off --impl fast
 expect 2 'subcommand' csg
 expect 2 'called xor' csg xor cube.off cube.off
 expect 2 'output' csg union cube.off cube.off

@@ -20,6 +20,12 @@ for model in cube pinwheel interlocking-cubes; do
       expect 0 'mismatches: 0 of 1728' compare a.npy b.npy
       same a.png b.png
     done
+    for method in span painter; do
+      expect 0 "$method: 48x36" render "$model.off" "$@" --method "$method" \
+        --impl fast --threads 2 -o b.png --ids b.npy
+      expect 0 'mismatches: 0 of 1728' compare a.npy b.npy
+      same a.png b.png
+    done
     expect 0 'polygons' scene "$model.off" "$@" -o shot.scene
     expect 0 'span' render shot.scene -o b.png --ids b.npy
     expect 0 'mismatches: 0 of 1728' compare a.npy b.npy
