@@ -13,7 +13,10 @@ step() {
   local begin=$SECONDS
   printf '%-44s ' "$what"
   if "$@" >"out/test.log" 2>&1; then
-    echo "ok ($((SECONDS - begin)) s)"
+    local count
+    count=$(sed -n 's/^100% tests passed.* out of \([0-9]*\)$/\1 tests, /p' \
+      out/test.log)
+    echo "ok ($count$((SECONDS - begin)) s)"
     return
   fi
   echo "FAILED"
@@ -23,7 +26,8 @@ step() {
 
 # Configures and builds a preset.
 build() {
-  cmake --preset "$1" && cmake --build --preset "$1"
+  # The demo may have configured the same folder without tests.
+  cmake --preset "$1" -DBUILD_TESTING=ON && cmake --build --preset "$1"
 }
 
 need_build_packages
