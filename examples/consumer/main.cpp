@@ -1,7 +1,10 @@
 // Builds the tree of two crossing triangles with the installed library, one of
-// which is cut in two, and makes an image of them.
+// which is cut in two, and makes an image of them: with the reference, and with
+// the fast library, whose image must be the same.
 #include <cstdio>
 #include <cstdlib>
+#include <halfspace/fast/build.hpp>
+#include <halfspace/fast/render.hpp>
 #include <halfspace/io/view.hpp>
 #include <halfspace/ref/build.hpp>
 #include <halfspace/ref/render.hpp>
@@ -25,7 +28,12 @@ int main() {
   const auto image = halfspace::ref::render(*scene, tree, view->camera, {});
   std::printf("%zu nodes, %zu fragments, %zu pixels\n", stats.nodes,
               stats.fragments, image.pixels_painted);
+  const auto fast_tree =
+      halfspace::fast::build(*scene, {.rule = halfspace::RootRule::kFirst});
+  const auto fast_image =
+      halfspace::fast::render(*scene, fast_tree, view->camera, {});
   const bool right =
-      stats.nodes == 3 && stats.fragments == 3 && image.pixels_painted > 100;
+      stats.nodes == 3 && stats.fragments == 3 && image.pixels_painted > 100 &&
+      fast_image.items == image.items && fast_image.colors == image.colors;
   return right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
