@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "halfspace/fast/build.hpp"
+#include "halfspace/result.hpp"
+
+namespace halfspace::fast {
+
+/// What a tree depends on in its scene, in one number: grid, vertices and
+/// polygons; not colours, nor the unit.
+std::uint64_t fingerprint_of(const Scene& scene);
+
+/// The version of the format that encode_tree() writes.
+constexpr std::uint32_t kTreeFileVersion = 1;
+
+/// The bytes of a tree file.
+///
+/// Layout: a header of 256 bytes, then the tree's six arrays as they lie in
+///         memory, each from a multiple of 64 bytes on, zeros between: a file
+///         that is mapped can be read in place. The header holds the magic
+///         "HSPCTREE", the version, a mark of the byte order, the scene's
+///         fingerprint, the size of the file, and for each array its place,
+///         length and size of an element; a checksum of all that follows it
+///         and one of itself. No pointers, no padding but zeros: the same tree
+///         gives the same bytes.
+/// Exact:  yes: decode_tree() gives back the same tree.
+std::vector<std::byte> encode_tree(const BspTree& tree, const Scene& scene);
+
+/// The tree that the bytes hold.
+///
+/// A change of any one byte is found; so is every index that leads out of the
+/// tree or the scene, and every list or subtree that does not end.
+/// Errors: the first that holds: kTruncated (fewer bytes than a header, or than
+///         the header says); kUnknownFormat (no tree file; another version,
+///         byte order or layout); kSyntax (a checksum is wrong, with the index
+///         of the first byte it covers; bytes too many); kBadIndex (the tree is
+///         another scene's, index -1; else an index names nothing, with the
+///         node, fragment or corner it is in).
+/// Cost:   linear.
+Result<BspTree> decode_tree(std::span<const std::byte> bytes,
+                            const Scene& scene);
+
+/// Writes and reads the file at `path`.
+///
+/// Errors: kUnwritable; kUnreadable, and those of decode_tree().
+Result<Done> save_tree(const std::string& path, const BspTree& tree,
+                       const Scene& scene);
+Result<BspTree> load_tree(const std::string& path, const Scene& scene);
+
+}  // namespace halfspace::fast

@@ -1,0 +1,171 @@
+#include "halfspace/fast/tree_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "halfspace/fast/display_tree.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// Walls across each other, so that trees have cuts.
+Scene walls(std::int64_t count, std::int64_t at) {
+  SceneData data;
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::int64_t x = 10 * k + at;
+    const GridPoint corners[2][3] = {
+        {{x, -500, -500}, {x + 1, 500, -500}, {x, 0, 500}},
+        {{-500, x, -500}, {500, x + 1, -500}, {0, x, 500}}};
+    for (const auto& triangle : corners) {
+      for (const GridPoint& p : triangle) {
+        data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
+        data.vertices.push_back(p);
+      }
+      data.first_corner.push_back(
+          static_cast<std::uint32_t>(data.corners.size()));
+      data.colors.push_back({});
+    }
+  }
+  Result<Scene> scene = make_scene(std::move(data));
+  EXPECT_TRUE(scene.has_value());
+  return std::move(scene).value();
+}
+
+BspTree tree_of(const Scene& scene) {
+  DisplayTreeOptions options;
+  options.leaf_size = 2;
+  options.cut_weight = 0;
+  return build_display_tree(scene, options);
+}
+
+TEST(TreeFile, GivesBackTheTree) {
+  const Scene scene = walls(6, 0);
+  const BspTree tree = tree_of(scene);
+  ASSERT_FALSE(tree.cut_vertices.empty());
+  ASSERT_FALSE(tree.free_planes.empty());
+  const auto bytes = encode_tree(tree, scene);
+  const Result<BspTree> again = decode_tree(bytes, scene);
+  ASSERT_TRUE(again.has_value()) << again.error().message;
+  EXPECT_EQ(name_of(*again), name_of(tree));
+  EXPECT_EQ(again->corners, tree.corners);
+  EXPECT_EQ(again->free_planes, tree.free_planes);
+  EXPECT_EQ(again->boxes, tree.boxes);
+  // Every array is told apart by its bytes.
+  EXPECT_EQ(encode_tree(*again, scene), bytes);
+}
+
+TEST(TreeFile, HoldsTreesOfRulesAndOfNothing) {
+  const Scene scene = walls(5, 0);
+  for (const BspTree& tree : {build(scene, {}), BspTree()}) {
+    const auto again = decode_tree(encode_tree(tree, scene), scene);
+    ASSERT_TRUE(again.has_value()) << again.error().message;
+    EXPECT_EQ(name_of(*again), name_of(tree));
+    EXPECT_EQ(again->boxes, tree.boxes);
+  }
+}
+
+TEST(TreeFile, EveryChangedByteIsFound) {
+  const Scene scene = walls(3, 0);
+  auto bytes = encode_tree(tree_of(scene), scene);
+  for (std::size_t k = 0; k < bytes.size(); ++k) {
+    for (const int change : {1, 0x80, 0xff}) {
+      bytes[k] ^= static_cast<std::byte>(change);
+      EXPECT_FALSE(decode_tree(bytes, scene).has_value()) << "byte " << k;
+      bytes[k] ^= static_cast<std::byte>(change);
+    }
+  }
+  EXPECT_TRUE(decode_tree(bytes, scene).has_value());
+}
+
+TEST(TreeFile, EveryShorterOrLongerFileIsFound) {
+  const Scene scene = walls(3, 0);
+  auto bytes = encode_tree(tree_of(scene), scene);
+  const std::span<const std::byte> all(bytes);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const auto tree = decode_tree(all.first(size), scene);
+    ASSERT_FALSE(tree.has_value());
+    EXPECT_EQ(tree.error().code, ErrorCode::kTruncated);
+  }
+  bytes.push_back({});
+  const auto longer = decode_tree(bytes, scene);
+  ASSERT_FALSE(longer.has_value());
+  EXPECT_EQ(longer.error().code, ErrorCode::kSyntax);
+}
+
+TEST(TreeFile, SaysWhatIsWrong) {
+  const Scene scene = walls(3, 0);
+  const auto good = encode_tree(tree_of(scene), scene);
+  const auto code_with = [&](std::size_t byte) {
+    auto bytes = good;
+    bytes[byte] ^= std::byte{1};
+    return decode_tree(bytes, scene).error().code;
+  };
+  EXPECT_EQ(code_with(0), ErrorCode::kUnknownFormat);   // the magic
+  EXPECT_EQ(code_with(8), ErrorCode::kUnknownFormat);   // the version
+  EXPECT_EQ(code_with(12), ErrorCode::kUnknownFormat);  // the byte order
+  EXPECT_EQ(code_with(16), ErrorCode::kSyntax);
+  EXPECT_EQ(code_with(300), ErrorCode::kSyntax);
+  EXPECT_EQ(decode_tree(good, walls(3, 1)).error().code, ErrorCode::kBadIndex);
+  EXPECT_EQ(decode_tree(good, walls(4, 0)).error().code, ErrorCode::kBadIndex);
+}
+
+/// What a checksum cannot find: a file written with bad indices.
+TEST(TreeFile, IndicesThatLeadNowhereAreFound) {
+  const Scene scene = walls(4, 0);
+  const BspTree good = tree_of(scene);
+  ASSERT_NE(good.nodes[0].positive, kNoNode);
+  const auto code_with = [&](auto&& spoil) {
+    BspTree tree = good;
+    spoil(tree);
+    const auto read = decode_tree(encode_tree(tree, scene), scene);
+    EXPECT_FALSE(read.has_value());
+    return read ? ErrorCode::kEmpty : read.error().code;
+  };
+  using Tree = BspTree&;
+  constexpr ErrorCode kBad = ErrorCode::kBadIndex;
+  EXPECT_EQ(code_with([](Tree t) { t.nodes[0].positive = 0; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.nodes[0].positive = 1 << 20; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.nodes[0].splitter = 1 << 20; }), kBad);
+  EXPECT_EQ(
+      code_with([](Tree t) { t.nodes[0].negative = t.nodes[0].positive; }),
+      kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.fragments[0].next = 0; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.fragments[0].source = -1; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.fragments[0].corner_count = 2; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.corners.pop_back(); }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.corners[0].edge = 3; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.corners[0].vertex = 1 << 20; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.free_planes[0].axis = 3; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.boxes.pop_back(); }), kBad);
+}
+
+TEST(TreeFile, IsWrittenAndRead) {
+  const Scene scene = walls(4, 0);
+  const BspTree tree = tree_of(scene);
+  const std::string path = ::testing::TempDir() + "tree_file_test.tree";
+  ASSERT_TRUE(save_tree(path, tree, scene).has_value());
+  const auto again = load_tree(path, scene);
+  ASSERT_TRUE(again.has_value()) << again.error().message;
+  EXPECT_EQ(encode_tree(*again, scene), encode_tree(tree, scene));
+  std::remove(path.c_str());
+  EXPECT_EQ(load_tree(path, scene).error().code, ErrorCode::kUnreadable);
+  EXPECT_EQ(save_tree(path + "/none", tree, scene).error().code,
+            ErrorCode::kUnwritable);
+}
+
+TEST(TreeFile, SectionsAreAligned) {
+  const Scene scene = walls(4, 0);
+  const auto bytes = encode_tree(tree_of(scene), scene);
+  for (std::size_t s = 0; s < 6; ++s) {
+    std::uint64_t offset = 0;
+    std::memcpy(&offset, bytes.data() + 32 + 24 * s, sizeof(offset));
+    EXPECT_EQ(offset % 64, 0u);
+    EXPECT_LE(offset, bytes.size());
+  }
+}
+
+}  // namespace
+}  // namespace halfspace::fast
