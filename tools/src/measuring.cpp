@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(HALFSPACE_ADDRESS_SANITIZER)
 // Of the sanitizer's runtime, whose headers GCC does not bring.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #elif defined(__GLIBC__)
@@ -27,7 +27,7 @@ double median(std::vector<double> values) {
 }
 
 std::size_t allocated_bytes() {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(HALFSPACE_ADDRESS_SANITIZER)
   // The sanitizer's allocator stands in for the C library's.
   return __sanitizer_get_current_allocated_bytes();
 #elif defined(__GLIBC__)
