@@ -202,21 +202,22 @@ TEST(Insert, AChainOf100000NodesNeedsNoDeepStack) {
   on_small_stack([] {
     constexpr std::int32_t kCount = 100000;
     BspTree tree = chain(kCount);
-    Fragment last = whole(scene_of({wall_z(1, -5, kCount + 5)}), 0);
+    // Past all nodes but the two last, which cut it.
+    Fragment last = whole(scene_of({wall_z(1, kCount - 3, kCount)}), 0);
     last.source = kCount;
     const Plane plane = plane_of(last.vertices);
     insert(tree, std::move(last), plane);
-    // One more part than there are cuts, each in a node of its own.
-    const TreeStats size = stats(tree);
-    EXPECT_EQ(size.nodes, 2u * kCount + 1);
-    EXPECT_EQ(size.height, kCount + 1u);
-    EXPECT_EQ(size.splits, static_cast<std::size_t>(kCount));
+    EXPECT_EQ(stats(tree), (TreeStats{.nodes = kCount + 3,
+                                      .height = kCount + 1,
+                                      .fragments = kCount + 3,
+                                      .splits = 2}));
     const TreeName name = name_of(tree);
-    EXPECT_EQ(name.size(), size.nodes);
     EXPECT_EQ(name[0].positive, 1);
-    // Pre-order: all walls, the part beyond the last one, then the others.
-    EXPECT_EQ(name[kCount].splitter, kCount);
-    EXPECT_EQ(name[0].negative, 2 * kCount);
+    // Pre-order: the walls, the part beyond the last, the others upwards.
+    EXPECT_EQ(name[kCount - 1].positive, kCount);
+    EXPECT_EQ(name[kCount - 1].negative, kCount + 1);
+    EXPECT_EQ(name[kCount - 2].negative, kCount + 2);
+    EXPECT_EQ(name[kCount + 2].splitter, kCount);
   });
 }
 
