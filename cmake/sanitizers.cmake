@@ -3,3 +3,8 @@ if(HALFSPACE_SANITIZE)
                       -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${HALFSPACE_SANITIZE})
 endif()
+if(HALFSPACE_LIBFUZZER)
+  # The libraries too, so that the fuzzer sees which of their code an input
+  # reaches; the targets of fuzz/ link its main program.
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
