@@ -60,9 +60,11 @@ Screen::Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
   const std::int64_t skipped = std::int64_t{first_row_} * canvas_.tiles_across;
   canvas_.lit = lit_.data() - skipped * kTileHeight;
   canvas_.open = open_.data() - std::int64_t{first_row_} * canvas_.words_across;
-  canvas_.leaf_of = leaf_of_.data() - skipped;
-  canvas_.before = before_.data() - skipped * kTileHeight;
-  canvas_.full = full_.data();
+  if (with_leaves) {
+    canvas_.leaf_of = leaf_of_.data() - skipped;
+    canvas_.before = before_.data() - skipped * kTileHeight;
+    canvas_.full = full_.data();
+  }
   canvas_.items_stride = result.items.width_px;
   canvas_.items = result.items.pixels.data() - rectangle.left -
                   rectangle.top * canvas_.items_stride;
