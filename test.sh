@@ -43,7 +43,8 @@ step "all tests, optimised" ctest --preset release --no-tests=error
 step "build, with sanitizers" build asan
 step "unit tests and fuzz corpus, with sanitizers" \
   ctest --preset asan --no-tests=error -L 'unit|fuzz'
-for script in tools/check_laws.py tools/check_mirror.py; do
+for script in tools/check_laws.py tools/check_mirror.py \
+  tools/test/check_proofs_test.py tools/check_proofs.py; do
   step "$script" python3 "$script"
 done
 echo "All tests passed."

@@ -97,4 +97,6 @@ need_test_packages() {
   need libgtest-dev "test framework"
   need librapidcheck-dev "random properties, shrunk when they fail"
   need python3 "scripts that check the tree of sources"
+  need coq "checks the proofs of spec/coq"
+  need make "compiles the proofs"
 }
