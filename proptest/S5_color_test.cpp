@@ -103,5 +103,85 @@ TYPED_TEST(S5Color, L13GouraudIsTheExactValueRoundedHalfUp) {
   EXPECT_GT(compared, 1000u);
 }
 
+/// What a polygon alone gives: where it is, how deep, and in which colours.
+struct Layer {
+  PolygonId id = 0;
+  definition::Projection depth;
+  ItemImage items;
+  ColorImage colors;
+};
+
+std::vector<Layer> layers_of(const SceneFile& view) {
+  std::vector<Layer> layers;
+  for (const PolygonId id : ids_of(view.scene)) {
+    const Scene alone = chosen(view.scene, {id});
+    layers.push_back(
+        {id,
+         definition::project(definition::facet_of(
+                                 view.scene, definition::whole(view.scene, id)),
+                             *view.camera, view.options.cull),
+         definition::item_image(alone, *view.camera, view.options),
+         definition::color_image(alone, *view.camera, view.options)});
+  }
+  return layers;
+}
+
+/// x / 255 rounded half up: the greatest v with v - 1/2 <= x / 255.
+std::uint8_t nearest_255th(std::int32_t x) {
+  std::int32_t v = 0;
+  while (510 * (v + 1) <= 2 * x + 255) ++v;
+  return static_cast<std::uint8_t>(v);
+}
+
+/// The transparent image from its definition, pixel by pixel.
+ColorImage blended(const SceneFile& view, const std::vector<Layer>& layers,
+                   std::int32_t alpha, std::size_t& deep) {
+  ColorImage image((*view.camera)->width_px, (*view.camera)->height_px,
+                   view.options.background);
+  for (std::int32_t j = 0; j < image.height_px; ++j) {
+    for (std::int32_t i = 0; i < image.width_px; ++i) {
+      std::vector<const Layer*> here;
+      for (const Layer& layer : layers) {
+        if (layer.items.at(i, j) != kBackground) here.push_back(&layer);
+      }
+      std::sort(here.begin(), here.end(), [&](const Layer* a, const Layer* b) {
+        const int order = definition::compare_depth(a->depth, b->depth, i, j);
+        return order != 0 ? order > 0 : a->id > b->id;
+      });
+      if (here.size() > 2) ++deep;
+      for (const Layer* layer : here) {
+        for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+          std::uint8_t& value = image.at(i, j).*channel;
+          value = nearest_255th(alpha * (layer->colors.at(i, j).*channel) +
+                                (255 - alpha) * value);
+        }
+      }
+    }
+  }
+  return image;
+}
+
+TYPED_TEST(S5Color, L14TransparentPolygonsAreBlendedFromTheFarthest) {
+  std::size_t deep = 0;
+  law::for_all_views([&](const SceneFile& original) {
+    SceneFile view = gouraud(original);
+    view.options.background = {1, 2, 200};
+    const std::vector<Layer> layers = layers_of(view);
+    const Image opaque = picture<TypeParam>(view);
+    for (const int alpha : {0, 100, 255}) {
+      const ColorImage expected = blended(view, layers, alpha, deep);
+      for (const RootRule rule : {RootRule::kFirst, RootRule::kH4}) {
+        const Image image = TypeParam::blend(
+            view.scene, TypeParam::build(view.scene, {.rule = rule}),
+            *view.camera, view.options, static_cast<std::uint8_t>(alpha));
+        HALFSPACE_LAW(image.colors == expected);
+        HALFSPACE_LAW(image.items == opaque.items);
+        HALFSPACE_LAW(alpha != 255 || image.colors == opaque.colors);
+      }
+    }
+  });
+  EXPECT_GT(deep, 1000u);
+}
+
 }  // namespace
 }  // namespace halfspace

@@ -40,8 +40,12 @@ ref::Rational to_rational(float value) {
   const auto digits = static_cast<std::int64_t>(std::ldexp(fraction, 24));
   exponent -= 24;
   if (exponent >= 0) return ref::Rational(Int128{digits} << exponent);
-  EXPECT_GT(exponent, -120);
-  return ref::Rational(digits) / ref::Rational(Int128{1} << -exponent);
+  // The least floats are there, too: of boxes that end at 0.
+  ref::Rational result(digits);
+  for (; exponent < 0; exponent += std::min(-exponent, 100)) {
+    result = result / ref::Rational(Int128{1} << std::min(-exponent, 100));
+  }
+  return result;
 }
 
 bool holds(const fast::Box& box, const ref::Point& p) {
@@ -165,6 +169,7 @@ void follow(const Scene& scene, const fast::BspTree& tree, Seen& seen) {
 
 TEST(AgreeDisplayTree, FragmentsPartitionThePolygonsExactly) {
   Seen seen;
+  Seen divided;
   for (const Kind kind : kKinds) {
     for (const int bits : kGridBits) {
       for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -177,7 +182,11 @@ TEST(AgreeDisplayTree, FragmentsPartitionThePolygonsExactly) {
         options.leaf_size = static_cast<std::size_t>(draws.from_to(1, 6));
         options.own_planes = static_cast<std::size_t>(draws.from_to(0, 8));
         options.cut_weight = draws.one_in(2) ? 0.0 : 2.0;
-        follow(scene, fast::build_display_tree(scene, options), seen);
+        fast::BspTree tree = fast::build_display_tree(scene, options);
+        follow(scene, tree, seen);
+        if (HasFatalFailure()) return;
+        fast::divide_leaves(tree, scene);
+        follow(scene, tree, divided);
         if (HasFatalFailure()) return;
       }
     }
@@ -188,6 +197,9 @@ TEST(AgreeDisplayTree, FragmentsPartitionThePolygonsExactly) {
   EXPECT_GT(seen.own_planes, 100u);
   EXPECT_GT(seen.coincident, 100u);
   EXPECT_GT(seen.cuts, 500u);
+  EXPECT_EQ(divided.leaves, 0u);
+  EXPECT_EQ(divided.free_planes, seen.free_planes);
+  EXPECT_GT(divided.cuts, seen.cuts);
 }
 
 /// Lists so long that they are divided into jobs, whose trees are put together.

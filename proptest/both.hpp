@@ -129,6 +129,10 @@ struct Ref {
                       const Camera& camera, const ImageOptions& options) {
     return image_of(ref::render(scene, tree, camera, options));
   }
+  static Image blend(const Scene& scene, const Tree& tree, const Camera& camera,
+                     const ImageOptions& options, std::uint8_t alpha) {
+    return image_of(ref::blend(scene, tree, camera, options, alpha));
+  }
 
   // S6
   static Solid to_solid(const halfspace::Solid& solid) {

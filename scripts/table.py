@@ -3,8 +3,8 @@
 import json
 import sys
 
-NAMES = {"span": "span buffer", "painter": "painter", "zbuffer": "z-buffer",
-         "raycast": "ray casting"}
+NAMES = {"span": "fast, span buffer", "painter": "ref, painter",
+         "zbuffer": "ref, z-buffer", "raycast": "ref, ray casting"}
 
 
 def mismatches(method):
@@ -20,18 +20,18 @@ def main(mesh, *methods):
     for method in methods:
         with open(f"out/{method}.json", encoding="ascii") as file:
             stats[method] = json.load(file)
-    tree = stats["span"]
-    print(f"""
-{mesh}
-  polygons in     {tree["polygons"]}
-  tree            {tree["fragments"]} fragments, {tree["nodes"]} nodes,\
- height {tree["height"]}, built in {tree["build_ms"] / 1000:.2f} s
-
-  {"method":12} {"pixels painted":>15} {"mismatches":>11} {"time":>10}""")
+    print(f"\n{mesh}: {stats['span']['polygons']} polygons in\n")
+    for name, method in (("fast", "span"), ("ref", "painter")):
+        tree = stats[method]
+        print(f"  tree of {name:5} {tree['fragments']} fragments,"
+              f" {tree['nodes']} nodes, height {tree['height']},"
+              f" built in {tree['build_ms'] / 1000:.3f} s")
+    print(f"\n  {'image by':18} {'pixels painted':>15} {'mismatches':>11}"
+          f" {'time':>11}")
     for method in methods:
         of = stats[method]
-        print(f"  {NAMES[method]:12} {of['pixels_painted']:>15}"
-              f" {mismatches(method):>11} {of['frame_ms'] / 1000:>8.2f} s")
+        print(f"  {NAMES[method]:18} {of['pixels_painted']:>15}"
+              f" {mismatches(method):>11} {of['frame_ms'] / 1000:>9.3f} s")
     print()
 
 

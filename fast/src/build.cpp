@@ -5,6 +5,7 @@
 
 #include "boxes.hpp"
 #include "halfspace/assert.hpp"
+#include "halfspace/fast/display_tree.hpp"
 #include "root_rule.hpp"
 #include "tree_builder.hpp"
 
@@ -17,7 +18,8 @@ struct Task {
   std::size_t first;
   std::uint64_t key;
   NodeId parent;
-  Side side;  ///< of the parent
+  Side side;              ///< of the parent
+  NodeId node = kNoNode;  ///< its root, where there is one already
 };
 
 /// Makes `child` the child of `parent`, which may be none, on its `side`.
@@ -46,13 +48,46 @@ class Autopartition {
     for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
       const auto id = static_cast<PolygonId>(p);
       planes_.push_back(filter_plane(plane_of(scene, id)));
-      parts_.push_back(builder_.whole(id));
     }
   }
 
+  /// Makes the tree of the whole scene.
   void run() {
+    for (std::size_t p = 0; p < planes_.size(); ++p) {
+      parts_.push_back(builder_.whole(static_cast<PolygonId>(p)));
+    }
     if (parts_.empty()) return;
     tasks_.push_back({0, root_key(options_.seed), kNoNode, Side::kOn});
+    work_off();
+  }
+
+  /// Makes a leaf the root of a tree of its fragments, whose old entries no
+  /// list holds any more.
+  void divide(NodeId leaf) {
+    Node& node = tree_.nodes[static_cast<std::size_t>(leaf)];
+    parts_.clear();
+    for (std::int32_t f = node.first_fragment; f != kNoFragment;) {
+      const TreeFragment& fragment =
+          tree_.fragments[static_cast<std::size_t>(f)];
+      parts_.push_back(
+          {fragment.source, fragment.first_corner, fragment.corner_count});
+      f = fragment.next;
+    }
+    node.first_fragment = kNoFragment;
+    if (parts_.empty()) {
+      // Any plane divides nothing.
+      node.splitter = 0;
+      node.plane = planes_[0].plane;
+      return;
+    }
+    const auto number = static_cast<std::uint64_t>(leaf);
+    tasks_.push_back(
+        {0, root_key(options_.seed + number), kNoNode, Side::kOn, leaf});
+    work_off();
+  }
+
+ private:
+  void work_off() {
     while (!tasks_.empty()) {
       const Task task = tasks_.back();
       tasks_.pop_back();
@@ -60,7 +95,6 @@ class Autopartition {
     }
   }
 
- private:
   Relation relation(const Part& part, PolygonId splitter) {
     const auto s = static_cast<std::size_t>(splitter);
     const auto p = static_cast<std::size_t>(part.source);
@@ -82,16 +116,19 @@ class Autopartition {
                       return relation(list[j], list[i].source);
                     });
     const PolygonId splitter = list[root].source;
-    const auto id = static_cast<NodeId>(tree_.nodes.size());
-    Node node;
+    NodeId id = task.node;
+    if (id == kNoNode) {
+      id = static_cast<NodeId>(tree_.nodes.size());
+      tree_.nodes.emplace_back();
+      link(tree_, task.parent, task.side, id);
+    }
+    Node& node = tree_.nodes[static_cast<std::size_t>(id)];
     node.splitter = splitter;
     node.plane = planes_[static_cast<std::size_t>(splitter)].plane;
-    tree_.nodes.push_back(node);
-    link(tree_, task.parent, task.side, id);
 
     // Step 2: the polygons in that plane stay, the others go to its sides;
     // what the plane cuts goes to both.
-    distribute(task.first, splitter);
+    distribute(task.first, splitter, node);
 
     // Step 3: make the subtrees of what is not empty; the last task is next.
     // Its parts are on top of the stack.
@@ -108,7 +145,7 @@ class Autopartition {
     parts_.insert(parts_.end(), positive_.begin(), positive_.end());
   }
 
-  void distribute(std::size_t first, PolygonId splitter) {
+  void distribute(std::size_t first, PolygonId splitter, Node& node) {
     positive_.clear();
     negative_.clear();
     std::int32_t last = kNoFragment;
@@ -119,7 +156,7 @@ class Autopartition {
           const std::int32_t added =
               add_fragment(tree_, part, is_turned(part.source, splitter));
           if (last == kNoFragment) {
-            tree_.nodes.back().first_fragment = added;
+            node.first_fragment = added;
           } else {
             tree_.fragments[static_cast<std::size_t>(last)].next = added;
           }
@@ -154,6 +191,25 @@ class Autopartition {
   std::vector<Task> tasks_;
 };
 
+/// Lays the fragments out node by node, without those of no list.
+void drop_unused_fragments(BspTree& tree) {
+  std::vector<TreeFragment> kept;
+  for (Node& node : tree.nodes) {
+    std::int32_t f = node.first_fragment;
+    if (f != kNoFragment) {
+      node.first_fragment = static_cast<std::int32_t>(kept.size());
+    }
+    while (f != kNoFragment) {
+      kept.push_back(tree.fragments[static_cast<std::size_t>(f)]);
+      f = kept.back().next;
+      const auto next = static_cast<std::int32_t>(kept.size());
+      kept.back().next = f == kNoFragment ? kNoFragment : next;
+    }
+  }
+  kept.shrink_to_fit();
+  tree.fragments = std::move(kept);
+}
+
 }  // namespace
 
 BspTree build(const Scene& scene, const BuildOptions& options) {
@@ -169,6 +225,32 @@ BspTree build(const Scene& scene, const BuildOptions& options,
   drop_unused_corners(tree);
   add_boxes(tree, scene);
   return tree;
+}
+
+bool has_leaves(const BspTree& tree) {
+  return std::any_of(
+      tree.nodes.begin(), tree.nodes.end(),
+      [](const Node& node) { return node.splitter == kNoPlane; });
+}
+
+void divide_leaves(BspTree& tree, const Scene& scene) {
+  if (!has_leaves(tree)) return;
+  if (scene.polygon_count() == 0) {
+    tree = {};
+    return;
+  }
+  FilterStats stats;
+  Autopartition partition(scene, {.rule = RootRule::kRandom, .candidates = 5},
+                          tree, stats);
+  const auto count = static_cast<NodeId>(tree.nodes.size());
+  for (NodeId id = 0; id < count; ++id) {
+    if (tree.nodes[static_cast<std::size_t>(id)].splitter == kNoPlane) {
+      partition.divide(id);
+    }
+  }
+  drop_unused_fragments(tree);
+  drop_unused_corners(tree);
+  add_boxes(tree, scene);
 }
 
 }  // namespace halfspace::fast

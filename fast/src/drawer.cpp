@@ -14,6 +14,14 @@ constexpr double kMostError = 0x1p-10;
 /// enough for 32 bits.
 constexpr double kFarthest = 0x1p30;
 
+/// Of a channel the share `alpha` / 255 of `over` and the rest of `under`,
+/// rounded half up (S5.6): the quotient by 255 and a half, over 510.
+constexpr std::uint8_t blended(std::uint32_t over, std::uint32_t under,
+                               std::uint32_t alpha) {
+  return static_cast<std::uint8_t>(
+      (2 * (alpha * over + (kOpaque - alpha) * under) + kOpaque) / 510);
+}
+
 }  // namespace
 
 template <int kBits>
@@ -117,18 +125,16 @@ void Drawer<kBits>::draw_projected(const TreeFragment& fragment, Fate fate,
   seen_ready_ = false;
 
   const Scene& scene = frame_.reader.scene();
-  Rgb color = scene.color(fragment.source);
-  bool shaded = false;
-  if (gouraud_) {
-    shaded = has_gradient(scene, fragment.source);
-    if (shaded) {
-      shader_.start(fragment.source, eye_sign);
-    } else {
-      color = scene.corner_colors(fragment.source)[0];
-    }
+  color_ = scene.color(fragment.source);
+  shaded_ = gouraud_ && has_gradient(scene, fragment.source);
+  if (shaded_) {
+    shader_.start(fragment.source, eye_sign);
+  } else if (gouraud_) {
+    color_ = scene.corner_colors(fragment.source)[0];
   }
-  const Ink ink = {fragment.source, {color.r, color.g, color.b}};
-  const Decider decider = {exact_line, nearer, shaded ? shade : nullptr, this};
+  const Ink ink = {fragment.source, {color_.r, color_.g, color_.b}};
+  Decider decider = {exact_line, nearer, shaded_ ? shade : nullptr, this};
+  if (frame_.alpha != kOpaque) decider.shade = blend;
   if (fate == Fate::kLines) {
     pixels_ += static_cast<std::size_t>(
         frame_.kernel.draw_lines(canvas_, canvas_.lines, ink, decider));
@@ -160,6 +166,35 @@ void Drawer<kBits>::shade(void* self, std::int32_t x, std::int32_t y,
         canvas.colors + (y + r) * canvas.colors_stride + std::int64_t{3} * x;
     drawer.stats_.exact += static_cast<std::uint64_t>(
         drawer.shader_.shade(x, y + r, lit[r], line));
+  }
+}
+
+/// Lays the fragment at hand over what is there (S5.6).
+template <int kBits>
+void Drawer<kBits>::blend(void* self, std::int32_t x, std::int32_t y,
+                          const std::uint32_t* lit) {
+  auto& drawer = *static_cast<Drawer*>(self);
+  const Canvas& canvas = drawer.canvas_;
+  std::uint8_t over[3 * kTileWidth];
+  for (std::int32_t k = 0; k < kTileWidth; ++k) {
+    over[3 * k] = drawer.color_.r;
+    over[3 * k + 1] = drawer.color_.g;
+    over[3 * k + 2] = drawer.color_.b;
+  }
+  for (std::int32_t r = 0; r < kTileHeight; ++r) {
+    if (lit[r] == 0) continue;
+    if (drawer.shaded_) {
+      drawer.stats_.exact += static_cast<std::uint64_t>(
+          drawer.shader_.shade(x, y + r, lit[r], over));
+    }
+    std::uint8_t* line =
+        canvas.colors + (y + r) * canvas.colors_stride + std::int64_t{3} * x;
+    for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
+      const int first = 3 * __builtin_ctz(bits);
+      for (int c = first; c < first + 3; ++c) {
+        line[c] = blended(over[c], line[c], drawer.frame_.alpha);
+      }
+    }
   }
 }
 

@@ -20,6 +20,7 @@ struct Frame {
   const ImageOptions& image;
   const View& view;
   const Kernel& kernel;
+  std::uint8_t alpha = kOpaque;  ///< below that colours are blended (S5.6)
 };
 
 /// Draws the fragments of a tree on one canvas.
@@ -68,6 +69,8 @@ class Drawer {
                      std::uint32_t* lit);
   static void shade(void* self, std::int32_t x, std::int32_t y,
                     const std::uint32_t* lit);
+  static void blend(void* self, std::int32_t x, std::int32_t y,
+                    const std::uint32_t* lit);
   bool is_nearer(PolygonId other, std::int32_t i, std::int32_t j);
 
   /// How the fragment at hand lies to a polygon that it contests pixels with.
@@ -84,6 +87,8 @@ class Drawer {
   bool gouraud_;
   const TreeFragment* fragment_ = nullptr;
   int eye_sign_ = 0;
+  bool shaded_ = false;  ///< else in one colour
+  Rgb color_;
   double x_[kMostCorners];
   double y_[kMostCorners];
   double error_ = 0;

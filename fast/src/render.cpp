@@ -10,6 +10,7 @@
 #include "culler.hpp"
 #include "drawer.hpp"
 #include "halfspace/assert.hpp"
+#include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "screen.hpp"
 #include "walk.hpp"
@@ -132,8 +133,15 @@ void resize(Grid2<T>& image, std::int32_t width, std::int32_t height) {
 
 enum class Order { kFrontToBack, kBackToFront };
 
+/// In which order a tree is displayed, and what of a polygon is not seen
+/// through.
+struct Pass {
+  Order order = Order::kFrontToBack;
+  std::uint8_t alpha = kOpaque;
+};
+
 void run(const Scene& scene, const BspTree& tree, const Camera& camera,
-         const ImageOptions& image, const RenderOptions& options, Order order,
+         const ImageOptions& image, const RenderOptions& options, Pass pass,
          Rendering& result) {
   HALFSPACE_ASSERT(options.threads >= 1);
   const CameraData& data = camera.data();
@@ -149,21 +157,24 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   resize(result.colors, options.colors ? width : 0,
          options.colors ? height : 0);
 
-  const bool has_leaves =
-      std::any_of(tree.nodes.begin(), tree.nodes.end(),
-                  [](const Node& node) { return node.splitter == kNoPlane; });
-  HALFSPACE_ASSERT(order == Order::kFrontToBack || !has_leaves);
+  const bool leaves = has_leaves(tree);
+  HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
-  const Frame frame = {reader, data, image, view,
-                       options.portable ? kPlainKernel : best_kernel()};
+  const Frame frame = {reader,
+                       data,
+                       image,
+                       view,
+                       options.portable ? kPlainKernel : best_kernel(),
+                       pass.alpha};
   const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
   std::vector<BandResult> found(bands.size());
   const auto one = [&](std::size_t b) {
-    Screen screen(rectangle, bands[b], result, has_leaves);
+    Screen screen(rectangle, bands[b], result, leaves);
     found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
-      return order == Order::kFrontToBack ? render_band<bits()>(frame, screen)
-                                          : paint_band<bits()>(frame, screen);
+      return pass.order == Order::kFrontToBack
+                 ? render_band<bits()>(frame, screen)
+                 : paint_band<bits()>(frame, screen);
     });
   };
   if (options.threads == 1) {
@@ -190,20 +201,29 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
 Rendering render(const Scene& scene, const BspTree& tree, const Camera& camera,
                  const ImageOptions& image, const RenderOptions& options) {
   Rendering result;
-  run(scene, tree, camera, image, options, Order::kFrontToBack, result);
+  run(scene, tree, camera, image, options, {}, result);
   return result;
 }
 
 void render(const Scene& scene, const BspTree& tree, const Camera& camera,
             const ImageOptions& image, const RenderOptions& options,
             Rendering& result) {
-  run(scene, tree, camera, image, options, Order::kFrontToBack, result);
+  run(scene, tree, camera, image, options, {}, result);
 }
 
 Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& image, const RenderOptions& options) {
   Rendering result;
-  run(scene, tree, camera, image, options, Order::kBackToFront, result);
+  run(scene, tree, camera, image, options, {Order::kBackToFront}, result);
+  return result;
+}
+
+Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& image, std::uint8_t alpha,
+                const RenderOptions& options) {
+  Rendering result;
+  run(scene, tree, camera, image, options, {Order::kBackToFront, alpha},
+      result);
   return result;
 }
 

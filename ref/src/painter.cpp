@@ -1,19 +1,23 @@
 #include "halfspace/ref/painter.hpp"
 
+#include <functional>
+
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/ref/traverse.hpp"
 
 namespace halfspace::ref {
+namespace {
 
-Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
-                const ImageOptions& options) {
+/// Calls set(i, j, source) for the samples of each fragment, back to front.
+using Set = std::function<void(std::int32_t, std::int32_t, PolygonId)>;
+
+void set_back_to_front(const Scene& scene, const BspTree& tree,
+                       const Camera& camera, const ImageOptions& options,
+                       Rendering& image, const Set& set) {
   const std::vector<Plane> planes = planes_of(scene);
   const Projection projection = projection_of(camera);
-  Rendering image;
-  image.items = ItemImage(camera->width_px, camera->height_px, kBackground);
-
   back_to_front(tree, camera, [&](const Node&, const Fragment& fragment) {
     const Plane& plane = planes[static_cast<std::size_t>(fragment.source)];
     const bool from_behind = side_of_eye(plane, camera) == Side::kNegative;
@@ -21,14 +25,57 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
     ++image.fragments_displayed;
     for (const auto& [line, span] : scan_convert(fragment, projection)) {
       for (std::int32_t i = span.first; i <= span.last; ++i) {
-        image.items.at(i, line) = fragment.source;
+        set(i, line, fragment.source);
         ++image.pixels_painted;
       }
     }
     return true;
   });
+}
 
+/// alpha / 255 of `over` and the rest of `under`, rounded half up (S5.6).
+std::uint8_t blended(std::uint8_t over, std::uint8_t under,
+                     std::uint8_t alpha) {
+  const Rational share = Rational(alpha) / Rational(kOpaque);
+  const Rational value =
+      share * Rational(over) + (Rational(1) - share) * Rational(under);
+  const Rational half = Rational(1) / Rational(2);
+  return static_cast<std::uint8_t>(floor(value + half).to_int64());
+}
+
+Rgb blended(const Rgb& over, const Rgb& under, std::uint8_t alpha) {
+  return {blended(over.r, under.r, alpha), blended(over.g, under.g, alpha),
+          blended(over.b, under.b, alpha)};
+}
+
+}  // namespace
+
+Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& options) {
+  Rendering image;
+  image.items = ItemImage(camera->width_px, camera->height_px, kBackground);
+  set_back_to_front(scene, tree, camera, options, image,
+                    [&](std::int32_t i, std::int32_t j, PolygonId source) {
+                      image.items.at(i, j) = source;
+                    });
   image.colors = colors_of(scene, camera, image.items, options);
+  return image;
+}
+
+Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& options, std::uint8_t alpha) {
+  Rendering image;
+  image.items = ItemImage(camera->width_px, camera->height_px, kBackground);
+  image.colors =
+      ColorImage(camera->width_px, camera->height_px, options.background);
+  set_back_to_front(scene, tree, camera, options, image,
+                    [&](std::int32_t i, std::int32_t j, PolygonId source) {
+                      const Rgb over = color_at(scene, camera, source, i, j,
+                                                options.shading);
+                      Rgb& color = image.colors.at(i, j);
+                      color = blended(over, color, alpha);
+                      image.items.at(i, j) = source;
+                    });
   return image;
 }
 

@@ -92,9 +92,12 @@ std::string spelt_out(const std::string& form) {
   return form;
 }
 
-CLI::Option* add_choice(CLI::App& app, const std::string& name,
-                        const std::vector<std::string>& words,
-                        std::size_t& choice, const std::string& meaning) {
+namespace {
+
+template <class Choice>
+CLI::Option* add_any_choice(CLI::App& app, const std::string& name,
+                            const std::vector<std::string>& words,
+                            Choice& choice, const std::string& meaning) {
   std::string form;
   for (const std::string& word : words)
     form += (form.empty() ? "" : "|") + word;
@@ -111,6 +114,21 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name,
   return app.add_option_function<std::string>(name, store, meaning)
       ->check(complain)
       ->type_name(form);
+}
+
+}  // namespace
+
+CLI::Option* add_choice(CLI::App& app, const std::string& name,
+                        const std::vector<std::string>& words,
+                        std::size_t& choice, const std::string& meaning) {
+  return add_any_choice(app, name, words, choice, meaning);
+}
+
+CLI::Option* add_choice(CLI::App& app, const std::string& name,
+                        const std::vector<std::string>& words,
+                        std::optional<std::size_t>& choice,
+                        const std::string& meaning) {
+  return add_any_choice(app, name, words, choice, meaning);
 }
 
 std::vector<std::string> joined_arguments(int count, const char* const* words) {

@@ -66,6 +66,12 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name,
                         const std::vector<std::string>& words,
                         std::size_t& choice, const std::string& meaning);
 
+/// The same, where nothing may be said.
+CLI::Option* add_choice(CLI::App& app, const std::string& name,
+                        const std::vector<std::string>& words,
+                        std::optional<std::size_t>& choice,
+                        const std::string& meaning);
+
 /// The words of the command line, an option and a value that begins with a
 /// minus sign made one: else `--eye -.5,2,3` would be an option called `-.`.
 std::vector<std::string> joined_arguments(int count, const char* const* words);

@@ -4,38 +4,58 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "arguments.hpp"
 #include "building.hpp"
 #include "command.hpp"
 #include "engine.hpp"
 #include "loading.hpp"
+#include "viewing.hpp"
 
 namespace halfspace::tools {
 namespace {
 
 struct Arguments {
   std::string path;
+  std::optional<std::string> tree_file;
   std::optional<int> grid_bits;
+  std::size_t shading = 0;  ///< flat, gouraud
   BuildArguments build;
 };
 
+/// As `render` does, so that a saved tree is one of the same scene.
+io::ImportOptions import_options_of(const Arguments& arguments) {
+  ViewArguments view;
+  if (arguments.shading == 1) view.shading = kGouraudShading;
+  return import_options(view, arguments.grid_bits);
+}
+
 Status run(const Arguments& arguments) {
-  const std::unique_ptr<Engine> engine =
-      make_engine(static_cast<Library>(arguments.build.library));
+  const Library library = library_of(arguments.build, Library::kFast);
+  const std::unique_ptr<Engine> engine = make_engine(library);
+  if (arguments.tree_file && !engine->has_tree_files()) {
+    return fail("--impl ref: saves no trees; leave --impl or -o out");
+  }
   const Result<Loaded> loaded =
-      load(arguments.path, {.grid_bits = arguments.grid_bits});
+      load(arguments.path, import_options_of(arguments));
   if (!loaded) return fail(arguments.path, loaded.error());
   const Scene& scene = loaded->file.scene;
   progress(engine->warning(scene.polygon_count()));
-  const BuildMeasure measure = build_measured(*engine, scene, arguments.build);
+  const std::optional<BuildMeasure> measure =
+      build_measured(*engine, library, scene, arguments.build, /*leaves=*/true);
+  if (!measure) return stop("interrupted; no tree was made");
   if (arguments.build.stats_file != "-") {
     std::printf("%s: %zu polygons; %s\n", arguments.path.c_str(),
                 scene.polygon_count(), to_string(loaded->report).c_str());
-    std::printf("tree: %s\n", to_string(measure).c_str());
+    std::printf("tree: %s\n",
+                to_string(*measure, scene.polygon_count()).c_str());
+  }
+  if (arguments.tree_file) {
+    const Result<Done> saved = engine->save_tree(*arguments.tree_file, scene);
+    if (!saved) return fail(*arguments.tree_file, saved.error());
   }
   if (arguments.build.stats_file) {
     const Result<Done> written =
-        write_stats(*arguments.build.stats_file,
-                    stats_of(*loaded, measure, arguments.build));
+        write_stats(*arguments.build.stats_file, stats_of(*loaded, *measure));
     if (!written) return fail(*arguments.build.stats_file, written.error());
   }
   return Status::kFine;
@@ -50,13 +70,21 @@ void add_build(CLI::App& program, Status& status) {
   app->add_option("FILE", arguments->path, "A mesh or a .scene")
       ->required()
       ->type_name("");
+  app->add_option("-o,--output", arguments->tree_file,
+                  "Save the tree, for `render --tree`; fast only")
+      ->type_name("OUT.tree");
   add_grid_option(*app, arguments->grid_bits);
-  add_build_options(*app, arguments->build);
+  add_choice(*app, "--shade", {"flat", "gouraud"}, arguments->shading,
+             "Import the mesh as `render` does with this: gouraud makes "
+             "triangles of what has colours at its corners");
+  add_build_options(*app, arguments->build, "fast");
   app->footer(
       "Examples:\n"
       "  halfspace build part.stl\n"
       "  halfspace build part.stl --heuristic h3 --stats -\n"
-      "  halfspace build part.stl --candidates 15 --seed 7");
+      "  halfspace build part.stl --candidates 15 --seed 7\n"
+      "  halfspace build part.stl -o part.tree\n"
+      "  halfspace render part.stl --tree part.tree -o part.png");
   app->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "arguments.hpp"
+#include "long_work.hpp"
 #include "measuring.hpp"
 
 namespace halfspace::tools {
@@ -19,17 +20,38 @@ const std::vector<std::string>& rule_words() {
   return kWords;
 }
 
+/// Whether the arguments say anything of a rule.
+bool asks_for_rule(const BuildArguments& arguments) {
+  return arguments.rule || arguments.candidates || arguments.seed ||
+         arguments.cut_weight;
+}
+
+/// The word for what build() makes of the arguments.
+std::string kind_of(const BuildArguments& arguments, Library library) {
+  if (library == Library::kFast && !asks_for_rule(arguments)) return "display";
+  return rule_words()[static_cast<std::size_t>(build_options(arguments).rule)];
+}
+
+double share(std::size_t bytes, std::size_t count) {
+  return count == 0 ? 0
+                    : static_cast<double>(bytes) / static_cast<double>(count);
+}
+
 }  // namespace
 
-void add_build_options(CLI::App& app, BuildArguments& arguments) {
+void add_build_options(CLI::App& app, BuildArguments& arguments,
+                       const std::string& usual_library) {
   const std::string group = "Tree";
   add_choice(app, "--impl", library_words(), arguments.library,
-             "The library that does it: exact rationals (ref, usual) or fast")
+             "The library that does it: fast, or exact rationals (ref). If "
+             "not said: " +
+                 usual_library)
       ->group(group);
   add_choice(app, "--heuristic", rule_words(), arguments.rule,
-             "How the root of each subtree is chosen: the first polygon, of K "
-             "random ones that which cuts the fewest (usual), of all, or "
-             "heuristics H-1 to H-6")
+             "A tree of the papers, by how the root of each subtree is chosen: "
+             "the first polygon, of K random ones that which cuts the fewest, "
+             "of all, or heuristics H-1 to H-6. If not said: fast makes a tree "
+             "for display, ref a random one")
       ->group(group);
   add_parsed(app, "--candidates", "K", arguments.candidates, parse_count,
              "Candidates of the random rule; 5 if not said")
@@ -41,7 +63,8 @@ void add_build_options(CLI::App& app, BuildArguments& arguments) {
              "Weight of a cut against balance in h6; 75 if not said")
       ->group(group);
   add_parsed(app, "--threads", "N", arguments.threads, parse_count,
-             "Threads to use; the result is the same, and ref uses one")
+             "Threads to use; if not said, one for an image, and for a display "
+             "tree as many as there are. The result is the same; ref uses one")
       ->group("Measurement");
   app.add_option("--stats", arguments.stats_file,
                  "Write sizes and processor times as JSON; - is standard "
@@ -50,9 +73,13 @@ void add_build_options(CLI::App& app, BuildArguments& arguments) {
       ->group("Measurement");
 }
 
+Library library_of(const BuildArguments& arguments, Library usual) {
+  return arguments.library ? static_cast<Library>(*arguments.library) : usual;
+}
+
 BuildOptions build_options(const BuildArguments& arguments) {
   BuildOptions options;
-  options.rule = static_cast<RootRule>(arguments.rule);
+  if (arguments.rule) options.rule = static_cast<RootRule>(*arguments.rule);
   options.candidates = arguments.candidates.value_or(options.candidates);
   options.seed = arguments.seed.value_or(options.seed);
   options.cut_weight = arguments.cut_weight.value_or(options.cut_weight);
@@ -63,31 +90,68 @@ int thread_count(const BuildArguments& arguments) {
   return static_cast<int>(arguments.threads.value_or(1));
 }
 
-BuildMeasure build_measured(Engine& engine, const Scene& scene,
-                            const BuildArguments& arguments) {
+std::optional<BuildMeasure> build_measured(Engine& engine, Library library,
+                                           const Scene& scene,
+                                           const BuildArguments& arguments,
+                                           bool leaves) {
+  TreeRequest request;
+  if (asks_for_rule(arguments)) request.rule = build_options(arguments);
+  request.leaves = leaves;
+  request.threads = static_cast<int>(arguments.threads.value_or(0));
+  // Where nothing asks about the progress, Ctrl-C ends the program by itself.
+  std::optional<LongWork> work;
+  if (kind_of(arguments, library) == "display") work.emplace("tree");
+  request.progress = [&work](double done) {
+    return !work || work->report(done);
+  };
   BuildMeasure measure;
   const std::size_t before = allocated_bytes();
   const Stopwatch watch;
-  engine.build(scene, build_options(arguments), thread_count(arguments));
+  const WallClock clock;
+  if (!engine.build(scene, request)) return std::nullopt;
   measure.build_ms = watch.elapsed_ms();
-  measure.bytes = allocated_bytes() - before;
+  measure.wall_ms = clock.elapsed_ms();
+  measure.bytes = engine.tree_bytes();
+  if (measure.bytes == 0) measure.bytes = allocated_bytes() - before;
   measure.stats = engine.stats();
+  measure.library = library_words()[static_cast<std::size_t>(library)];
+  measure.kind = kind_of(arguments, library);
   return measure;
 }
 
-nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& measure,
-                        const BuildArguments& arguments) {
+Result<BuildMeasure> load_measured(Engine& engine, Library library,
+                                   const Scene& scene, const std::string& path,
+                                   bool leaves) {
+  BuildMeasure measure;
+  const Stopwatch watch;
+  const WallClock clock;
+  const Result<Done> loaded = engine.load_tree(path, scene, leaves);
+  if (!loaded) return loaded.error();
+  measure.build_ms = watch.elapsed_ms();
+  measure.wall_ms = clock.elapsed_ms();
+  measure.bytes = engine.tree_bytes();
+  measure.stats = engine.stats();
+  measure.library = library_words()[static_cast<std::size_t>(library)];
+  measure.kind = "loaded";
+  measure.is_loaded = true;
+  return measure;
+}
+
+nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& measure) {
   const io::ImportReport& report = loaded.report;
-  return {{"impl", library_words()[arguments.library]},
-          {"heuristic", rule_words()[arguments.rule]},
-          {"threads", thread_count(arguments)},
-          {"polygons", loaded.file.scene.polygon_count()},
+  const std::size_t polygons = loaded.file.scene.polygon_count();
+  return {{"impl", measure.library},
+          {"heuristic", measure.kind},
+          {"polygons", polygons},
           {"fragments", measure.stats.fragments},
           {"nodes", measure.stats.nodes},
           {"height", measure.stats.height},
           {"splits", measure.stats.splits},
           {"build_ms", measure.build_ms},
+          {"build_wall_ms", measure.wall_ms},
           {"bytes", measure.bytes},
+          {"bytes_per_polygon", share(measure.bytes, polygons)},
+          {"bytes_per_fragment", share(measure.bytes, measure.stats.fragments)},
           {"import",
            {{"moved", report.moved},
             {"max_move", report.max_move},
@@ -97,14 +161,16 @@ nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& measure,
             {"grid_bits", report.grid_bits}}}};
 }
 
-std::string to_string(const BuildMeasure& measure) {
+std::string to_string(const BuildMeasure& measure, std::size_t polygons) {
   char text[256];
   std::snprintf(text, sizeof text,
-                "%zu nodes, height %zu, %zu fragments, %zu splits, %zu bytes, "
-                "%.3f ms",
+                "%zu nodes, height %zu, %zu fragments, %zu splits, %zu bytes "
+                "(%.0f a polygon, %.0f a fragment), %s in %.3f ms",
                 measure.stats.nodes, measure.stats.height,
                 measure.stats.fragments, measure.stats.splits, measure.bytes,
-                measure.build_ms);
+                share(measure.bytes, polygons),
+                share(measure.bytes, measure.stats.fragments),
+                measure.is_loaded ? "loaded" : "built", measure.build_ms);
   return text;
 }
 

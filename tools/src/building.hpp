@@ -14,8 +14,8 @@ namespace halfspace::tools {
 
 /// What the command line says about the tree, and about what is measured.
 struct BuildArguments {
-  std::size_t library = 0;
-  std::size_t rule = 1;  ///< RootRule::kRandom
+  std::optional<std::size_t> library;
+  std::optional<std::size_t> rule;
   std::optional<std::uint32_t> candidates;
   std::optional<std::uint64_t> seed;
   std::optional<std::uint32_t> cut_weight;
@@ -23,34 +23,52 @@ struct BuildArguments {
   std::optional<std::string> stats_file;
 };
 
-/// Adds the options, each of which fills its member.
+/// Adds the options, each of which fills its member. `usual_library` says in
+/// the help which library it is if nothing is said.
 /// Requires: `arguments` outlives the parsing.
-void add_build_options(CLI::App& app, BuildArguments& arguments);
+void add_build_options(CLI::App& app, BuildArguments& arguments,
+                       const std::string& usual_library);
 
-/// The options of the tree.
+/// The library asked for; `usual` if none is.
+Library library_of(const BuildArguments& arguments, Library usual);
+
+/// The options of a rule's tree.
 BuildOptions build_options(const BuildArguments& arguments);
 
-/// The number of threads asked for; 1 if none.
+/// The number of threads asked for, for images; 1 if none.
 int thread_count(const BuildArguments& arguments);
 
-/// A tree that was built, and what it took.
+/// A tree that was built or loaded, and what it took.
 struct BuildMeasure {
   TreeStats stats;
-  double build_ms = 0;    ///< processor time
-  std::size_t bytes = 0;  ///< memory of the tree
+  std::string library;     ///< by its word; empty: there is no tree
+  std::string kind;        ///< its rule's word, or "display"
+  double build_ms = 0;     ///< processor time
+  double wall_ms = 0;      ///< time as it passed
+  std::size_t bytes = 0;   ///< memory of the tree
+  bool is_loaded = false;  ///< read from a file
 };
 
-/// Builds the scene's tree in `engine` and measures it.
-BuildMeasure build_measured(Engine& engine, const Scene& scene,
-                            const BuildArguments& arguments);
+/// Builds the scene's tree in `engine`, of `library`, and measures it: by a
+/// rule of the papers if the arguments say anything of one, else the library's
+/// usual tree, without leaves if need be. Nothing, where Ctrl-C stopped that.
+std::optional<BuildMeasure> build_measured(Engine& engine, Library library,
+                                           const Scene& scene,
+                                           const BuildArguments& arguments,
+                                           bool leaves);
+
+/// Loads the tree in the file instead.
+/// Errors: those of Engine::load_tree().
+Result<BuildMeasure> load_measured(Engine& engine, Library library,
+                                   const Scene& scene, const std::string& path,
+                                   bool leaves);
 
 /// What `--stats` says about the scene, its import and its tree; zeros for the
 /// tree where none was built.
-nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& measure,
-                        const BuildArguments& arguments);
+nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& measure);
 
-/// The tree in words.
-std::string to_string(const BuildMeasure& measure);
+/// The tree of so many polygons in words.
+std::string to_string(const BuildMeasure& measure, std::size_t polygons);
 
 /// Writes the statistics to the file, or for `-` to standard output.
 /// Errors: kUnwritable.

@@ -27,6 +27,11 @@ Status fail(std::string_view sentence) {
   return Status::kBadInput;
 }
 
+Status stop(std::string_view sentence) {
+  fail(sentence);
+  return Status::kInterrupted;
+}
+
 Status fail(const std::string& file, const Error& error) {
   return fail(about(file, error).message);
 }

@@ -14,12 +14,16 @@ namespace halfspace::tools {
 /// The exit statuses of the program.
 enum class Status : int {
   kFine = 0,
-  kDiffers = 1,   ///< a comparison found a difference
-  kBadInput = 2,  ///< bad usage, or a file that cannot be used
+  kDiffers = 1,        ///< a comparison found a difference
+  kBadInput = 2,       ///< bad usage, or a file that cannot be used
+  kInterrupted = 130,  ///< Ctrl-C, as shells say it
 };
 
 /// Prints `halfspace: SENTENCE` as one line to standard error.
 Status fail(std::string_view sentence);
+
+/// The same where Ctrl-C ended the work.
+Status stop(std::string_view sentence);
 
 /// The same for an error about `file`, which is named if the error does not.
 Status fail(const std::string& file, const Error& error);

@@ -119,7 +119,7 @@ void print_summary(const Operands& operands, const BooleanResult& result,
 
 Status run(BooleanOp operation, const Arguments& arguments) {
   const std::unique_ptr<Engine> engine =
-      make_engine(static_cast<Library>(arguments.build.library));
+      make_engine(library_of(arguments.build, Library::kRef));
   if (!engine->has_booleans()) {
     return fail("--impl fast: has no booleans yet; use --impl ref");
   }
@@ -171,7 +171,7 @@ void add_operation(CLI::App& csg, const std::string& name,
       ->required()
       ->type_name("OUT");
   add_grid_option(*app, arguments->grid_bits);
-  add_build_options(*app, arguments->build);
+  add_build_options(*app, arguments->build, "ref");
   app->callback(
       [operation, arguments, &status] { status = run(operation, *arguments); });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <vector>
 
@@ -15,6 +16,21 @@ class Stopwatch {
  private:
   static double now_ms();
   double start_;
+};
+
+/// Time as it passes, since a moment.
+class WallClock {
+ public:
+  WallClock() : start_(std::chrono::steady_clock::now()) {}
+  /// Units: milliseconds.
+  double elapsed_ms() const {
+    const std::chrono::duration<double, std::milli> passed =
+        std::chrono::steady_clock::now() - start_;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_;
 };
 
 /// The middle one of the values, or the mean of the middle two.

@@ -133,7 +133,7 @@ ImageOptions choose_options(const SceneFile& file,
   ImageOptions options = file.options;
   if (arguments.cull) options.cull = *arguments.cull;
   if (arguments.shading == 1) options.shading = Shading::kFlat;
-  if (arguments.shading == 2) options.shading = Shading::kGouraud;
+  if (arguments.shading == kGouraudShading) options.shading = Shading::kGouraud;
   return options;
 }
 
@@ -141,7 +141,7 @@ io::ImportOptions import_options(const ViewArguments& arguments,
                                  std::optional<int> grid_bits) {
   return {.grid_bits = grid_bits,
           .refine_bits = kRefineBits,
-          .gouraud = arguments.shading == 2};
+          .gouraud = arguments.shading == kGouraudShading};
 }
 
 }  // namespace halfspace::tools

@@ -12,6 +12,9 @@
 
 namespace halfspace::tools {
 
+/// ViewArguments::shading of Gouraud shading.
+constexpr std::size_t kGouraudShading = 2;
+
 /// What the command line says about the camera and the picture.
 struct ViewArguments {
   std::optional<glm::dvec3> eye;

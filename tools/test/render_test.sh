@@ -13,18 +13,22 @@ for model in cube pinwheel interlocking-cubes; do
   for view in "${views[@]}"; do
     # shellcheck disable=SC2086
     set -- $view "${size[@]}"
-    expect 0 'span: 48x36' render "$model.off" "$@" -o a.png --ids a.npy
+    expect 0 'span: 48x36' render "$model.off" "$@" -o a.png --ids a.npy \
+      --impl ref
     for method in painter zbuffer raycast; do
       expect 0 "$method: 48x36" render "$model.off" "$@" --method "$method" \
-        -o b.png --ids b.npy
+        --impl ref -o b.png --ids b.npy
       expect 0 'mismatches: 0 of 1728' compare a.npy b.npy
       same a.png b.png
     done
     for method in span painter; do
-      expect 0 "$method: 48x36" render "$model.off" "$@" --method "$method" \
-        --impl fast --threads 2 -o b.png --ids b.npy
-      expect 0 'mismatches: 0 of 1728' compare a.npy b.npy
-      same a.png b.png
+      for tree in "" "--heuristic h3"; do
+        # shellcheck disable=SC2086
+        expect 0 "$method: 48x36.*(fast)" render "$model.off" "$@" $tree \
+          --method "$method" --threads 2 -o b.png --ids b.npy
+        expect 0 'mismatches: 0 of 1728' compare a.npy b.npy
+        same a.png b.png
+      done
     done
     expect 0 'polygons' scene "$model.off" "$@" -o shot.scene
     expect 0 'span' render shot.scene -o b.png --ids b.npy

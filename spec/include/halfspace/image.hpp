@@ -19,6 +19,10 @@ struct ImageOptions {
   friend bool operator==(const ImageOptions&, const ImageOptions&) = default;
 };
 
+/// The alpha of polygons that nothing is seen through (S5.6); 0 is that of
+/// polygons that are not seen.
+constexpr std::uint8_t kOpaque = 255;
+
 /// The id of the background in an item image.
 constexpr PolygonId kBackground = -1;
 

@@ -46,6 +46,17 @@ BspTree build_display_tree(const Scene& scene,
                            const DisplayTreeOptions& options,
                            FilterStats& stats);
 
+/// Whether some node of the tree is a leaf: such a tree is for render() alone.
+bool has_leaves(const BspTree& tree);
+
+/// Makes every leaf a subtree whose splitters are planes of its fragments, so
+/// that the tree can be walked back to front (S3.7), painted and inserted into.
+///
+/// The same tree for the same tree.
+/// Exact: yes.
+/// Cost:  for a leaf of k fragments k log k decisions, at worst k squared.
+void divide_leaves(BspTree& tree, const Scene& scene);
+
 /// What the tree takes. Units: bytes.
 std::size_t bytes_of(const BspTree& tree);
 

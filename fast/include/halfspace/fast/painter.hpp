@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "halfspace/fast/render.hpp"
 
 namespace halfspace::fast {
@@ -7,8 +9,19 @@ namespace halfspace::fast {
 /// The image of the scene by the painter's algorithm: back to front, later over
 /// earlier (S5.5).
 ///
-/// Requires: a tree without leaves.
+/// Requires: a tree without leaves; divide_leaves() makes one.
 Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& image, const RenderOptions& options = {});
+
+/// The same image with every polygon as transparent as `alpha` says (S5.6): 0
+/// is not seen at all, 255 hides what is behind.
+///
+/// Its items are paint()'s: the polygons in front.
+/// Requires: a tree without leaves; divide_leaves() makes one.
+/// Exact:    yes: integers, in the order of S5.6, whatever the number of
+///           threads.
+Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& image, std::uint8_t alpha,
+                const RenderOptions& options = {});
 
 }  // namespace halfspace::fast

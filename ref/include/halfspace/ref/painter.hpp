@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "halfspace/ref/render.hpp"
 
 namespace halfspace::ref {
@@ -13,5 +15,13 @@ namespace halfspace::ref {
 /// Ties:  coplanar polygons: the lowest id is painted last.
 Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& options);
+
+/// The transparent image (S5.6): the tree from back to front, of each fragment
+/// the share `alpha` / 255 of its colour and the rest of what is there.
+///
+/// Its items are those of paint().
+/// Exact: yes.
+Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& options, std::uint8_t alpha);
 
 }  // namespace halfspace::ref
