@@ -139,8 +139,10 @@ TEST(DisplayTree, GrowsLittleWhereTrianglesAreSmall) {
 
 TEST(DisplayTree, IsDividedOnTheWidestGridToo) {
   const Scene scene = strewn(3000, std::int64_t{1} << 46, 54);
-  const BspTree tree = build_display_tree(scene);
-  EXPECT_GT(tree.nodes.size(), 50u);
+  DisplayTreeOptions options;
+  options.leaf_size = 16;
+  const BspTree tree = build_display_tree(scene, options);
+  EXPECT_GT(tree.nodes.size(), 250u);
 }
 
 TEST(DisplayTree, TellsHowFarItIs) {
