@@ -1,10 +1,12 @@
 # The agreement tests: `fast` decides what `ref` decides.
 add_library(halfspace_agree_scenes
-  ${CMAKE_CURRENT_LIST_DIR}/agree_scenes.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/agree_scenes.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/agree_solids.cpp)
 halfspace_target(halfspace_agree_scenes)
 target_link_libraries(halfspace_agree_scenes PUBLIC halfspace::spec)
 
-foreach(stem IN ITEMS agree_blend agree_display_tree agree_image agree_tree)
+foreach(stem IN ITEMS agree_blend agree_boolean agree_display_tree agree_image
+                agree_tree)
   add_executable(${stem}_test
     ${CMAKE_CURRENT_LIST_DIR}/${stem}_test.cpp)
   halfspace_target(${stem}_test)

@@ -25,6 +25,11 @@ ALONE = {
     ("ref", "screen"): {
         "merge_segment": "F2B's step on a linked list; fast has no list",
     },
+    ("ref", "boolean"): {
+        "keep": "fast decides by memberships round an edge, not by classes",
+        "volume6": "a rational; fast has none",
+        "rounded": "fast has no export yet",
+    },
     ("fast", "predicate"): {
         "plane_corners": "three grid points; ref has the plane's rationals",
         "intern_planes": "names planes, so that equal ones are told by id",

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "halfspace/boolean.hpp"
+#include "halfspace/int128.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::fast {
+
+class Space;
+
+/// An edge of a face, with the face on its left as seen from outside. Ends are
+/// named by their points' ids: equal points have equal ids.
+struct SolidEdge {
+  std::int32_t from = 0;
+  std::int32_t to = 0;
+  /// A plane through the edge that is not the face's; -1 where none is known
+  /// yet, and then both ends lie on the grid.
+  std::int32_t other = -1;
+  friend bool operator==(const SolidEdge&, const SolidEdge&) = default;
+};
+
+/// A face of a solid: a region of a plane, bounded by edges. It need be neither
+/// convex nor connected, and it may have holes.
+struct Face {
+  std::int32_t plane = -1;
+  bool turned = false;  ///< outwards is against the plane's normal
+  Rgb color;
+  /// Where the face came from: which operand of the last boolean, and which of
+  /// that operand's faces. In a solid that no boolean made, itself.
+  bool from_first = true;
+  PolygonId source = 0;
+  /// Where it came from in the first place: the part's number, given when the
+  /// solid was made, and the polygon there.
+  std::int32_t part = 0;
+  PolygonId polygon = 0;
+  /// Its edges are `edges[first_edge]` and the `edge_count - 1` after it.
+  std::uint32_t first_edge = 0;
+  std::uint32_t edge_count = 0;
+};
+
+/// A solid, exactly: its vertices are points of the grid or meets of three of
+/// its planes, and its planes are those of the polygons it came from (S6.5).
+///
+/// Solids share the table of planes and points if they are made from each
+/// other or with to_solid(solid, other). Tables only grow, so a solid never
+/// changes; but booleans on solids of one table must not run at the same time.
+struct Solid {
+  std::vector<Face> faces;
+  std::vector<SolidEdge> edges;
+  Unit unit;
+  std::shared_ptr<Space> space;
+};
+
+/// The same solid, its points and planes in a table of its own. Face `p` is
+/// polygon `p`. `part` is noted as where the faces came from.
+Solid to_solid(const halfspace::Solid& solid, std::int32_t part = 0);
+
+/// Likewise in the table of `with`, for long chains of booleans.
+/// Requires: its grid has no fewer bits than the solid's.
+Solid to_solid(const halfspace::Solid& solid, const Solid& with,
+               std::int32_t part = 0);
+
+/// The points in exactly one of two solids in one unit, regularised. Shape,
+/// Keeps, Exact, Cost: as boolean().
+Solid symmetric_difference(const Solid& a, const Solid& b);
+
+/// The plane normal.(p - origin) = 0. The normal's components have no common
+/// divisor, and its first one that is not zero is positive.
+struct SolidPlane {
+  std::array<Int128, 3> normal;
+  GridPoint origin;
+};
+SolidPlane plane_at(const Solid& solid, std::int32_t plane);
+
+/// A point: of the grid, or where three planes meet.
+struct SolidVertex {
+  bool is_grid = true;
+  GridPoint point;
+  std::array<std::int32_t, 3> planes{};
+};
+SolidVertex vertex_at(const Solid& solid, std::int32_t vertex);
+
+}  // namespace halfspace::fast

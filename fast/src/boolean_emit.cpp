@@ -1,0 +1,279 @@
+#include <algorithm>
+
+#include "boolean_engine.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// Of two planes through a line, one that is not `plane`.
+std::int32_t other_than(std::int32_t plane,
+                        const std::array<std::int32_t, 2>& planes) {
+  return planes[0] != plane ? planes[0] : planes[1];
+}
+
+std::int64_t bucket_of(std::size_t o, std::int32_t face, bool flipped) {
+  return (static_cast<std::int64_t>(o) << 40) + 2 * std::int64_t{face} +
+         (flipped ? 1 : 0);
+}
+
+}  // namespace
+
+Engine::Wing Engine::wing_of(std::size_t o, std::int32_t f, int turn) const {
+  const Face& face = operands_[o].face(f);
+  return {static_cast<std::int32_t>(o), f, face.plane, turn, face.turned};
+}
+
+Engine::Segment Engine::segment_of(const LineEdge& edge) const {
+  return {edge.low, edge.high, edge.axis, {edge.plane, edge.other}};
+}
+
+void Engine::emit_edges(std::size_t o) {
+  for (std::size_t e = 0; e < operands_[o].edges.size(); ++e) {
+    const auto id = static_cast<std::int32_t>(e);
+    if (cuts_of(o, id).empty() && covers_of(o, id).empty()) {
+      emit_whole(o, id);
+    } else {
+      emit_parts(o, id);
+    }
+  }
+}
+
+/// An edge that does not meet the other operand's surface, but for its ends.
+void Engine::emit_whole(std::size_t o, std::int32_t id) {
+  const Operand& operand = operands_[o];
+  const LineEdge& edge = operands_[o].edge(id);
+  std::optional<bool> member;
+  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
+    const EdgeUse& use = operand.uses[edge.first_use + u];
+    if (operand.touched[static_cast<std::size_t>(use.face)] == 0) continue;
+    if (!member) member = is_part_inside(o, id, edge.low, edge.high);
+    const bool within = apply(o, true, *member);
+    const bool beyond = apply(o, false, *member);
+    if (within == beyond) continue;
+    const std::int32_t plane = operand.face(use.face).plane;
+    Piece piece{bucket_of(o, use.face, beyond), plane, edge.low, edge.high,
+                other_than(plane, {edge.plane, edge.other})};
+    if (use.forward == beyond) std::swap(piece.from, piece.to);
+    pieces_.push_back(piece);
+  }
+}
+
+/// An edge that is cut, or lies in the other operand's surface in part.
+void Engine::emit_parts(std::size_t o, std::int32_t id) {
+  const LineEdge edge = operands_[o].edge(id);
+  find_points(o, id);
+  const auto place = [&](std::int32_t v) {
+    return std::find(points_.begin(), points_.end(), v) - points_.begin();
+  };
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    wings_.clear();
+    bool twice = false;
+    for (const Cover& cover : covers_of(o, id)) {
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      if (at < place(cover.low) || at >= place(cover.high)) continue;
+      if (cover.left) wings_.push_back(wing_of(1 - o, cover.face, 1));
+      if (cover.right) wings_.push_back(wing_of(1 - o, cover.face, -1));
+      twice = twice || cover.on_edge;
+    }
+    // A segment of edges of both operands is the first one's affair.
+    if (o == 1 && twice) continue;
+    std::array<bool, 2> member{};
+    if (wings_.empty())
+      member[1 - o] = is_part_inside(o, id, points_[i], points_[i + 1]);
+    for (std::uint32_t u = 0; u < edge.use_count; ++u) {
+      const EdgeUse& use = operands_[o].uses[edge.first_use + u];
+      const bool turned = operands_[o].face(use.face).turned;
+      wings_.push_back(wing_of(o, use.face, use.forward != turned ? 1 : -1));
+    }
+    Segment segment = segment_of(edge);
+    segment.low = points_[i];
+    segment.high = points_[i + 1];
+    if (segment.planes[1] < 0)
+      segment.planes[1] =
+          second_plane(operands_[o].edge(id), operands_[o], space_);
+    emit(segment, member);
+  }
+}
+
+void Engine::emit_traces() {
+  for (const Trace& trace : traces_) {
+    wings_.clear();
+    for (const int turn : {1, -1}) {
+      wings_.push_back(wing_of(0, trace.first, turn));
+      wings_.push_back(wing_of(1, trace.second, turn));
+    }
+    emit({trace.low,
+          trace.high,
+          trace.axis,
+          {operands_[0].face(trace.first).plane,
+           operands_[1].face(trace.second).plane}},
+         {});
+  }
+}
+
+/// Sorts the wings by their angle round the axis, from the first one on.
+///
+/// With unit vector d along the segment and normals m, n, wings point along
+/// m x d and n x d, times their turns. Their cross product is d det(m, n, d),
+/// and m x n is parallel to d: one component tells its sign.
+void Engine::sort_wings(int axis) {
+  const auto cross = [&](const Wing& w, const Wing& v) {
+    return w.plane == v.plane
+               ? 0
+               : w.turn * v.turn * space_.cross_sign(axis, w.plane, v.plane);
+  };
+  // 0: as the first one; 1: within half a turn; 2: opposite; 3: beyond.
+  const Wing first = wings_.front();
+  const auto part = [&](const Wing& w) {
+    const int sign = cross(first, w);
+    if (sign == 0) return w.turn == first.turn ? 0 : 2;
+    return sign > 0 ? 1 : 3;
+  };
+  std::stable_sort(wings_.begin(), wings_.end(),
+                   [&](const Wing& w, const Wing& v) {
+                     const int p = part(w);
+                     const int q = part(v);
+                     return p != q ? p < q : cross(w, v) > 0;
+                   });
+}
+
+/// Whether wing `i` stands where the one before it does.
+bool Engine::as_last(std::size_t i) const {
+  return i > 0 && wings_[i].plane == wings_[i - 1].plane &&
+         wings_[i].turn == wings_[i - 1].turn;
+}
+
+/// What a wing adds to being inside its operand, round the segment: what
+/// leaves the operand was inside of it.
+int Engine::change(const Wing& w) { return (w.turn > 0) != w.turned ? -1 : 1; }
+
+/// How often the wedge before the first wing is inside the operand.
+int Engine::level_before(std::size_t o, bool member) const {
+  int least = 0, most = 0, sum = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < wings_.size(); ++i) {
+    if (wings_[i].operand == static_cast<std::int32_t>(o)) {
+      sum += change(wings_[i]);
+      any = true;
+    }
+    if (i + 1 < wings_.size() && as_last(i + 1)) continue;
+    least = std::min(least, sum);
+    most = std::max(most, sum);
+  }
+  if (!any) return member ? 1 : 0;
+  // Faces back to back, and nothing else, are amid the operand.
+  return least == most ? 1 : -least;
+}
+
+/// Of the wings from `first` to before `last`, which stand in one place, the
+/// one that the result's face is a part of: the first operand's (S6.4), if
+/// possible one that need not be turned over.
+const Engine::Wing& Engine::source_of(std::size_t first, std::size_t last,
+                                      bool turned) const {
+  const Wing* source = nullptr;
+  for (const std::int32_t o : {1, 0}) {
+    for (std::size_t k = first; k < last; ++k) {
+      if (wings_[k].operand != o) continue;
+      if (source == nullptr || wings_[k].turned == turned ||
+          source->turned != turned)
+        source = &wings_[k];
+    }
+  }
+  return *source;
+}
+
+/// Adds the pieces of the result's faces along the segment, at which the wings
+/// are. `member`: whether it is inside an operand that has no wing there.
+void Engine::emit(const Segment& segment, const std::array<bool, 2>& member) {
+  // Step 1: the wings counter-clockwise round the segment.
+  sort_wings(segment.axis);
+  // Step 2: inside which operands the wedge before the first wing is.
+  std::array<int, 2> level{level_before(0, member[0]),
+                           level_before(1, member[1])};
+  // Step 3: where the result begins or ends, there is a face of it.
+  const std::size_t before_any = pieces_.size();
+  for (std::size_t i = 0; i < wings_.size();) {
+    const bool before = truth_(level[0] > 0, level[1] > 0);
+    std::size_t j = i;
+    do {
+      level[static_cast<std::size_t>(wings_[j].operand)] += change(wings_[j]);
+      ++j;
+    } while (j < wings_.size() && as_last(j));
+    const bool after = truth_(level[0] > 0, level[1] > 0);
+    if (before != after) {
+      // Outwards is on from here where the result ends, else back.
+      const bool turned = before ? wings_[i].turn < 0 : wings_[i].turn > 0;
+      const Wing& source = source_of(i, j, turned);
+      Piece piece{bucket_of(static_cast<std::size_t>(source.operand),
+                            source.face, source.turned != turned),
+                  source.plane, segment.low, segment.high,
+                  other_than(source.plane, segment.planes)};
+      if (!before) std::swap(piece.from, piece.to);
+      pieces_.push_back(piece);
+    }
+    i = j;
+  }
+  // Step 4: a face that goes on beyond the segment has no edge there.
+  if (pieces_.size() == before_any + 2 &&
+      pieces_[before_any].bucket == pieces_[before_any + 1].bucket)
+    pieces_.resize(before_any);
+}
+
+Solid Engine::result() {
+  // Step 1: the faces that meet nothing, as they are.
+  Solid result;
+  result.unit = operands_[0].solid->unit;
+  result.space = operands_[0].solid->space;
+  std::vector<std::uint8_t> pinned(space_.vertex_count());
+  for (std::size_t o = 0; o < 2; ++o) copy_untouched(o, result, pinned);
+  // Step 2: what is left of the others.
+  straighten(pieces_, pinned, space_);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
+    if (i == 0 || piece.bucket != pieces_[i - 1].bucket) {
+      const auto o = static_cast<std::size_t>(piece.bucket >> 40);
+      const std::int64_t rest = piece.bucket & ((std::int64_t{1} << 40) - 1);
+      begin_face(o, static_cast<std::int32_t>(rest / 2), rest % 2 != 0, result);
+    }
+    result.edges.push_back({piece.from, piece.to, piece.other});
+    ++result.faces.back().edge_count;
+  }
+  return result;
+}
+
+/// Begins a face of the result that is a part of face `f`.
+void Engine::begin_face(std::size_t o, std::int32_t f, bool flipped,
+                        Solid& result) const {
+  Face face = operands_[o].face(f);
+  face.turned = face.turned != flipped;
+  face.from_first = o == 0;
+  face.source = f;
+  face.first_edge = static_cast<std::uint32_t>(result.edges.size());
+  face.edge_count = 0;
+  result.faces.push_back(face);
+}
+
+/// Adds the faces of an operand that the other one does not touch, if they
+/// bound the result, and notes their vertices.
+void Engine::copy_untouched(std::size_t o, Solid& result,
+                            std::vector<std::uint8_t>& pinned) {
+  const auto count = static_cast<std::int32_t>(operands_[o].boxes.size());
+  for (std::int32_t f = 0; f < count; ++f) {
+    if (operands_[o].touched[static_cast<std::size_t>(f)] != 0) continue;
+    const SolidEdge* edges = operands_[o].edges_of(f);
+    const bool member = is_inside(o, edges[0].from);
+    const bool beyond = apply(o, false, member);
+    if (apply(o, true, member) == beyond) continue;
+    begin_face(o, f, beyond, result);
+    const std::uint32_t size = operands_[o].face(f).edge_count;
+    for (std::uint32_t i = 0; i < size; ++i) {
+      SolidEdge edge = edges[beyond ? size - 1 - i : i];
+      if (beyond) std::swap(edge.from, edge.to);
+      result.edges.push_back(edge);
+      pinned[static_cast<std::size_t>(edge.from)] = 1;
+    }
+    result.faces.back().edge_count = size;
+  }
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "boolean_parts.hpp"
+#include "boolean_result.hpp"
+
+namespace halfspace::fast {
+
+/// A boolean as a function of two memberships, of which the last, outside of
+/// both, is false.
+struct Truth {
+  bool both = false;
+  bool first_only = false;
+  bool second_only = false;
+
+  bool operator()(bool a, bool b) const {
+    return a ? (b ? both : first_only) : b && second_only;
+  }
+};
+
+/// Carries out one boolean.
+///
+/// The result is made of segments, not of fragments. Every segment of the
+/// result's edges is one of an edge of either operand, cut where it meets the
+/// other's surface, or of a trace. Round a segment the half-planes of both
+/// surfaces part space into wedges, each inside or outside of either solid; the
+/// result's half-planes stand between wedges of which just one is in it (S6.4),
+/// and tell on which side of the segment which faces lie. All segments of a
+/// face together are the boundary of what is left of it. So a cut that serves
+/// no end of its own is never made, and coincident faces are half-planes that
+/// coincide.
+class Engine {
+ public:
+  Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space);
+  /// The faces of the result, of one source each.
+  Solid run();
+
+ private:
+  /// A face at a segment: on the left of it (turn 1), as seen against its
+  /// plane's normal, or on the right (-1).
+  struct Wing {
+    std::int32_t operand;
+    std::int32_t face;
+    std::int32_t plane;
+    int turn;
+    bool turned;
+  };
+  /// A segment, from low to high along the axis, in two planes.
+  struct Segment {
+    std::int32_t low;
+    std::int32_t high;
+    std::int32_t axis;
+    std::array<std::int32_t, 2> planes;
+  };
+  enum class Member : std::uint8_t { kUnknown, kOutside, kInside };
+
+  void find_contacts();
+  Solid result();
+  void sort_records(std::size_t o);
+  void join_vertices(std::size_t o);
+  void note_members(std::size_t o);
+  void emit_edges(std::size_t o);
+  void emit_whole(std::size_t o, std::int32_t edge);
+  void emit_parts(std::size_t o, std::int32_t edge);
+  void emit_traces();
+  void emit(const Segment& segment, const std::array<bool, 2>& member);
+  void sort_wings(int axis);
+  bool as_last(std::size_t wing) const;
+  static int change(const Wing& wing);
+  int level_before(std::size_t o, bool member) const;
+  const Wing& source_of(std::size_t first, std::size_t last, bool turned) const;
+  void begin_face(std::size_t o, std::int32_t face, bool flipped,
+                  Solid& result) const;
+  void copy_untouched(std::size_t o, Solid& result,
+                      std::vector<std::uint8_t>& pinned);
+  Wing wing_of(std::size_t o, std::int32_t face, int turn) const;
+  Segment segment_of(const LineEdge& edge) const;
+
+  std::span<const Cut> cuts_of(std::size_t o, std::int32_t edge) const;
+  std::span<const Cover> covers_of(std::size_t o, std::int32_t edge) const;
+  /// The ends of an edge and the points between that cut it, in order.
+  void find_points(std::size_t o, std::int32_t edge);
+  std::optional<bool> crossing_tells(std::size_t o, std::int32_t edge,
+                                     std::int32_t at,
+                                     std::int32_t towards) const;
+  bool is_inside(std::size_t o, std::int32_t vertex);
+  bool is_part_inside(std::size_t o, std::int32_t edge, std::int32_t low,
+                      std::int32_t high);
+  const Locator& locator(std::size_t o);
+  std::int32_t root(std::size_t o, std::int32_t v);
+  bool apply(std::size_t o, bool own, bool other) const {
+    return o == 0 ? truth_(own, other) : truth_(other, own);
+  }
+
+  Truth truth_;
+  Space& space_;
+  std::array<Operand, 2> operands_;
+  std::vector<Trace> traces_;
+  /// By edge: where its cuts and covers begin.
+  std::array<std::vector<std::uint32_t>, 2> first_cut_, first_cover_;
+  std::array<std::vector<std::int32_t>, 2> parent_;  ///< union-find, by vertex
+  std::array<std::vector<Member>, 2> member_;  ///< of roots, in the other one
+  std::array<std::optional<Locator>, 2> locators_;
+  std::vector<Piece> pieces_;
+  std::vector<std::int32_t> points_;
+  std::vector<Wing> wings_;
+};
+
+}  // namespace halfspace::fast

@@ -1,0 +1,174 @@
+#include "boolean_parts.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace halfspace::fast {
+
+void add_boxes(Operand& operand) {
+  const Solid& solid = *operand.solid;
+  operand.boxes.reserve(solid.faces.size());
+  for (const Face& face : solid.faces) {
+    Box box = kEmptyBox;
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      extend(box, solid.space->vertex(solid.edges[face.first_edge + i].from)
+                      .approximate);
+    }
+    operand.boxes.push_back(box);
+    extend(operand.box, box);
+  }
+  operand.is_active.assign(solid.faces.size(), 0);
+  operand.touched.assign(solid.faces.size(), 0);
+  operand.edge_of.assign(solid.edges.size(), -1);
+}
+
+std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
+                                                              Operand& b) {
+  const auto near = [](const Operand& of, const Box& box) {
+    std::vector<std::int32_t> items;
+    for (std::size_t f = 0; f < of.boxes.size(); ++f) {
+      if (overlap(of.boxes[f], box))
+        items.push_back(static_cast<std::int32_t>(f));
+    }
+    return items;
+  };
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+  const BoxTree tree(b.boxes, near(b, a.box));
+  for (const std::int32_t f : near(a, b.box)) {
+    const std::size_t before = pairs.size();
+    tree.find(a.boxes[static_cast<std::size_t>(f)], [&](std::int32_t g) {
+      pairs.emplace_back(f, g);
+      b.is_active[static_cast<std::size_t>(g)] = 1;
+    });
+    if (pairs.size() > before) a.active.push_back(f);
+    a.is_active[static_cast<std::size_t>(f)] = pairs.size() > before;
+  }
+  for (std::size_t g = 0; g < b.boxes.size(); ++g) {
+    if (b.is_active[g]) b.active.push_back(static_cast<std::int32_t>(g));
+  }
+  return pairs;
+}
+
+void add_edges(Operand& operand, const Space& space) {
+  const Solid& solid = *operand.solid;
+  // Step 1: bring the edges with the same ends together.
+  struct Entry {
+    std::int32_t low;
+    std::int32_t high;
+    std::int32_t face;
+    std::uint32_t edge;
+    bool forward;
+  };
+  std::vector<Entry> entries;
+  for (const std::int32_t f : operand.active) {
+    const Face& face = operand.face(f);
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      const std::uint32_t at = face.first_edge + i;
+      const SolidEdge& edge = solid.edges[at];
+      const auto [low, high] = std::minmax(edge.from, edge.to);
+      entries.push_back({low, high, f, at, edge.from == low});
+    }
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
+    return std::tie(x.low, x.high, x.edge) < std::tie(y.low, y.high, y.edge);
+  });
+  // Step 2: name each once, in the direction of an axis.
+  operand.uses.reserve(entries.size());
+  for (std::size_t i = 0; i < entries.size();) {
+    const Entry& first = entries[i];
+    LineEdge edge{first.low, first.high};
+    edge.axis = space.edge_axis(edge.low, edge.high);
+    const bool swapped = space.compare(edge.axis, edge.low, edge.high) > 0;
+    if (swapped) std::swap(edge.low, edge.high);
+    edge.owner = first.face;
+    edge.plane = operand.face(first.face).plane;
+    edge.other = solid.edges[first.edge].other;
+    edge.first_use = static_cast<std::uint32_t>(operand.uses.size());
+    const auto id = static_cast<std::int32_t>(operand.edges.size());
+    for (; i < entries.size() && entries[i].low == first.low &&
+           entries[i].high == first.high;
+         ++i) {
+      operand.uses.push_back({entries[i].face, entries[i].forward != swapped});
+      operand.edge_of[entries[i].edge] = id;
+      ++edge.use_count;
+    }
+    operand.edges.push_back(edge);
+  }
+}
+
+std::int32_t second_plane(LineEdge& edge, const Operand& operand,
+                          Space& space) {
+  if (edge.other >= 0) return edge.other;
+  // Two planes of faces at one edge are equal, or meet along it.
+  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
+    const auto at = static_cast<std::size_t>(edge.first_use + u);
+    const std::int32_t plane = operand.face(operand.uses[at].face).plane;
+    if (plane != edge.plane) return edge.other = plane;
+  }
+  // All lie in one plane: a plane through the edge and along an axis that is
+  // not in it, the one that the normal is most along.
+  const Plane& n = space.plane(edge.plane).filter.plane;
+  const std::array<double, 3> size{std::abs(n.a), std::abs(n.b), std::abs(n.c)};
+  const auto axis = std::max_element(size.begin(), size.end()) - size.begin();
+  return edge.other =
+             space.add_line_plane(edge.low, edge.high, static_cast<int>(axis));
+}
+
+Locator::Locator(const Operand& operand, const Space& space)
+    : operand_(operand), space_(space), tree_(operand.boxes, [&] {
+        std::vector<std::int32_t> all(operand.boxes.size());
+        std::iota(all.begin(), all.end(), 0);
+        return all;
+      }()) {}
+
+bool Locator::is_inside(std::int32_t vertex, std::int32_t towards) const {
+  // A ray along the first axis. All signs are those at the vertex, or where
+  // they are zero at `towards`: as they are right beside it.
+  Box ray = kEmptyBox;
+  extend(ray, space_.vertex(vertex).approximate);
+  extend(ray, space_.vertex(towards).approximate);
+  ray.high[0] = std::numeric_limits<float>::max();
+  int winding = 0;
+  tree_.find(ray, [&](std::int32_t f) {
+    const Face& face = operand_.face(f);
+    const int along = space_.normal_sign(face.plane, 0);
+    if (along == 0) return;
+    int side = space_.side(face.plane, vertex);
+    if (side == 0) side = space_.side(face.plane, towards);
+    // The face lies ahead where the normal that points along the ray has the
+    // point behind it.
+    if (side * along >= 0 || !is_above(f, vertex, towards)) return;
+    winding += (along > 0) != face.turned ? 1 : -1;
+  });
+  return winding > 0;
+}
+
+bool Locator::is_above(std::int32_t f, std::int32_t vertex,
+                       std::int32_t towards) const {
+  // Seen along the first axis: how many edges pass over the point. A point
+  // level with an end counts as above it, and a point on an edge as over it,
+  // whichever face asks: so the faces round a vertex do not overlap.
+  const auto is_higher = [&](std::int32_t v) {
+    const int order = space_.compare(1, v, vertex);
+    return (order != 0 ? order : space_.compare(1, v, towards)) > 0;
+  };
+  bool inside = false;
+  const SolidEdge* edges = operand_.edges_of(f);
+  for (std::uint32_t i = 0; i < operand_.face(f).edge_count; ++i) {
+    const SolidEdge& edge = edges[i];
+    const bool from = is_higher(edge.from);
+    const bool to = is_higher(edge.to);
+    if (from == to) continue;
+    const std::int32_t low = from ? edge.to : edge.from;
+    const std::int32_t high = from ? edge.from : edge.to;
+    int turn = space_.turn(0, low, high, vertex);
+    if (turn == 0) turn = space_.turn(0, low, high, towards);
+    // The edge rises in y; the point has less z where it turns to the right.
+    if (turn < 0) inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace halfspace::fast

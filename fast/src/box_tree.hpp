@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "boxes.hpp"
+
+namespace halfspace::fast {
+
+inline bool overlap(const Box& a, const Box& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+  }
+  return true;
+}
+
+/// A tree of boxes, to find those that overlap another one.
+class BoxTree {
+ public:
+  /// `items` are the numbers of the boxes that take part.
+  BoxTree(const std::vector<Box>& boxes, std::vector<std::int32_t> items);
+
+  /// Calls `found(item)` for the items whose boxes overlap `box`.
+  template <class Found>
+  void find(const Box& box, Found&& found) const {
+    if (nodes_.empty()) return;
+    std::vector<std::int32_t> stack{0};
+    while (!stack.empty()) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack.back())];
+      stack.pop_back();
+      if (!overlap(node.box, box)) continue;
+      if (node.second >= 0) {
+        stack.push_back(node.second);
+        stack.push_back(node.first);
+        continue;
+      }
+      for (std::int32_t i = 0; i < node.count; ++i) {
+        const auto at = static_cast<std::size_t>(node.first + i);
+        if (overlap(boxes_[at], box)) found(items_[at]);
+      }
+    }
+  }
+
+ private:
+  /// Of a leaf the items from `first` on; else the two children.
+  struct Node {
+    Box box;
+    std::int32_t first = 0;
+    std::int32_t second = -1;
+    std::int32_t count = 0;
+  };
+
+  std::vector<std::int32_t> items_;
+  std::vector<Box> boxes_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace halfspace::fast

@@ -1,0 +1,69 @@
+#include "halfspace/fast/solid.hpp"
+
+#include <algorithm>
+
+#include "halfspace/assert.hpp"
+#include "halfspace/fast/predicate.hpp"
+#include "space.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
+               std::int32_t part) {
+  const Scene& scene = solid.scene();
+  Solid result;
+  result.unit = scene.unit();
+  result.space = std::move(space);
+  std::vector<std::int32_t> ids;
+  for (const GridPoint& point : scene.data().vertices)
+    ids.push_back(result.space->add_point(point));
+  for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+    const auto id = static_cast<PolygonId>(p);
+    const auto corners = scene.corners(id);
+    const OrientedPlane plane =
+        result.space->add_plane(plane_corners(scene, id));
+    Face face;
+    face.plane = plane.plane;
+    face.turned = plane.turned;
+    face.color = scene.color(id);
+    face.source = id;
+    face.part = part;
+    face.polygon = id;
+    face.first_edge = static_cast<std::uint32_t>(result.edges.size());
+    face.edge_count = static_cast<std::uint32_t>(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto at = [&](std::size_t k) {
+        return ids[static_cast<std::size_t>(corners[k % corners.size()])];
+      };
+      result.edges.push_back({at(i), at(i + 1)});
+    }
+    result.faces.push_back(face);
+  }
+  return result;
+}
+
+}  // namespace
+
+Solid to_solid(const halfspace::Solid& solid, std::int32_t part) {
+  return in_space(solid, std::make_shared<Space>(solid.scene().grid_bits()),
+                  part);
+}
+
+Solid to_solid(const halfspace::Solid& solid, const Solid& with,
+               std::int32_t part) {
+  HALFSPACE_ASSERT(solid.scene().grid_bits() <= with.space->grid_bits());
+  return in_space(solid, with.space, part);
+}
+
+SolidPlane plane_at(const Solid& solid, std::int32_t plane) {
+  const SpacePlane& p = solid.space->plane(plane);
+  return {{p.normal.x, p.normal.y, p.normal.z}, p.origin};
+}
+
+SolidVertex vertex_at(const Solid& solid, std::int32_t vertex) {
+  const SpaceVertex& v = solid.space->vertex(vertex);
+  return {v.is_grid(), v.point, v.planes};
+}
+
+}  // namespace halfspace::fast

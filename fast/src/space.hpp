@@ -1,0 +1,143 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "exact.hpp"
+#include "filter.hpp"
+#include "halfspace/polygon.hpp"
+
+namespace halfspace::fast {
+
+/// A table from hashes to indices, with open addresses. What the indices mean,
+/// and when two of them are equal, is its user's affair.
+class HashIndex {
+ public:
+  /// The index for which `equal(index)` holds among those entered with `hash`,
+  /// or -1.
+  template <class Equal>
+  std::int32_t find(std::uint64_t hash, Equal&& equal) const {
+    if (slots_.empty()) return -1;
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t s = hash & mask; slots_[s].index >= 0;
+         s = (s + 1) & mask) {
+      if (slots_[s].hash == hash && equal(slots_[s].index))
+        return slots_[s].index;
+    }
+    return -1;
+  }
+  void enter(std::uint64_t hash, std::int32_t index);
+
+ private:
+  struct Slot {
+    std::uint64_t hash = 0;
+    std::int32_t index = -1;
+  };
+  void place(const Slot& slot);
+
+  std::vector<Slot> slots_;
+  std::size_t count_ = 0;
+};
+
+/// A plane as a point set: normal divided by its greatest common divisor, the
+/// first component that is not zero positive; and a grid point on it.
+struct SpacePlane {
+  Vector3<Int128> normal;
+  GridPoint origin;
+  FilterPlane filter;
+};
+
+/// A point: one of the grid, or the meet of three planes.
+struct SpaceVertex {
+  Vertex approximate;
+  GridPoint point;  ///< of the grid, where there are no planes
+  std::array<std::int32_t, 3> planes{-1, -1, -1};
+  std::uint32_t exact = 0;  ///< where its exact coordinates begin
+  bool is_grid() const { return planes[0] < 0; }
+};
+
+/// A plane with an orientation: `turned` if against the table's.
+struct OrientedPlane {
+  std::int32_t plane = -1;
+  bool turned = false;
+};
+
+/// The planes and points of solids that meet. Each is held once: equal planes
+/// have equal ids, and so do equal points.
+///
+/// Points are made from planes and planes only from points of the grid, so no
+/// number outgrows the bit budget (S1.6), however long the chain of booleans.
+class Space {
+ public:
+  explicit Space(int grid_bits)
+      : grid_bits_(grid_bits), rounding_(rounding_of_values(grid_bits)) {}
+
+  int grid_bits() const { return grid_bits_; }
+  double rounding() const { return rounding_; }
+  std::size_t plane_count() const { return planes_.size(); }
+  std::size_t vertex_count() const { return vertices_.size(); }
+  const SpacePlane& plane(std::int32_t p) const {
+    return planes_[static_cast<std::size_t>(p)];
+  }
+  const SpaceVertex& vertex(std::int32_t v) const {
+    return vertices_[static_cast<std::size_t>(v)];
+  }
+
+  std::int32_t add_point(const GridPoint& point);
+  /// The plane of a polygon with these defining corners (S1.4).
+  OrientedPlane add_plane(const std::array<GridPoint, 3>& corners);
+  /// The plane through `origin` with this normal.
+  /// Requires: it is the plane of a polygon on the grid, or of add_line_plane.
+  OrientedPlane add_plane(const Vector3<Int128>& normal,
+                          const GridPoint& origin);
+  /// The plane through two points of the grid and along an axis, not theirs.
+  std::int32_t add_line_plane(std::int32_t u, std::int32_t v, int axis);
+  /// Where three planes meet.
+  /// Requires: in one point.
+  std::int32_t meet(std::int32_t p, std::int32_t q, std::int32_t r);
+
+  /// -1, 0, 1: the side of the plane, as it stands in the table, that holds
+  /// the point.
+  int side(std::int32_t plane, std::int32_t vertex) const;
+  /// -1, 0, 1 as the first point's coordinate is less than, equal to or
+  /// greater than the second's.
+  int compare(int axis, std::int32_t u, std::int32_t v) const;
+  /// The sign of the determinant of q - p and r - p, in the coordinates `axis`
+  /// + 1 and `axis` + 2 (cyclically): their turn as seen against the axis.
+  int turn(int axis, std::int32_t p, std::int32_t q, std::int32_t r) const;
+  /// The sign of component `axis` of the cross product of two normals.
+  int cross_sign(int axis, std::int32_t p, std::int32_t q) const;
+  /// The sign of the product of two normals.
+  int dot_sign(std::int32_t p, std::int32_t q) const;
+  /// The sign of a component of the normal.
+  int normal_sign(std::int32_t plane, int axis) const;
+
+  /// Whether the planes are not parallel; and then an axis along which their
+  /// line runs, as far from athwart as doubles can tell.
+  bool line_axis(std::int32_t p, std::int32_t q, int& axis) const;
+  /// An axis along which two different points differ, likewise.
+  int edge_axis(std::int32_t u, std::int32_t v) const;
+
+ private:
+  template <int kBits>
+  void make_exact(const std::array<std::int32_t, 3>& planes);
+  template <int kBits>
+  std::array<typename Grid<kBits>::Determinant, 4> exact(
+      std::int32_t vertex) const;
+  std::int32_t add_meet(const std::array<std::int32_t, 3>& planes);
+
+  int grid_bits_;
+  double rounding_;
+  std::vector<SpacePlane> planes_;
+  std::vector<SpaceVertex> vertices_;
+  std::vector<std::uint64_t> exact_;
+  std::vector<std::array<std::int32_t, 3>> triples_;
+  std::vector<std::int32_t> triple_vertices_;
+  HashIndex plane_index_;
+  HashIndex vertex_index_;
+  HashIndex triple_index_;
+};
+
+}  // namespace halfspace::fast

@@ -1,0 +1,195 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "agree_solids.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/ref/boolean.hpp"
+
+/// Solids are compared by their faces' boundaries: of each face that the result
+/// has parts of, the lines on which they begin or end, and from where to where.
+/// That forgets how the parts were cut, and nothing else.
+namespace halfspace::agree {
+namespace {
+
+using ref::Point;
+using ref::Rational;
+
+/// A line: the axis along which it runs first, how it rises along it, and
+/// where it passes 0.
+using Line = std::tuple<int, Point, Point>;
+
+/// From where on how many more edges run up the line than down.
+using Runs = std::map<Rational, int>;
+
+/// By operand, face and whether it is turned over.
+using Outline =
+    std::map<std::tuple<bool, PolygonId, bool>, std::map<Line, Runs>>;
+
+const Rational& coordinate(const Point& p, int axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+void add_edge(const Point& p, const Point& q, std::map<Line, Runs>& lines) {
+  int axis = 0;
+  while (coordinate(p, axis) == coordinate(q, axis)) ++axis;
+  const Rational length = coordinate(q, axis) - coordinate(p, axis);
+  const Point rise{(q.x - p.x) / length, (q.y - p.y) / length,
+                   (q.z - p.z) / length};
+  const Rational& at = coordinate(p, axis);
+  const Point start{p.x - at * rise.x, p.y - at * rise.y, p.z - at * rise.z};
+  Runs& runs = lines[{axis, rise, start}];
+  const auto add = [&](const Rational& from, int change) {
+    int& sum = runs[from];
+    sum += change;
+    if (sum == 0) runs.erase(from);
+  };
+  add(coordinate(p, axis), 1);
+  add(coordinate(q, axis), -1);
+}
+
+/// Leaves out what cancels.
+Outline without_nothing(Outline outline) {
+  for (auto& [face, lines] : outline)
+    std::erase_if(lines, [](const auto& line) { return line.second.empty(); });
+  std::erase_if(outline, [](const auto& face) { return face.second.empty(); });
+  return outline;
+}
+
+Point point_of(const fast::Solid& solid, std::int32_t id) {
+  const fast::SolidVertex v = fast::vertex_at(solid, id);
+  if (v.is_grid) return ref::to_point(v.point);
+  // Cramer's rule.
+  Rational n[3][4];
+  for (int i = 0; i < 3; ++i) {
+    const auto p = fast::plane_at(solid, v.planes[static_cast<std::size_t>(i)]);
+    for (int k = 0; k < 3; ++k)
+      n[i][k] = Rational(p.normal[static_cast<std::size_t>(k)]);
+    n[i][3] = n[i][0] * Rational(p.origin.x) + n[i][1] * Rational(p.origin.y) +
+              n[i][2] * Rational(p.origin.z);
+  }
+  const auto determinant = [&](int a, int b, int c) {
+    return n[0][a] * (n[1][b] * n[2][c] - n[1][c] * n[2][b]) +
+           n[0][b] * (n[1][c] * n[2][a] - n[1][a] * n[2][c]) +
+           n[0][c] * (n[1][a] * n[2][b] - n[1][b] * n[2][a]);
+  };
+  const Rational w = determinant(0, 1, 2);
+  return {determinant(3, 1, 2) / w, determinant(0, 3, 2) / w,
+          determinant(0, 1, 3) / w};
+}
+
+/// By ids, so that each point is worked out once.
+class Points {
+ public:
+  explicit Points(const fast::Solid& solid) : solid_(solid) {}
+  const Point& operator[](std::int32_t id) {
+    const auto [at, is_new] = points_.try_emplace(id);
+    if (is_new) at->second = point_of(solid_, id);
+    return at->second;
+  }
+
+ private:
+  const fast::Solid& solid_;
+  std::map<std::int32_t, Point> points_;
+};
+
+Rational volume6(const fast::Solid& solid) {
+  Points points(solid);
+  Rational sum = 0;
+  for (const fast::Face& face : solid.faces) {
+    const Point p = points[solid.edges[face.first_edge].from];
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      const Point& q = points[solid.edges[face.first_edge + i].from];
+      const Point& r = points[solid.edges[face.first_edge + i].to];
+      sum += p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) +
+             p.z * (q.x * r.y - q.y * r.x);
+    }
+  }
+  return sum;
+}
+
+Outline outline_of(const fast::Solid& solid, const fast::Solid& a,
+                   const fast::Solid& b) {
+  Points points(solid);
+  Outline outline;
+  for (const fast::Face& face : solid.faces) {
+    const fast::Face& source =
+        (face.from_first ? a : b).faces[static_cast<std::size_t>(face.source)];
+    auto& lines =
+        outline[{face.from_first, face.source, face.turned != source.turned}];
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      const fast::SolidEdge& edge = solid.edges[face.first_edge + i];
+      const Point from = points[edge.from];
+      add_edge(from, points[edge.to], lines);
+    }
+  }
+  return without_nothing(std::move(outline));
+}
+
+bool same_direction(const ref::Plane& p, const ref::Plane& q) {
+  return sign(p.a * q.a + p.b * q.b + p.c * q.c) > 0;
+}
+
+Outline outline_of(const ref::Solid& solid, const ref::Solid& a,
+                   const ref::Solid& b) {
+  Outline outline;
+  for (const ref::Face& face : solid.faces) {
+    const ref::Face& source =
+        (face.from_first ? a : b).faces[static_cast<std::size_t>(face.source)];
+    auto& lines = outline[{face.from_first, face.source,
+                           !same_direction(face.plane, source.plane)}];
+    const std::size_t count = face.vertices.size();
+    for (std::size_t i = 0; i < count; ++i)
+      add_edge(face.vertices[i], face.vertices[(i + 1) % count], lines);
+  }
+  return without_nothing(std::move(outline));
+}
+
+constexpr BooleanOp kOperations[] = {
+    BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference};
+
+void compare(const Solid& first, const Solid& second) {
+  const ref::Solid ref_a = ref::to_solid(first);
+  const ref::Solid ref_b = ref::to_solid(second);
+  const fast::Solid a = fast::to_solid(first);
+  const fast::Solid b = fast::to_solid(second);
+  for (const BooleanOp operation : kOperations) {
+    SCOPED_TRACE("operation " + std::to_string(static_cast<int>(operation)));
+    const ref::Solid expected = ref::boolean(operation, ref_a, ref_b);
+    const fast::Solid found = fast::boolean(operation, a, b);
+    ASSERT_TRUE(fast::bad_edges(found).empty());
+    ASSERT_TRUE(outline_of(found, a, b) == outline_of(expected, ref_a, ref_b));
+    ASSERT_EQ(volume6(found) == ref::volume6(expected), true);
+  }
+}
+
+void compare_kinds(std::uint64_t seeds, std::int64_t scale) {
+  for (const SolidKind first : kSolidKinds) {
+    for (const SolidKind second : kSolidKinds) {
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        SCOPED_TRACE(std::to_string(static_cast<int>(first)) + " and " +
+                     std::to_string(static_cast<int>(second)) + ", seed " +
+                     std::to_string(seed));
+        Draws draws(seed);
+        const Solid a = random_solid(first, scale, draws);
+        const Solid b = random_solid(second, scale, draws);
+        compare(a, b);
+        if (::testing::Test::HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(AgreeBoolean, SmallSolids) { compare_kinds(4, 1); }
+TEST(AgreeBoolean, SolidsOnTheGridOf40Bits) {
+  compare_kinds(2, std::int64_t{1} << 34);
+}
+TEST(AgreeBoolean, SolidsOnTheGridOf54Bits) {
+  compare_kinds(2, (std::int64_t{1} << 48) + 1);
+}
+
+}  // namespace
+}  // namespace halfspace::agree
