@@ -69,6 +69,69 @@ std::optional<glm::dvec3> parse_vector(std::string_view text) {
   return glm::dvec3(values[0], values[1], values[2]);
 }
 
+std::optional<Range> parse_range(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos || text.size() == 1) return std::nullopt;
+  Range range;
+  const auto take = [](std::string_view word,
+                       std::optional<std::int64_t>& value) {
+    if (word.empty()) return true;
+    value = parse_whole<std::int64_t>(word);
+    return value && *value >= 0;
+  };
+  if (!take(text.substr(0, colon), range.first) ||
+      !take(text.substr(colon + 1), range.end)) {
+    return std::nullopt;
+  }
+  const bool is_empty = range.end && *range.end <= range.first.value_or(0);
+  if (is_empty) return std::nullopt;
+  return range;
+}
+
+std::optional<std::uint8_t> parse_byte(std::string_view text) {
+  return parse_whole<std::uint8_t>(text);
+}
+
+std::optional<NumberedName> NumberedName::parse(std::string_view text) {
+  NumberedName name;
+  bool has_place = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    std::string& part = has_place ? name.after_ : name.before_;
+    if (text[k] != '%') {
+      part += text[k];
+      continue;
+    }
+    if (text.substr(k + 1).starts_with('%')) {
+      part += text[++k];
+      continue;
+    }
+    const std::size_t end = text.find_first_not_of("0123456789", k + 1);
+    if (has_place || end == std::string_view::npos || text[end] != 'd') {
+      return std::nullopt;
+    }
+    const std::string_view width = text.substr(k + 1, end - k - 1);
+    // More digits than a number can have are a slip, and blanks in names too.
+    if (!width.empty() && (width[0] != '0' || width.size() > 3)) {
+      return std::nullopt;
+    }
+    if (!width.empty()) {
+      name.digits_ = parse_whole<std::size_t>(width).value_or(0);
+    }
+    has_place = true;
+    k = end;
+  }
+  if (!has_place || name.digits_ > 19) return std::nullopt;
+  return name;
+}
+
+std::string NumberedName::with(std::int64_t number) const {
+  std::string digits = std::to_string(number);
+  if (digits.size() < digits_) {
+    digits.insert(0, digits_ - digits.size(), '0');
+  }
+  return before_ + digits + after_;
+}
+
 std::optional<Size> parse_size(std::string_view text) {
   const std::size_t cross = text.find('x');
   if (cross == std::string_view::npos) return std::nullopt;
@@ -88,6 +151,8 @@ std::string spelt_out(const std::string& form) {
   if (form == "K" || form == "N" || form == "S") {
     return "a whole number of at least 1";
   }
+  if (form == "A") return "a whole number from 0 to 255";
+  if (form == "A:B") return "A:B, A: or :B, from A up to but not including B";
   if (form == "DEG" || form == "LENGTH") return "a finite number";
   return form;
 }

@@ -35,6 +35,35 @@ std::optional<std::uint32_t> parse_count(std::string_view text);
 /// The grid, 26, 40 or 54, that `text` spells.
 std::optional<int> parse_grid(std::string_view text);
 
+/// Numbers from `first` up to but not including `end`; nothing: from the first
+/// one there is, to the last.
+struct Range {
+  std::optional<std::int64_t> first;
+  std::optional<std::int64_t> end;
+};
+
+/// The range that `A:B`, `A:` or `:B` spells, if it is not empty.
+std::optional<Range> parse_range(std::string_view text);
+
+/// The number from 0 to 255 that `text` spells.
+std::optional<std::uint8_t> parse_byte(std::string_view text);
+
+/// A file's name with one place for a number: `%d`, or `%05d` for a number of
+/// at least 5 digits, zeros in front.
+class NumberedName {
+ public:
+  /// The name that the text describes, if it has exactly one such place, and
+  /// other percent signs only in pairs.
+  static std::optional<NumberedName> parse(std::string_view text);
+
+  std::string with(std::int64_t number) const;
+
+ private:
+  std::string before_;
+  std::string after_;
+  std::size_t digits_ = 0;
+};
+
 /// What a text of this form is, for people: "a whole number of at least 1".
 std::string spelt_out(const std::string& form);
 

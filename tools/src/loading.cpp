@@ -43,12 +43,17 @@ Error about(const std::string& path, Error error) {
   return error;
 }
 
-bool is_scene_name(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) {
+bool has_extension(const std::filesystem::path& path,
+                   std::string_view extension) {
+  std::string found = path.extension().string();
+  for (char& c : found) {
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
-  return extension == ".scene";
+  return found == extension;
+}
+
+bool is_scene_name(const std::filesystem::path& path) {
+  return has_extension(path, ".scene");
 }
 
 Result<Loaded> load(const std::string& path, const io::ImportOptions& options) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
@@ -23,6 +24,10 @@ struct Loaded {
 
 /// The error, the file named at its beginning.
 Error about(const std::string& path, Error error);
+
+/// Whether the name ends in the extension, such as `.png`, in capitals or not.
+bool has_extension(const std::filesystem::path& path,
+                   std::string_view extension);
 
 /// Whether the file's name says that it holds a scene.
 bool is_scene_name(const std::filesystem::path& path);

@@ -1,16 +1,26 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "halfspace/image.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::io {
 
-/// Writes a picture as PNG, 8 bits a channel.
-/// Errors: kUnwritable.
+/// Which rows of a whole picture a part of it holds.
+struct PartOfPicture {
+  std::int32_t first_row = 0;
+  std::int32_t whole_height_px = 0;
+};
+
+/// Writes a picture as PNG, 8 bits a channel. A note in the file says which
+/// `part` of a whole it is, if it is one.
+/// Errors: kUnwritable; then a file that was begun is removed.
 Result<Done> write_png(const std::filesystem::path& path,
-                       const ColorImage& image);
+                       const ColorImage& image,
+                       const std::optional<PartOfPicture>& part = {});
 
 /// Writes an item image as a NumPy array: `<i4`, C order, shape (height,
 /// width), -1 where there is background (S5.1).

@@ -1,0 +1,197 @@
+#include "rendering.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "measuring.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+const std::string& word_of(Method method) {
+  return method_words()[static_cast<std::size_t>(method)];
+}
+
+/// What is wrong with a film's options, or with their absence.
+std::string film_complaint(const RenderArguments& arguments) {
+  if (!arguments.camera_path_file) {
+    return arguments.frames ? "--frames: needs --path, which tells the cameras"
+                            : "";
+  }
+  for (const auto& name : {arguments.picture_file, arguments.ids_file}) {
+    if (name && !NumberedName::parse(*name)) {
+      return *name +
+             ": with --path the name needs one %d or %05d, for the frame's "
+             "number; %% is a percent sign";
+    }
+  }
+  return {};
+}
+
+std::string tree_complaint(const RenderArguments& arguments,
+                           const Engine& engine) {
+  if (!arguments.tree_file) return {};
+  if (!needs_tree(method_of(arguments))) {
+    return "--tree: --method " + word_of(method_of(arguments)) +
+           " needs no tree";
+  }
+  if (!engine.has_tree_files()) return "--tree: --impl ref reads no trees";
+  const BuildArguments& build = arguments.build;
+  if (build.rule || build.candidates || build.seed || build.cut_weight) {
+    return "--tree: the tree is there already; leave out --heuristic, "
+           "--candidates, --seed and --cut-weight";
+  }
+  return {};
+}
+
+/// The rows asked for, if there are such rows.
+Result<std::optional<Rows>> rows_of(const RenderArguments& arguments,
+                                    std::int32_t height_px) {
+  if (!arguments.rows) return std::optional<Rows>();
+  const std::int64_t first = arguments.rows->first.value_or(0);
+  const std::int64_t end = arguments.rows->end.value_or(height_px);
+  if (first < end && end <= height_px) {
+    return std::optional(
+        Rows{static_cast<std::int32_t>(first), static_cast<std::int32_t>(end)});
+  }
+  return Error{ErrorCode::kOutOfRange,
+               "--rows: the image has the rows 0:" + std::to_string(height_px)};
+}
+
+}  // namespace
+
+Method method_of(const RenderArguments& arguments) {
+  if (arguments.method) return static_cast<Method>(*arguments.method);
+  return arguments.alpha ? Method::kPainter : Method::kSpan;
+}
+
+Library library_of(const RenderArguments& arguments) {
+  return library_of(arguments.build, needs_tree(method_of(arguments))
+                                         ? Library::kFast
+                                         : Library::kRef);
+}
+
+std::string complaint(const RenderArguments& arguments, const Engine& engine) {
+  if (!arguments.picture_file && !arguments.ids_file &&
+      !arguments.build.stats_file) {
+    return "render: nothing to write; give -o, --ids or --stats";
+  }
+  if (arguments.picture_file &&
+      !has_extension(*arguments.picture_file, ".png")) {
+    return *arguments.picture_file + ": pictures are written as .png";
+  }
+  const Method method = method_of(arguments);
+  if (!engine.has(method)) {
+    return "--impl fast: makes images by span or painter; use --impl ref for "
+           "--method " +
+           word_of(method);
+  }
+  if (arguments.alpha && method != Method::kPainter) {
+    return "--alpha: only --method painter blends, not " + word_of(method);
+  }
+  const std::string film = film_complaint(arguments);
+  return film.empty() ? tree_complaint(arguments, engine) : film;
+}
+
+Status make_tree(Engine& engine, const Scene& scene,
+                 const RenderArguments& arguments, BuildMeasure& tree) {
+  const Method method = method_of(arguments);
+  const Library library = library_of(arguments);
+  tree.library = library_words()[static_cast<std::size_t>(library)];
+  if (!needs_tree(method)) return Status::kFine;
+  const bool leaves = method == Method::kSpan;
+  if (arguments.tree_file) {
+    const std::string& path = *arguments.tree_file;
+    Result<BuildMeasure> loaded =
+        load_measured(engine, library, scene, path, leaves);
+    if (!loaded) return fail(path, loaded.error());
+    tree = *std::move(loaded);
+    return Status::kFine;
+  }
+  std::optional<BuildMeasure> built =
+      build_measured(engine, library, scene, arguments.build, leaves);
+  if (!built) return stop("interrupted; nothing was written");
+  tree = *std::move(built);
+  progress("tree: " + to_string(tree, scene.polygon_count()));
+  return Status::kFine;
+}
+
+Result<Frame> make_frame(const Engine& engine, const Loaded& loaded,
+                         const Camera& camera,
+                         const RenderArguments& arguments) {
+  const Result<std::optional<Rows>> rows =
+      rows_of(arguments, camera->height_px);
+  if (!rows) return rows.error();
+  Shot shot;
+  shot.method = method_of(arguments);
+  shot.options = choose_options(loaded.file, arguments.view);
+  shot.rows = *rows;
+  shot.alpha = arguments.alpha.value_or(kOpaque);
+  shot.threads = thread_count(arguments.build);
+  Frame frame;
+  if (shot.rows) {
+    frame.part = io::PartOfPicture{shot.rows->first, camera->height_px};
+  }
+  std::vector<double> times_ms;
+  for (std::uint32_t i = 0; i < arguments.repeat.value_or(1); ++i) {
+    const Stopwatch watch;
+    frame.picture = engine.render(loaded.file.scene, camera, shot);
+    times_ms.push_back(watch.elapsed_ms());
+  }
+  frame.frame_ms = median(std::move(times_ms));
+  return frame;
+}
+
+Status write_frame(const Frame& frame, const Outputs& outputs) {
+  if (outputs.picture_file) {
+    const Result<Done> written =
+        io::write_png(*outputs.picture_file, frame.picture.colors, frame.part);
+    if (!written) return fail(*outputs.picture_file, written.error());
+  }
+  if (outputs.ids_file) {
+    const Result<Done> written =
+        io::write_npy(*outputs.ids_file, frame.picture.items);
+    if (!written) return fail(*outputs.ids_file, written.error());
+  }
+  return Status::kFine;
+}
+
+void print_summary(const Loaded& loaded, const BuildMeasure& tree,
+                   const Frame& frame, std::int64_t frames,
+                   const RenderArguments& arguments) {
+  const std::size_t polygons = loaded.file.scene.polygon_count();
+  std::printf("%s: %zu polygons; %s\n", arguments.path.c_str(), polygons,
+              to_string(loaded.report).c_str());
+  const Method method = method_of(arguments);
+  if (needs_tree(method)) {
+    std::printf("tree: %s\n", to_string(tree, polygons).c_str());
+  }
+  std::printf("%s: %dx%d, ", word_of(method).c_str(),
+              frame.picture.items.width_px, frame.picture.items.height_px);
+  if (frames > 1) {
+    std::printf("%lld frames, the median ", static_cast<long long>(frames));
+  } else {
+    std::printf("%zu pixels painted, ", frame.picture.pixels_painted);
+  }
+  std::printf("%.3f ms (%s)\n", frame.frame_ms, tree.library.c_str());
+}
+
+nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& tree,
+                        const Frame& frame, std::int64_t frames,
+                        const RenderArguments& arguments) {
+  nlohmann::json stats = stats_of(loaded, tree);
+  stats["method"] = word_of(method_of(arguments));
+  stats["threads"] = thread_count(arguments.build);
+  stats["width_px"] = frame.picture.items.width_px;
+  stats["height_px"] = frame.picture.items.height_px;
+  stats["frame_ms"] = frame.frame_ms;
+  stats["frames"] = frames;
+  stats["repeats"] = arguments.repeat.value_or(1);
+  stats["pixels_painted"] = frame.picture.pixels_painted;
+  stats["fragments_displayed"] = frame.picture.fragments_displayed;
+  return stats;
+}
+
+}  // namespace halfspace::tools
