@@ -28,7 +28,7 @@ ALONE = {
     ("ref", "boolean"): {
         "keep": "fast decides by memberships round an edge, not by classes",
         "volume6": "a rational; fast has none",
-        "rounded": "fast has no export yet",
+        "rounded": "fast has exported(), of triangles",
     },
     ("fast", "predicate"): {
         "plane_corners": "three grid points; ref has the plane's rationals",

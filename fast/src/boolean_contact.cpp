@@ -83,7 +83,9 @@ void Contact::add_marks(std::size_t o, std::int32_t across) {
     Mark mark;
     mark.present[o] = true;
     if (s == 0 && t == 0) {
-      along_[o].push_back(id);
+      // An edge at which the surface touches itself may be there twice.
+      if (std::find(along_[o].begin(), along_[o].end(), id) == along_[o].end())
+        along_[o].push_back(id);
       for (const std::int32_t end : {edges[i].from, edges[i].to}) {
         mark.vertex = end;
         marks_.push_back(mark);
@@ -183,7 +185,7 @@ void Contact::meet_in_plane(std::size_t o) {
   const std::size_t p = 1 - o;
   for (std::uint32_t i = 0; i < face(o).edge_count; ++i) {
     const std::int32_t id = operand.edge_of[face(o).first_edge + i];
-    if (operand.edge(id).owner != faces_[o]) continue;
+    if (operand.edge(id).first_edge != face(o).first_edge + i) continue;
     const std::int32_t across = second_plane(operand.edge(id), operand, space_);
     if (!find_sides(p, across)) continue;
     const LineEdge edge = operand.edge(id);

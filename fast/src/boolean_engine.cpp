@@ -18,6 +18,7 @@ Solid Engine::run() {
   find_contacts();
   for (std::size_t o = 0; o < 2; ++o) {
     sort_records(o);
+    mark_touched(o);
     join_vertices(o);
     note_members(o);
   }
@@ -49,6 +50,21 @@ void Engine::sort_records(std::size_t o) {
   };
   sort(operand.cuts, first_cut_[o]);
   sort(operand.covers, first_cover_[o]);
+}
+
+/// What an edge meets is reported by one of its faces: it touches them all.
+void Engine::mark_touched(std::size_t o) {
+  Operand& operand = operands_[o];
+  for (const std::int32_t f : operand.active) {
+    const Face& face = operand.face(f);
+    const SolidEdge* edges = operand.edges_of(f);
+    std::uint8_t& touched = operand.touched[static_cast<std::size_t>(f)];
+    for (std::uint32_t i = 0; i < face.edge_count && touched == 0; ++i) {
+      const std::int32_t id = operand.edge_of[face.first_edge + i];
+      touched = operand.is_on_other(edges[i].from) || !cuts_of(o, id).empty() ||
+                !covers_of(o, id).empty();
+    }
+  }
 }
 
 std::span<const Cut> Engine::cuts_of(std::size_t o, std::int32_t edge) const {

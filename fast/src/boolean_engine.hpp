@@ -62,6 +62,7 @@ class Engine {
   void find_contacts();
   Solid result();
   void sort_records(std::size_t o);
+  void mark_touched(std::size_t o);
   void join_vertices(std::size_t o);
   void note_members(std::size_t o);
   void emit_edges(std::size_t o);

@@ -83,6 +83,7 @@ void add_edges(Operand& operand, const Space& space) {
     const bool swapped = space.compare(edge.axis, edge.low, edge.high) > 0;
     if (swapped) std::swap(edge.low, edge.high);
     edge.owner = first.face;
+    edge.first_edge = first.edge;
     edge.plane = operand.face(first.face).plane;
     edge.other = solid.edges[first.edge].other;
     edge.first_use = static_cast<std::uint32_t>(operand.uses.size());

@@ -19,6 +19,7 @@ struct LineEdge {
   std::int32_t plane = 0;   ///< of its first face
   std::int32_t other = -1;  ///< a second plane through it; -1: not known yet
   std::int32_t owner = 0;   ///< its first face, which reports what it meets
+  std::uint32_t first_edge = 0;  ///< of the solid: the face's
   std::uint32_t first_use = 0;
   std::uint32_t use_count = 0;
 };

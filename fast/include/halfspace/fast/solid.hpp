@@ -69,6 +69,20 @@ Solid to_solid(const halfspace::Solid& solid, const Solid& with,
 /// Keeps, Exact, Cost: as boolean().
 Solid symmetric_difference(const Solid& a, const Solid& b);
 
+/// Which faces in one plane that face the same way become one.
+enum class Merge : std::uint8_t {
+  kOrigin,  ///< parts of one polygon of one part
+  kColor,   ///< those of one colour
+  kPlane,   ///< all: the least surface
+};
+
+/// The solid with faces that share an edge merged, and with no vertex left at
+/// which nothing turns. What is merged counts as a part of the first face.
+///
+/// Keeps: the point set, and with it the planes. Edges at which other faces
+///        meet too, where the surface touches itself, stay.
+Solid merged(const Solid& solid, Merge rule);
+
 /// The plane normal.(p - origin) = 0. The normal's components have no common
 /// divisor, and its first one that is not zero is positive.
 struct SolidPlane {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/fast/solid.hpp"
+
+namespace halfspace::fast {
+
+/// How a solid becomes a mesh.
+struct ExportOptions {
+  /// Whether faces that are convex become triangles like the others.
+  bool triangles = false;
+};
+
+/// A solid's surface in doubles (S1.8). Units: model units.
+///
+/// The corners of polygon `p` are `corners[first_corner[p]]` up to but not
+/// including `corners[first_corner[p + 1]]`.
+struct ExportedMesh {
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::uint32_t> first_corner = {0};
+  std::vector<VertexId> corners;
+  std::vector<std::int32_t> faces;  ///< by polygon: which face it is a part of
+  std::vector<Rgb> colors;          ///< by polygon
+  std::size_t moved = 0;  ///< vertices that doubles may not hold exactly
+  double max_move = 0;    ///< no coordinate moved farther
+  /// The polygons that rounding may have turned over or flattened.
+  std::vector<std::int32_t> turned;
+};
+
+/// The solid as convex polygons, or as triangles, in doubles. Every vertex is
+/// within 2^-49 of its size of the exact one.
+///
+/// Shape: closed like the solid: what was one point is one vertex. Vertices in
+///        the order of their coordinates, polygons in that of their corners:
+///        equal solids give equal meshes, however they came about, if their
+///        faces do.
+ExportedMesh exported(const Solid& solid, const ExportOptions& options = {});
+
+}  // namespace halfspace::fast

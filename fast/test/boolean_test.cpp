@@ -1,0 +1,125 @@
+#include "halfspace/fast/boolean.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "halfspace/fast/export.hpp"
+#include "lattice.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+using lattice::Cubes;
+
+constexpr BooleanOp kOperations[] = {
+    BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference};
+
+bool holds(BooleanOp operation, bool a, bool b) {
+  switch (operation) {
+    case BooleanOp::kUnion:
+      return a || b;
+    case BooleanOp::kIntersection:
+      return a && b;
+    case BooleanOp::kDifference:
+      break;
+  }
+  return a && !b;
+}
+
+Cubes combined(BooleanOp operation, const Cubes& a, const Cubes& b) {
+  Cubes result;
+  for (std::size_t i = 0; i < result.full.size(); ++i)
+    result.full[i] = holds(operation, a.full[i], b.full[i]);
+  return result;
+}
+
+/// How many triangles the mesh has, and that it is closed.
+std::size_t triangles_of(const Solid& solid) {
+  const ExportedMesh mesh = exported(solid, {.triangles = true});
+  EXPECT_TRUE(mesh.turned.empty());
+  std::map<std::pair<VertexId, VertexId>, int> uses;
+  for (std::size_t p = 0; p < mesh.faces.size(); ++p) {
+    EXPECT_EQ(mesh.first_corner[p + 1], 3 * p + 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId from = mesh.corners[3 * p + i];
+      const VertexId to = mesh.corners[3 * p + (i + 1) % 3];
+      uses[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  for (const auto& [edge, excess] : uses) EXPECT_EQ(excess, 0);
+  return mesh.faces.size();
+}
+
+/// Six times the volume, which is exact for small whole coordinates.
+double volume6(const ExportedMesh& mesh) {
+  double sum = 0;
+  for (std::size_t p = 0; p < mesh.faces.size(); ++p) {
+    const auto at = [&](std::size_t i) {
+      return mesh.vertices[static_cast<std::size_t>(
+          mesh.corners[mesh.first_corner[p] + i])];
+    };
+    const auto a = at(0);
+    for (std::uint32_t i = 2;
+         i < mesh.first_corner[p + 1] - mesh.first_corner[p]; ++i) {
+      const auto b = at(i - 1);
+      const auto c = at(i);
+      sum += a[0] * (b[1] * c[2] - b[2] * c[1]) +
+             a[1] * (b[2] * c[0] - b[0] * c[2]) +
+             a[2] * (b[0] * c[1] - b[1] * c[0]);
+    }
+  }
+  return sum;
+}
+
+void expect_cubes(const Solid& solid, const Cubes& cubes) {
+  ASSERT_TRUE(bad_edges(solid).empty());
+  bool whole = false;
+  ASSERT_TRUE(lattice::outline(solid, whole) == lattice::outline(cubes));
+  ASSERT_TRUE(whole);
+  const Solid least = merged(solid, Merge::kPlane);
+  ASSERT_TRUE(bad_edges(least).empty());
+  ASSERT_TRUE(lattice::outline(least, whole) == lattice::outline(cubes));
+  ASSERT_TRUE(whole);
+  ASSERT_TRUE(lattice::is_least(least));
+  triangles_of(least);
+  const auto count = std::count(cubes.full.begin(), cubes.full.end(), true);
+  ASSERT_EQ(volume6(exported(least)), 6.0 * static_cast<double>(count));
+}
+
+/// The number of pairs: more where the environment asks for a campaign.
+int pair_count() {
+  const char* asked = std::getenv("HALFSPACE_LATTICE_PAIRS");
+  return asked != nullptr ? std::atoi(asked) : 40;
+}
+
+TEST(FastBoolean, SolidsOfCubesAreCombinedCubeByCube) {
+  std::uint64_t state = 17;
+  const int count = pair_count();
+  for (int pair = 0; pair < count; ++pair) {
+    SCOPED_TRACE("pair " + std::to_string(pair));
+    const int lump = pair % 4 == 0 ? 1 : pair % 4 == 3 ? 4 : 2;
+    const Cubes a = lattice::random_cubes(lump, state);
+    const Cubes b = lattice::random_cubes(pair % 5 == 0 ? 1 : 2, state);
+    const Cubes c = lattice::random_cubes(4, state);
+    const Solid first = to_solid(lattice::surface(a));
+    const Solid second = to_solid(lattice::surface(b), first);
+    const Solid third = to_solid(lattice::surface(c), first);
+    for (const BooleanOp operation : kOperations) {
+      const Solid result = boolean(operation, first, second);
+      const Cubes cubes = combined(operation, a, b);
+      ASSERT_NO_FATAL_FAILURE(expect_cubes(result, cubes));
+      // The result is an operand like any other, merged or not.
+      const BooleanOp then = kOperations[pair % 3];
+      ASSERT_NO_FATAL_FAILURE(
+          expect_cubes(boolean(then, result, third), combined(then, cubes, c)));
+      ASSERT_NO_FATAL_FAILURE(
+          expect_cubes(boolean(then, third, merged(result, Merge::kPlane)),
+                       combined(then, c, cubes)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace halfspace::fast
