@@ -218,6 +218,12 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
   return result;
 }
 
+void paint(const Scene& scene, const BspTree& tree, const Camera& camera,
+           const ImageOptions& image, const RenderOptions& options,
+           Rendering& result) {
+  run(scene, tree, camera, image, options, {Order::kBackToFront}, result);
+}
+
 Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& image, std::uint8_t alpha,
                 const RenderOptions& options) {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace halfspace::io {
@@ -28,6 +29,11 @@ double lattice_per_model_unit(const Unit& unit) {
   return unit.exponent <= 0 ? kLatticePerGrid * power : kLatticePerGrid / power;
 }
 
+/// How far the lattice reaches along each axis. Units: lattice steps.
+double lattice_limit(const Scene& scene) {
+  return std::ldexp(1, scene.grid_bits() - 1 + kLatticeBits + kCameraRangeBits);
+}
+
 bool is_finite(const dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -43,18 +49,33 @@ struct Axes {
   dvec3 down;
 };
 
+/// The vector with length 1, or itself if it is zero. Scaled by a power of two
+/// first, so that no length is too large or too small for a double.
+dvec3 unit_vector(const dvec3& v) {
+  const double size = greatest(v);
+  if (size == 0) return v;
+  const int exponent = std::ilogb(size);
+  return glm::normalize(dvec3(std::ldexp(v.x, -exponent),
+                              std::ldexp(v.y, -exponent),
+                              std::ldexp(v.z, -exponent)));
+}
+
 Result<Axes> axes_of(const ViewOptions& options) {
   Axes axes;
-  axes.forward = glm::normalize(options.target - options.eye);
-  if (!is_finite(axes.forward)) {
+  // Halves, for the difference of two doubles may be none.
+  axes.forward = unit_vector(options.target / 2.0 - options.eye / 2.0);
+  if (greatest(axes.forward) == 0) {
     return Error{ErrorCode::kBadCamera, "the eye is at its target"};
   }
-  // Normalised before and after, so that no length underflows.
-  axes.right = glm::cross(axes.forward, glm::normalize(options.up));
+  if (greatest(options.up) == 0) {
+    return Error{ErrorCode::kBadCamera,
+                 "the camera's up is zero, which points nowhere"};
+  }
+  axes.right = glm::cross(axes.forward, unit_vector(options.up));
   constexpr double kLeast = 1e-9;  // far more than rounding leaves
   if (!(greatest(axes.right) > kLeast)) {
     return Error{ErrorCode::kBadCamera,
-                 "the camera's up is zero or its direction of view"};
+                 "the camera's up is along its direction of view"};
   }
   axes.right = glm::normalize(axes.right);
   axes.down = glm::cross(axes.forward, axes.right);
@@ -102,8 +123,7 @@ class CameraMaker {
       : options_(options),
         axes_(axes),
         scale_(lattice_per_model_unit(scene.unit())),
-        limit_(std::ldexp(
-            1, scene.grid_bits() - 1 + kLatticeBits + kCameraRangeBits)),
+        limit_(lattice_limit(scene)),
         grid_bits_(scene.grid_bits()),
         eye_(options.eye * scale_) {}
 
@@ -196,6 +216,11 @@ Result<Viewed> CameraMaker::finish() {
   data_.sy = round(pixel_ * axes_.down);
   data_.s0 = round(first);
   Result<Camera> camera = make_camera(data_, grid_bits_);
+  if (!camera && pixel_ < 2) {
+    return Error{ErrorCode::kBadCamera,
+                 "a pixel is less than a step of the camera's lattice: the "
+                 "view is too narrow for so many rows"};
+  }
   if (!camera) return camera.error();
   const double most = std::max(note_corners(), eye_move_);
   return Viewed{*camera, most / kLatticePerGrid, options_};
@@ -253,19 +278,29 @@ Result<Viewed> CameraMaker::make_orthographic() {
 }
 
 Result<Viewed> CameraMaker::make() {
-  if (!std::isfinite(scale_) || !(greatest(eye_) < kUsedRange * limit_)) {
-    return Error{ErrorCode::kOutOfRange,
-                 "the eye is farther away than cameras of this scene reach, " +
-                     std::to_string(limit_ / scale_) + " model units"};
-  }
   if (options_.orthographic) return make_orthographic();
   return make_perspective();
+}
+
+/// What is wrong with the place of the eye.
+std::optional<Error> eye_error(const Scene& scene, const dvec3& eye) {
+  const double scale = lattice_per_model_unit(scene.unit());
+  const double limit = lattice_limit(scene);
+  if (std::isfinite(scale) && greatest(eye) * scale < kUsedRange * limit) {
+    return std::nullopt;
+  }
+  std::ostringstream reach;
+  reach << limit / scale;
+  return Error{ErrorCode::kOutOfRange,
+               "the eye is farther away than cameras of this scene reach, " +
+                   reach.str() + " model units"};
 }
 
 }  // namespace
 
 Result<Viewed> look_at(const Scene& scene, const ViewOptions& options) {
   if (auto error = options_error(options)) return *error;
+  if (auto error = eye_error(scene, options.eye)) return *error;
   const Result<Axes> axes = axes_of(options);
   if (!axes) return axes.error();
   return CameraMaker(scene, options, *axes).make();

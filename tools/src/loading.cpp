@@ -38,7 +38,7 @@ Result<Loaded> load_scene_file(const std::string& path,
 }  // namespace
 
 Error about(const std::string& path, Error error) {
-  if (!error.message.starts_with(path))
+  if (!path.empty() && !error.message.starts_with(path))
     error.message = path + ": " + error.message;
   return error;
 }
@@ -57,6 +57,9 @@ bool is_scene_name(const std::filesystem::path& path) {
 }
 
 Result<Loaded> load(const std::string& path, const io::ImportOptions& options) {
+  if (path.empty()) {
+    return Error{ErrorCode::kUnreadable, "the name of the file is empty"};
+  }
   if (is_scene_name(path)) return load_scene_file(path, options);
   const Result<io::Mesh> mesh = io::read_mesh(path);
   if (!mesh) return about(path, mesh.error());

@@ -42,7 +42,23 @@ expect 2 'cube.off' render cube.off -o a.png --fov 0
 expect 2 'cube.off' render cube.off -o a.png --fov 180
 expect 2 'cube.off' render cube.off -o a.png --ortho --height 0
 expect 2 'cube.off' render cube.off -o a.png --near=-1
-expect 2 'cube.off' render cube.off -o a.png --eye 1e300,0,0
+expect 2 'cube.off.*pixel is less' render cube.off -o a.png --fov 1e-300
+expect 2 'cube.off.*up is zero' render cube.off -o a.png --up 0,0,0
+expect 2 'cube.off.*near distance' render cube.off -o a.png --near 1e300
+# Numbers at the ends of what doubles hold: too far is said to be too far, and
+# directions of any length are directions.
+for eye in 1e300,0,0 0,-1e308,5 1e308,1e308,1e308; do
+  expect 2 'cube.off.*eye is farther away' render cube.off -o a.png --eye $eye
+done
+expect 0 'span' render cube.off --ids a.npy --size 9x9 --up 0,0,5
+for up in 0,0,1e300 0,0,1e-320; do
+  expect 0 'span' render cube.off --ids b.npy --size 9x9 --up $up
+  same a.npy b.npy
+done
+for target in 1e300,0,0 -1e308,1e308,0; do
+  expect 0 'span' render cube.off --ids b.npy --size 9x9 --target $target
+done
+expect 2 'name of the file is empty' info ''
 
 # Files that are not there, or not files.
 mkdir folder.off folder.scene

@@ -13,6 +13,12 @@ namespace halfspace::fast {
 Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& image, const RenderOptions& options = {});
 
+/// The same into a rendering that is there: no memory is asked for where the
+/// sizes agree.
+void paint(const Scene& scene, const BspTree& tree, const Camera& camera,
+           const ImageOptions& image, const RenderOptions& options,
+           Rendering& result);
+
 /// The same image with every polygon as transparent as `alpha` says (S5.6): 0
 /// is not seen at all, 255 hides what is behind.
 ///
