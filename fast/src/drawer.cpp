@@ -22,6 +22,9 @@ constexpr std::uint8_t blended(std::uint32_t over, std::uint32_t under,
       (2 * (alpha * over + (kOpaque - alpha) * under) + kOpaque) / 510);
 }
 
+/// So many planes are remembered. A leaf's should mostly fit.
+constexpr std::size_t kSeenPlanes = 512;
+
 }  // namespace
 
 template <int kBits>
@@ -31,7 +34,73 @@ Drawer<kBits>::Drawer(const Frame& frame, Canvas& canvas)
       scan_(frame.reader, frame.camera),
       shader_(frame.reader.scene(), frame.camera, frame.view),
       gouraud_(frame.image.shading == Shading::kGouraud &&
-               !frame.reader.scene().data().corner_colors.empty()) {}
+               !frame.reader.scene().data().corner_colors.empty()),
+      decider_{begin,    exact_line, nearer,
+               gradient, shade,      frame.alpha == kOpaque ? nullptr : blend,
+               this},
+      seen_(kSeenPlanes) {
+  gathered_[1].polygons.corners = 4;
+}
+
+template <int kBits>
+void Drawer<kBits>::prefetch(const Node& leaf) const {
+  const SceneData& scene = frame_.reader.scene().data();
+  for_fragments(frame_.reader.tree(), leaf, [&](const TreeFragment& fragment) {
+    for (const Corner& corner : frame_.reader.corners(fragment)) {
+      __builtin_prefetch(frame_.reader.address(corner.vertex));
+    }
+    const auto source = static_cast<std::size_t>(fragment.source);
+    if (gouraud_) {
+      __builtin_prefetch(scene.first_corner.data() + source);
+    } else {
+      __builtin_prefetch(scene.colors.data() + source);
+    }
+    return true;
+  });
+}
+
+template <int kBits>
+void Drawer<kBits>::gather(const TreeFragment& fragment,
+                           Gathered& gathered) const {
+  SmallPolygons& polygons = gathered.polygons;
+  const auto k = static_cast<std::size_t>(polygons.count++);
+  gathered.fragments[k] = &fragment;
+  double error = 0;
+  std::size_t c = 0;
+  for (const Corner& corner : frame_.reader.corners(fragment)) {
+    const Vertex v = frame_.reader.vertex(corner.vertex);
+    polygons.x[c][k] = v.x;
+    polygons.y[c][k] = v.y;
+    polygons.z[c][k] = v.z;
+    error = std::max(error, v.error);
+    ++c;
+  }
+  polygons.error[k] = error;
+}
+
+template <int kBits>
+void Drawer<kBits>::draw_small(Gathered& gathered) {
+  SmallPolygons& polygons = gathered.polygons;
+  // Eight are read at a time.
+  for (auto k = static_cast<std::size_t>(polygons.count); k % 8 != 0; ++k) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      polygons.x[c][k] = polygons.x[c][0];
+      polygons.y[c][k] = polygons.y[c][0];
+      polygons.z[c][k] = polygons.z[c][0];
+    }
+    polygons.error[k] = polygons.error[0];
+  }
+  drawn_ = &gathered;
+  fragments_ += static_cast<std::size_t>(frame_.kernel.draw_small(
+      canvas_, frame_.view, frame_.image.cull, polygons, decider_));
+}
+
+template <int kBits>
+Ink Drawer<kBits>::begin(void* self, std::int32_t k, std::int32_t turn) {
+  auto& drawer = *static_cast<Drawer*>(self);
+  return drawer.start(*drawer.drawn_->fragments[k],
+                      -drawer.frame_.view.orientation * turn);
+}
 
 /// Projects the corners, with a bound on their error.
 ///
@@ -115,36 +184,42 @@ int Drawer<kBits>::turn(std::size_t count) const {
   return (area > doubt) - (area < -doubt);
 }
 
+/// The fragment that is meant from now on, and its colour.
+template <int kBits>
+const Ink& Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
+  fragment_ = &fragment;
+  eye_sign_ = eye_sign;
+  scan_.start(fragment, eye_sign);
+  ++serial_;
+  const Scene& scene = frame_.reader.scene();
+  bool smooth = false;
+  Rgb color;
+  if (gouraud_) {
+    smooth = has_gradient(scene, fragment.source);
+    if (smooth) shader_.start(fragment.source, eye_sign);
+    color = scene.corner_colors(fragment.source)[0];
+  } else {
+    color = scene.color(fragment.source);
+  }
+  ink_ = {fragment.source, {color.r, color.g, color.b}, smooth};
+  return ink_;
+}
+
 template <int kBits>
 void Drawer<kBits>::draw_projected(const TreeFragment& fragment, Fate fate,
                                    int eye_sign) {
   ++fragments_;
-  fragment_ = &fragment;
-  eye_sign_ = eye_sign;
-  scan_.start(fragment, eye_sign);
-  seen_ready_ = false;
-
-  const Scene& scene = frame_.reader.scene();
-  color_ = scene.color(fragment.source);
-  shaded_ = gouraud_ && has_gradient(scene, fragment.source);
-  if (shaded_) {
-    shader_.start(fragment.source, eye_sign);
-  } else if (gouraud_) {
-    color_ = scene.corner_colors(fragment.source)[0];
-  }
-  const Ink ink = {fragment.source, {color_.r, color_.g, color_.b}};
-  Decider decider = {exact_line, nearer, shaded_ ? shade : nullptr, this};
-  if (frame_.alpha != kOpaque) decider.shade = blend;
+  const Ink& ink = start(fragment, eye_sign);
   if (fate == Fate::kLines) {
     pixels_ += static_cast<std::size_t>(
-        frame_.kernel.draw_lines(canvas_, canvas_.lines, ink, decider));
+        frame_.kernel.draw_lines(canvas_, canvas_.lines, ink, decider_));
     return;
   }
   const Outline outline = {x_, y_,
                            static_cast<std::int32_t>(fragment.corner_count),
                            error_, -frame_.view.orientation * eye_sign};
   pixels_ += static_cast<std::size_t>(
-      frame_.kernel.draw(canvas_, outline, ink, decider));
+      frame_.kernel.draw(canvas_, outline, ink, decider_));
 }
 
 template <int kBits>
@@ -156,43 +231,41 @@ PixelRange Drawer<kBits>::exact_line(void* self, std::int32_t j,
 }
 
 template <int kBits>
+const Gradient& Drawer<kBits>::gradient(void* self) {
+  return static_cast<Drawer*>(self)->shader_.gradient();
+}
+
+template <int kBits>
 void Drawer<kBits>::shade(void* self, std::int32_t x, std::int32_t y,
-                          const std::uint32_t* lit) {
+                          std::uint32_t bits) {
   auto& drawer = *static_cast<Drawer*>(self);
   const Canvas& canvas = drawer.canvas_;
-  for (std::int32_t r = 0; r < kTileHeight; ++r) {
-    if (lit[r] == 0) continue;
-    std::uint8_t* line =
-        canvas.colors + (y + r) * canvas.colors_stride + std::int64_t{3} * x;
-    drawer.stats_.exact += static_cast<std::uint64_t>(
-        drawer.shader_.shade(x, y + r, lit[r], line));
-  }
+  drawer.stats_.exact += static_cast<std::uint64_t>(drawer.shader_.shade(
+      x, y, bits, canvas.colors, 3 * canvas.pixel_at(x, y)));
 }
 
 /// Lays the fragment at hand over what is there (S5.6).
 template <int kBits>
 void Drawer<kBits>::blend(void* self, std::int32_t x, std::int32_t y,
-                          const std::uint32_t* lit) {
+                          const std::uint32_t* bits) {
   auto& drawer = *static_cast<Drawer*>(self);
   const Canvas& canvas = drawer.canvas_;
   std::uint8_t over[3 * kTileWidth];
-  for (std::int32_t k = 0; k < kTileWidth; ++k) {
-    over[3 * k] = drawer.color_.r;
-    over[3 * k + 1] = drawer.color_.g;
-    over[3 * k + 2] = drawer.color_.b;
+  for (std::size_t k = 0; k < sizeof(over); ++k) {
+    over[k] = drawer.ink_.rgb[k % 3];
   }
   for (std::int32_t r = 0; r < kTileHeight; ++r) {
-    if (lit[r] == 0) continue;
-    if (drawer.shaded_) {
+    if (bits[r] == 0) continue;
+    if (drawer.ink_.smooth) {
       drawer.stats_.exact += static_cast<std::uint64_t>(
-          drawer.shader_.shade(x, y + r, lit[r], over));
+          drawer.shader_.shade(x, y + r, bits[r], over, 0));
     }
-    std::uint8_t* line =
-        canvas.colors + (y + r) * canvas.colors_stride + std::int64_t{3} * x;
-    for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
-      const int first = 3 * __builtin_ctz(bits);
+    const std::int64_t at = 3 * canvas.pixel_at(x, y + r);
+    for (std::uint32_t rest = bits[r]; rest != 0; rest &= rest - 1) {
+      const int first = 3 * __builtin_ctz(rest);
       for (int c = first; c < first + 3; ++c) {
-        line[c] = blended(over[c], line[c], drawer.frame_.alpha);
+        std::uint8_t& channel = canvas.colors[at + c];
+        channel = blended(over[c], channel, drawer.frame_.alpha);
       }
     }
   }
@@ -214,18 +287,23 @@ bool Drawer<kBits>::is_nearer(PolygonId other, std::int32_t i, std::int32_t j) {
 }
 
 template <int kBits>
-const typename Drawer<kBits>::Rival& Drawer<kBits>::rival(PolygonId other) {
-  const Geometry& geometry = frame_.reader.geometry();
-  if (!seen_ready_) {
-    seen_ready_ = true;
-    seen_ = see_approximately(geometry.plane(fragment_->source), frame_.view);
-    rivals_.fill({});
+const SeenApproximately& Drawer<kBits>::seen(PolygonId polygon) {
+  Seen& entry = seen_[static_cast<std::size_t>(polygon) % seen_.size()];
+  if (entry.polygon != polygon) {
+    entry = {polygon, see_approximately(frame_.reader.geometry().plane(polygon),
+                                        frame_.view)};
   }
+  return entry.plane;
+}
+
+template <int kBits>
+const typename Drawer<kBits>::Rival& Drawer<kBits>::rival(PolygonId other) {
   Rival& entry = rivals_[static_cast<std::size_t>(other) % rivals_.size()];
-  if (entry.polygon == other) return entry;
-  const SeenApproximately there =
-      see_approximately(geometry.plane(other), frame_.view);
-  entry = {other, order_line(seen_, there)};
+  if (entry.polygon == other && entry.serial == serial_) return entry;
+  // Both may be kept at the same place.
+  const SeenApproximately here = seen(fragment_->source);
+  const SeenApproximately there = seen(other);
+  entry = {other, serial_, order_line(here, there)};
   // Read against the sides that the eye is on; where the other's is in doubt,
   // so is all of this.
   const int there_sign = known_sign(there.eye);
@@ -239,18 +317,18 @@ const typename Drawer<kBits>::Rival& Drawer<kBits>::rival(PolygonId other) {
 
 template <int kBits>
 void Drawer<kBits>::nearer(void* self, std::int32_t x, std::int32_t y,
-                           std::uint32_t* lit) {
+                           const std::int32_t* items, std::int64_t first,
+                           std::int64_t stride, std::uint32_t* lit) {
   auto& drawer = *static_cast<Drawer*>(self);
-  const Canvas& canvas = drawer.canvas_;
   for (std::int32_t r = 0; r < kTileHeight; ++r) {
     const std::int32_t j = y + r;
-    const std::int32_t* items = canvas.items + j * canvas.items_stride + x;
+    const std::int64_t line = first + r * stride;
     const Rival* rival = nullptr;
     double level = 0;
     for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
       const int k = __builtin_ctz(bits);
-      if (rival == nullptr || rival->polygon != items[k]) {
-        rival = &drawer.rival(items[k]);
+      if (rival == nullptr || rival->polygon != items[line + k]) {
+        rival = &drawer.rival(items[line + k]);
         level = rival->line.b * j + rival->line.c;
       }
       const double order = rival->line.a * (x + k) + level;

@@ -10,6 +10,7 @@
 #include "kernel.hpp"
 #include "shader.hpp"
 #include "view.hpp"
+#include "walk.hpp"
 
 namespace halfspace::fast {
 
@@ -44,12 +45,26 @@ class Drawer {
     draw_projected(fragment, fate, sign);
   }
 
-  /// Asks for the memory that drawing the fragment will read.
-  void prefetch(const TreeFragment& fragment) const {
-    for (const Corner& corner : frame_.reader.corners(fragment)) {
-      __builtin_prefetch(frame_.reader.address(corner.vertex));
-    }
+  /// Draws the fragments of a leaf, whose order does not matter.
+  template <class EyeSide>
+  void draw_leaf(const Node& leaf, EyeSide&& eye_side) {
+    for_fragments(frame_.reader.tree(), leaf, [&](const TreeFragment& f) {
+      if (f.corner_count > 4) {
+        draw_any(f, eye_side);
+        return true;
+      }
+      Gathered& gathered = gathered_[f.corner_count - 3];
+      gather(f, gathered);
+      if (gathered.polygons.count == SmallPolygons::kMost) {
+        draw_gathered(gathered, eye_side);
+      }
+      return true;
+    });
+    for (Gathered& gathered : gathered_) draw_gathered(gathered, eye_side);
   }
+
+  /// Asks for the memory that drawing the leaf will read.
+  void prefetch(const Node& leaf) const;
 
   std::size_t pixels() const { return pixels_; }
   std::size_t fragments() const { return fragments_; }
@@ -61,24 +76,58 @@ class Drawer {
 
   enum class Fate { kOutline, kLines, kUnseen };
 
+  /// Fragments that are drawn together.
+  struct Gathered {
+    SmallPolygons polygons;
+    const TreeFragment* fragments[SmallPolygons::kMost];
+  };
+
+  void gather(const TreeFragment& fragment, Gathered& gathered) const;
+
+  /// Fewer than this are sooner drawn one by one.
+  static constexpr std::int32_t kFew = 4;
+
+  template <class EyeSide>
+  void draw_gathered(Gathered& gathered, EyeSide&& eye_side) {
+    SmallPolygons& polygons = gathered.polygons;
+    if (polygons.count < kFew) {
+      for (std::int32_t k = 0; k < polygons.count; ++k) {
+        draw_any(*gathered.fragments[k], eye_side);
+      }
+    } else {
+      draw_small(gathered);
+      for (std::int32_t k = 0; k < polygons.left_count; ++k) {
+        draw_any(*gathered.fragments[polygons.left[k]], eye_side);
+      }
+    }
+    polygons.count = 0;
+  }
+  void draw_small(Gathered& gathered);
+
   Fate project(const TreeFragment& fragment);
   int turn(std::size_t count) const;
   void draw_projected(const TreeFragment& fragment, Fate fate, int eye_sign);
+  const Ink& start(const TreeFragment& fragment, int eye_sign);
+  static Ink begin(void* self, std::int32_t k, std::int32_t turn);
   static PixelRange exact_line(void* self, std::int32_t j, PixelRange range);
   static void nearer(void* self, std::int32_t x, std::int32_t y,
-                     std::uint32_t* lit);
+                     const std::int32_t* items, std::int64_t first,
+                     std::int64_t stride, std::uint32_t* lit);
+  static const Gradient& gradient(void* self);
   static void shade(void* self, std::int32_t x, std::int32_t y,
-                    const std::uint32_t* lit);
+                    std::uint32_t bits);
   static void blend(void* self, std::int32_t x, std::int32_t y,
-                    const std::uint32_t* lit);
+                    const std::uint32_t* bits);
   bool is_nearer(PolygonId other, std::int32_t i, std::int32_t j);
 
   /// How the fragment at hand lies to a polygon that it contests pixels with.
   struct Rival {
     PolygonId polygon = kBackground;
+    std::uint32_t serial = 0;
     OrderLine line;  ///< positive where the fragment at hand is nearer
   };
   const Rival& rival(PolygonId other);
+  const SeenApproximately& seen(PolygonId polygon);
 
   const Frame& frame_;
   Canvas& canvas_;
@@ -87,14 +136,21 @@ class Drawer {
   bool gouraud_;
   const TreeFragment* fragment_ = nullptr;
   int eye_sign_ = 0;
-  bool shaded_ = false;  ///< else in one colour
-  Rgb color_;
+  Ink ink_;
   double x_[kMostCorners];
   double y_[kMostCorners];
   double error_ = 0;
-  bool seen_ready_ = false;
-  SeenApproximately seen_;
+  Decider decider_;
+  std::uint32_t serial_ = 0;  ///< of the fragment at hand
   std::array<Rival, 16> rivals_;
+  /// Planes that were seen lately.
+  struct Seen {
+    PolygonId polygon = kBackground;
+    SeenApproximately plane;
+  };
+  std::vector<Seen> seen_;
+  std::array<Gathered, 2> gathered_;  ///< triangles, quadrangles
+  const Gathered* drawn_ = nullptr;   ///< those that are being drawn
   std::size_t pixels_ = 0;
   std::size_t fragments_ = 0;
   FilterStats stats_;

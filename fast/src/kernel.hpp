@@ -6,6 +6,8 @@
 
 namespace halfspace::fast {
 
+struct View;
+
 /// A tile is 32 x 8 pixels: one word a line, least bit leftmost, 256 bits.
 constexpr std::int32_t kTileWidth = 32;
 constexpr std::int32_t kTileHeight = 8;
@@ -15,17 +17,18 @@ constexpr std::int32_t kTileHeight = 8;
 /// Plain pointers, so that the inner loops can be compiled for several
 /// instruction sets and share nothing else. Units: pixels, tiles.
 struct Canvas {
-  PixelRange columns;  ///< the columns asked for
-  PixelRange lines;    ///< the lines of this thread, of those asked for
+  PixelRange columns;          ///< the columns asked for: those of the images
+  PixelRange lines;            ///< the lines of this thread, of those asked for
+  std::int32_t first_row = 0;  ///< the tile row at which tiles are counted
   std::int32_t tiles_across = 0;
   std::int32_t words_across = 0;   ///< of `open`, a tile row
   std::uint32_t* lit = nullptr;    ///< 8 words a tile, tile by tile
   std::uint64_t* open = nullptr;   ///< one bit a tile: some pixel is unlit
   std::int64_t open_tiles = 0;     ///< how many of those bits are set
-  std::int32_t* items = nullptr;   ///< of pixel (0, 0), may be out of bounds
-  std::uint8_t* colors = nullptr;  ///< the same; null: not wanted
-  std::int64_t items_stride = 0;   ///< entries a line
-  std::int64_t colors_stride = 0;  ///< bytes a line
+  std::int32_t top = 0;            ///< the line at which the images begin
+  std::int32_t* items = nullptr;   ///< null: not wanted
+  std::uint8_t* colors = nullptr;  ///< null: not wanted
+  std::int64_t width = 0;          ///< of the images
 
   bool overwrite = false;  ///< back to front: paint the lit pixels, too
 
@@ -37,6 +40,22 @@ struct Canvas {
   std::uint32_t* before = nullptr;   ///< lit, when that leaf touched it first
   std::int32_t* full = nullptr;      ///< tiles to be closed after the leaf
   std::int32_t full_count = 0;
+  /// Where no items are wanted, those that the leaf lights: 256 for each tile
+  /// that it has touched, at the place that `slot_of` tells.
+  std::int32_t* slots = nullptr;
+  std::uint32_t* slot_of = nullptr;
+  std::uint32_t slot_count = 0;
+
+  std::int64_t tile_at(std::int32_t row, std::int32_t tile) const {
+    return std::int64_t{row - first_row} * tiles_across + tile;
+  }
+  std::int64_t open_at(std::int32_t row) const {
+    return std::int64_t{row - first_row} * words_across;
+  }
+  /// Where a pixel is in the images.
+  std::int64_t pixel_at(std::int32_t x, std::int32_t y) const {
+    return (y - top) * width + (x - columns.first);
+  }
 };
 
 /// A convex polygon in the image, each corner off by at most `error` in x and
@@ -49,35 +68,79 @@ struct Outline {
   std::int32_t turn = 1;
 };
 
-/// What the loops ask back where doubles cannot tell.
-struct Decider {
-  /// The pixels of line `j` whose samples the polygon covers, of `range`.
-  PixelRange (*exact_line)(void* context, std::int32_t j, PixelRange range);
-  /// Of the pixels `lit` (8 words) of the tile with the left top pixel (x, y),
-  /// lit by this leaf, those where this polygon is nearer: left in `lit`.
-  void (*nearer)(void* context, std::int32_t x, std::int32_t y,
-                 std::uint32_t* lit);
-  /// Colours the pixels `lit` of a tile; null: flat colour.
-  void (*shade)(void* context, std::int32_t x, std::int32_t y,
-                const std::uint32_t* lit);
-  void* context;
+/// The colours of a triangle (S5.4): a channel is its sum over the total, and
+/// off by at most `doubt` over the total.
+///
+/// Three sums and the total, each a i + b j + c at the centre of pixel (i, j).
+struct Gradient {
+  alignas(32) double a[4];
+  alignas(32) double b[4];
+  alignas(32) double c[4];
+  double doubt = 0;
 };
 
 /// What is written where a polygon lights a pixel.
 struct Ink {
   std::int32_t id = 0;
   std::uint8_t rgb[3] = {0, 0, 0};
+  bool smooth = false;  ///< Decider::gradient() tells the colours
+};
+
+/// Triangles or quadrangles of a leaf, on their way to the screen together.
+struct SmallPolygons {
+  static constexpr std::int32_t kMost = 64;
+  /// The corners in space, and how far off they are. Units: grid steps.
+  alignas(32) double x[4][kMost];
+  alignas(32) double y[4][kMost];
+  alignas(32) double z[4][kMost];
+  alignas(32) double error[kMost];
+  std::int32_t corners = 3;  ///< of each: 3 or 4
+  std::int32_t count = 0;
+  /// Those that were not drawn: what they need is not done here.
+  std::int32_t left[kMost];
+  std::int32_t left_count = 0;
+};
+
+/// What the loops ask back where doubles cannot tell.
+struct Decider {
+  /// Of polygons drawn together: the k-th is meant from now on, and turns
+  /// as an Outline does.
+  Ink (*begin)(void* context, std::int32_t k, std::int32_t turn);
+  /// The pixels of line `j` whose samples the polygon covers, of `range`.
+  PixelRange (*exact_line)(void* context, std::int32_t j, PixelRange range);
+  /// Of the pixels `lit` (8 words) of the tile with the left top pixel (x, y),
+  /// lit by this leaf, those where this polygon is nearer: left in `lit`.
+  /// The tile's items are from items[first] on, `stride` entries a line; only
+  /// those of the pixels asked for need be there.
+  void (*nearer)(void* context, std::int32_t x, std::int32_t y,
+                 const std::int32_t* items, std::int64_t first,
+                 std::int64_t stride, std::uint32_t* lit);
+  /// The polygon's colours, where they are smooth.
+  const Gradient& (*gradient)(void* context);
+  /// Colours the pixels `bits` of line y of a tile one by one.
+  void (*shade)(void* context, std::int32_t x, std::int32_t y,
+                std::uint32_t bits);
+  /// Lays the polygon over what the pixels `bits` (8 words) of a tile show;
+  /// null: nothing is seen through it.
+  void (*blend)(void* context, std::int32_t x, std::int32_t y,
+                const std::uint32_t* bits);
+  void* context;
 };
 
 /// The inner loops for one instruction set.
 struct Kernel {
   /// Lights and paints what the outline covers of the unlit pixels. Returns
-  /// how many pixels that was.
+  /// how many pixels that was if canvas.overwrite, else 0.
   std::int64_t (*draw)(Canvas& canvas, const Outline& outline, const Ink& ink,
                        const Decider& decider);
   /// The same for an outline that is known only line by line, exactly.
   std::int64_t (*draw_lines)(Canvas& canvas, PixelRange lines, const Ink& ink,
                              const Decider& decider);
+  /// The same for polygons of a leaf, seen in the view, `cull` leaving out
+  /// those that the eye is on the negative side of. Returns how many of them
+  /// were displayed, seen or not.
+  std::int64_t (*draw_small)(Canvas& canvas, const View& view, bool cull,
+                             SmallPolygons& polygons, const Decider& decider);
   /// Whether a tile that meets the rectangle is open.
   bool (*any_open)(const Canvas& canvas, PixelRange columns, PixelRange lines);
   /// Paints every unlit pixel.

@@ -103,6 +103,18 @@ inline bool any(const Words8& a) {
   for (int r = 0; r < 8; ++r) some |= a.lines[r];
   return some != 0;
 }
+inline Words8 none() {
+  return words([](int) { return std::uint32_t{0}; });
+}
+inline Words8 every() {
+  return words([](int) { return ~std::uint32_t{0}; });
+}
+/// A bit for each word that is not zero.
+inline std::uint32_t some_of(const Words8& a) {
+  std::uint32_t some = 0;
+  for (int r = 0; r < 8; ++r) some |= (a.lines[r] != 0 ? 1u : 0u) << r;
+  return some;
+}
 inline bool all(const Words8& a) {
   std::uint32_t every = ~std::uint32_t{0};
   for (int r = 0; r < 8; ++r) every &= a.lines[r];
@@ -120,27 +132,88 @@ inline Words8 cover_of(const Words8& first, const Words8& end, std::int32_t x) {
       [&](int r) { return from(first.lines[r]) & ~from(end.lines[r]); });
 }
 
-inline void store_items(std::int32_t* line, std::uint32_t bits,
-                        std::int32_t id) {
-  for (int k = 0; bits != 0; ++k, bits >>= 1) {
-    if ((bits & 1u) != 0) line[k] = id;
+/// Stores `id` at first + k for every bit k.
+inline void store_items(std::int32_t* items, std::int64_t first,
+                        std::uint32_t bits, std::int32_t id, bool) {
+  for (; bits != 0; bits &= bits - 1) items[first + __builtin_ctz(bits)] = id;
+}
+
+struct FlatColor {
+  std::uint8_t rgb[3];
+};
+
+inline FlatColor flat_color(const std::uint8_t* rgb) {
+  return {{rgb[0], rgb[1], rgb[2]}};
+}
+
+/// Stores the colour at pixel k after byte `first` for every bit k.
+inline void store_colors(std::uint8_t* colors, std::int64_t first,
+                         std::uint32_t bits, const FlatColor& color, bool) {
+  for (; bits != 0; bits &= bits - 1) {
+    std::uint8_t* at = colors + first + 3 * __builtin_ctz(bits);
+    at[0] = color.rgb[0];
+    at[1] = color.rgb[1];
+    at[2] = color.rgb[2];
   }
 }
 
-inline void store_colors(std::uint8_t* out, int count,
-                         const std::uint8_t* rgb) {
-  for (; count > 0; --count, out += 3) {
-    out[0] = rgb[0];
-    out[1] = rgb[1];
-    out[2] = rgb[2];
+/// What shade_line() derives: levels are (n0 + n1 k) / (d0 + d k), k from the
+/// pixel `first` on.
+struct ShadedLine {
+  float n0[3];
+  float n1[3];
+  float d0;
+  float d;
+  std::int32_t first;
+  std::int32_t doubt;
+};
+
+/// Here each line is for itself.
+struct ShadedTile {};
+inline bool start_tile(const Gradient&, std::int32_t, std::int32_t,
+                       std::uint32_t, const std::uint32_t*, ShadedTile&) {
+  return false;
+}
+inline ShadedLine line_of(const ShadedTile&, std::int32_t) { return {}; }
+
+/// Shades the pixels `eight` of 8 from the tile's pixel `k` on, which is at
+/// byte `at`; gives those that were in doubt.
+inline std::uint32_t shade_eight(std::uint8_t* colors, std::int64_t at,
+                                 const ShadedLine& line, std::int32_t k,
+                                 std::uint32_t eight, bool) {
+  std::uint32_t left = 0;
+  for (; eight != 0; eight &= eight - 1) {
+    const int pixel = __builtin_ctz(eight);
+    const auto steps = static_cast<float>(k + pixel - line.first);
+    const float reciprocal = 1 / (line.d0 + line.d * steps);
+    for (int c = 0; c < 3; ++c) {
+      const float value = (line.n0[c] + line.n1[c] * steps) * reciprocal;
+      // Pixels that are not covered are not asked for: this fits.
+      const auto level = static_cast<std::int32_t>(value);
+      if (((level + line.doubt) & 0xffff) < 2 * line.doubt) {
+        left |= 1u << pixel;
+      }
+      colors[at + 3 * pixel + c] = static_cast<std::uint8_t>(level >> 16);
+    }
   }
+  return left;
 }
 
+#include "kernel_shade.inc"
+//
 #include "kernel.inc"
+
+/// Leaves them all.
+std::int64_t draw_small(Canvas&, const View&, bool, SmallPolygons& polygons,
+                        const Decider&) {
+  polygons.left_count = polygons.count;
+  for (std::int32_t k = 0; k < polygons.count; ++k) polygons.left[k] = k;
+  return 0;
+}
 
 }  // namespace
 
-const Kernel kPlainKernel = {draw, draw_lines, any_open, fill_rest};
+const Kernel kPlainKernel = {draw, draw_lines, draw_small, any_open, fill_rest};
 
 const Kernel& best_kernel() {
 #if defined(__x86_64__)

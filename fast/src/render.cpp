@@ -52,22 +52,23 @@ BandResult render_band(const Frame& frame, Screen& screen) {
     return eye_side(frame.reader.geometry().plane(fragment.source),
                     fragment.source);
   };
-  const auto show_leaf = [&](const Node& node) {
+  // A leaf is drawn when the next one is found: until then its vertices are on
+  // their way from memory.
+  const Node* waiting = nullptr;
+  const auto draw_waiting = [&] {
+    if (waiting == nullptr) return;
     screen.enter_leaf();
-    for_fragments(tree, node, [&](const TreeFragment& fragment) {
-      drawer.prefetch(fragment);
-      return true;
-    });
-    for_fragments(tree, node, [&](const TreeFragment& fragment) {
-      drawer.draw_any(fragment, side_of_source);
-      return true;
-    });
+    drawer.draw_leaf(*waiting, side_of_source);
     screen.leave_leaf();
+    waiting = nullptr;
   };
   const auto show = [&](const Node& node, int sign) {
     if (node.splitter == kNoPlane) {
-      show_leaf(node);
-    } else {
+      drawer.prefetch(node);
+      draw_waiting();
+      waiting = &node;
+    } else if (node.first_fragment != kNoFragment) {
+      draw_waiting();
       for_fragments(tree, node, [&](const TreeFragment& fragment) {
         drawer.draw(fragment, source_side(fragment, sign));
         return true;
@@ -76,11 +77,13 @@ BandResult render_band(const Frame& frame, Screen& screen) {
     return canvas.open_tiles > 0;
   };
   walk_front_to_back(tree, eye_side, enter, show);
+  draw_waiting();
+  const auto painted = static_cast<std::size_t>(screen.count_lit());
   const Rgb background = frame.image.background;
   frame.kernel.fill_rest(
       canvas, {kBackground, {background.r, background.g, background.b}});
   stats.add(drawer.stats());
-  return {drawer.pixels(), drawer.fragments(), stats};
+  return {painted, drawer.fragments(), stats};
 }
 
 template <int kBits>
@@ -153,7 +156,7 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
                    rectangle.bottom <= data.height_px);
   const std::int32_t width = rectangle.right - rectangle.left;
   const std::int32_t height = rectangle.bottom - rectangle.top;
-  resize(result.items, width, height);
+  resize(result.items, options.items ? width : 0, options.items ? height : 0);
   resize(result.colors, options.colors ? width : 0,
          options.colors ? height : 0);
 

@@ -1,5 +1,7 @@
 #include "screen.hpp"
 
+#include <bit>
+
 namespace halfspace::fast {
 namespace {
 
@@ -21,9 +23,9 @@ Screen::Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
   canvas_.lines = lines;
   canvas_.tiles_across = (rectangle.right + kTileWidth - 1) / kTileWidth;
   canvas_.words_across = (canvas_.tiles_across + 63) / 64;
-  first_row_ = lines.first / kTileHeight;
+  canvas_.first_row = lines.first / kTileHeight;
   const std::int32_t rows =
-      (lines.end + kTileHeight - 1) / kTileHeight - first_row_;
+      (lines.end + kTileHeight - 1) / kTileHeight - canvas_.first_row;
   const auto tiles = static_cast<std::size_t>(rows) *
                      static_cast<std::size_t>(canvas_.tiles_across);
   lit_.resize(tiles * kTileHeight);
@@ -40,7 +42,7 @@ Screen::Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
     for (std::int32_t tile = 0; tile < canvas_.tiles_across; ++tile, ++index) {
       bool some = false;
       for (std::int32_t r = 0; r < kTileHeight; ++r) {
-        const std::int32_t j = (first_row_ + row) * kTileHeight + r;
+        const std::int32_t j = (canvas_.first_row + row) * kTileHeight + r;
         const std::uint32_t unlit =
             j < lines.first || j >= lines.end
                 ? 0
@@ -55,42 +57,53 @@ Screen::Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
       ++canvas_.open_tiles;
     }
   }
-  // The arrays are addressed as if they began at tile row 0, and the images at
-  // pixel (0, 0): only what lies within is ever touched.
-  const std::int64_t skipped = std::int64_t{first_row_} * canvas_.tiles_across;
-  canvas_.lit = lit_.data() - skipped * kTileHeight;
-  canvas_.open = open_.data() - std::int64_t{first_row_} * canvas_.words_across;
-  if (with_leaves) {
-    canvas_.leaf_of = leaf_of_.data() - skipped;
-    canvas_.before = before_.data() - skipped * kTileHeight;
-    canvas_.full = full_.data();
+  canvas_.lit = lit_.data();
+  canvas_.open = open_.data();
+  canvas_.top = rectangle.top;
+  canvas_.width = rectangle.right - rectangle.left;
+  if (!result.items.pixels.empty()) {
+    canvas_.items = result.items.pixels.data();
   }
-  canvas_.items_stride = result.items.width_px;
-  canvas_.items = result.items.pixels.data() - rectangle.left -
-                  rectangle.top * canvas_.items_stride;
   if (!result.colors.pixels.empty()) {
     static_assert(sizeof(Rgb) == 3);
-    canvas_.colors_stride = std::int64_t{3} * result.colors.width_px;
-    canvas_.colors = &result.colors.pixels[0].r -
-                     std::int64_t{3} * rectangle.left -
-                     rectangle.top * canvas_.colors_stride;
+    canvas_.colors = &result.colors.pixels[0].r;
   }
+  if (!with_leaves) return;
+  canvas_.leaf_of = leaf_of_.data();
+  canvas_.before = before_.data();
+  canvas_.full = full_.data();
+  if (canvas_.items == nullptr) {
+    slot_of_.resize(tiles);
+    canvas_.slot_of = slot_of_.data();
+    // Leaves that cover all are rare: what is not used is not touched either.
+    slots_ = std::make_unique_for_overwrite<std::int32_t[]>(tiles * kTileWidth *
+                                                            kTileHeight);
+    canvas_.slots = slots_.get();
+  }
+}
+
+std::int64_t Screen::count_lit() const {
+  std::int64_t unlit = 0;
+  for (const std::uint32_t line : lit_) unlit += std::popcount(~line);
+  return std::int64_t{canvas_.lines.end - canvas_.lines.first} *
+             (canvas_.columns.end - canvas_.columns.first) -
+         unlit;
 }
 
 void Screen::enter_leaf() {
   canvas_.in_leaf = true;
   ++canvas_.leaf;
   canvas_.full_count = 0;
+  canvas_.slot_count = 0;
 }
 
 void Screen::leave_leaf() {
   canvas_.in_leaf = false;
   for (std::int32_t k = 0; k < canvas_.full_count; ++k) {
     const std::int32_t tile = full_[static_cast<std::size_t>(k)];
-    const std::int32_t row = tile / canvas_.tiles_across;
+    const std::int32_t row = canvas_.first_row + tile / canvas_.tiles_across;
     const std::int32_t column = tile % canvas_.tiles_across;
-    std::uint64_t& word =
-        canvas_.open[std::int64_t{row} * canvas_.words_across + column / 64];
+    std::uint64_t& word = canvas_.open[canvas_.open_at(row) + column / 64];
     const std::uint64_t bit = std::uint64_t{1} << (column % 64);
     if ((word & bit) != 0) --canvas_.open_tiles;
     word &= ~bit;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "halfspace/fast/render.hpp"
@@ -12,7 +13,7 @@ namespace halfspace::fast {
 class Screen {
  public:
   /// All pixels of `rectangle` within `lines` unlit, all others lit.
-  /// `result` has the size of the rectangle.
+  /// The images that `result` has are of the rectangle's size.
   Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
          bool with_leaves);
   Screen(const Screen&) = delete;
@@ -20,18 +21,22 @@ class Screen {
 
   Canvas& canvas() { return canvas_; }
 
+  /// How many of the pixels asked for are lit.
+  std::int64_t count_lit() const;
+
   /// From here to leave_leaf() fragments may hide each other in any order.
   void enter_leaf();
   void leave_leaf();
 
  private:
   Canvas canvas_;
-  std::int32_t first_row_ = 0;  ///< the tile row at which the arrays begin
   std::vector<std::uint32_t> lit_;
   std::vector<std::uint64_t> open_;
   std::vector<std::uint32_t> leaf_of_;
   std::vector<std::uint32_t> before_;
   std::vector<std::int32_t> full_;
+  std::vector<std::uint32_t> slot_of_;
+  std::unique_ptr<std::int32_t[]> slots_;
 };
 
 }  // namespace halfspace::fast

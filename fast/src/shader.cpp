@@ -72,55 +72,56 @@ void Shader::prepare() {
     points[k] = {static_cast<double>(p.x), static_cast<double>(p.y),
                  static_cast<double>(p.z)};
   }
-  sums_ = {};
-  total_ = {};
+  Gradient& g = gradient_;
+  std::array<std::array<double, 4>, 3> across{}, down{}, at{};
   for (std::size_t k = 0; k < 3; ++k) {
     const Point& from = points[(k + 1) % 3];
     const Point& to = points[(k + 2) % 3];
     const Point u = view_.perspective ? minus(to, view_.eye) : view_.eye;
     const Point v =
         view_.perspective ? minus(from, view_.eye) : minus(to, from);
-    const Point m = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                     u[0] * v[1] - u[1] * v[0]};
+    const Point m = {eye_sign_ * (u[1] * v[2] - u[2] * v[1]),
+                     eye_sign_ * (u[2] * v[0] - u[0] * v[2]),
+                     eye_sign_ * (u[0] * v[1] - u[1] * v[0])};
     const Point& origin = view_.perspective ? view_.eye : from;
-    const Line weight = {eye_sign_ * dot(m, view_.right),
-                         eye_sign_ * dot(m, view_.down),
-                         eye_sign_ * dot(m, minus(view_.start, origin))};
-    const auto add_to = [&weight](Line& line, double factor) {
-      line.a += factor * weight.a;
-      line.b += factor * weight.b;
-      line.c += factor * weight.c;
-    };
-    add_to(total_, 1);
-    add_to(sums_[0], colors[k].r);
-    add_to(sums_[1], colors[k].g);
-    add_to(sums_[2], colors[k].b);
+    const double a = dot(m, view_.right);
+    const double b = dot(m, view_.down);
+    const double c = dot(m, minus(view_.start, origin));
+    const std::array<double, 4> factors = {
+        static_cast<double>(colors[k].r), static_cast<double>(colors[k].g),
+        static_cast<double>(colors[k].b), 1.0};
+    for (std::size_t f = 0; f < 4; ++f) {
+      across[k][f] = factors[f] * a;
+      down[k][f] = factors[f] * b;
+      at[k][f] = factors[f] * c;
+    }
+  }
+  for (std::size_t f = 0; f < 4; ++f) {
+    g.a[f] = across[0][f] + across[1][f] + across[2][f];
+    g.b[f] = down[0][f] + down[1][f] + down[2][f];
+    g.c[f] = at[0][f] + at[1][f] + at[2][f];
   }
   const double reach =
       view_.reach + std::max({std::abs(view_.eye[0]), std::abs(view_.eye[1]),
                               std::abs(view_.eye[2])});
-  doubt_ = 0x1p22 * kRounding * reach * reach * reach;
+  gradient_.doubt = 0x1p22 * kRounding * reach * reach * reach;
 }
 
 int Shader::shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
-                  std::uint8_t* line) {
-  if (!ready_) prepare();
+                  std::uint8_t* colors, std::int64_t at) {
+  const Gradient& g = gradient();
   const double v = j;
-  const double total_here = total_.b * v + total_.c;
-  std::array<double, 3> sums_here;
-  for (std::size_t c = 0; c < 3; ++c) {
-    sums_here[c] = sums_[c].b * v + sums_[c].c;
-  }
   int exact = 0;
   for (; bits != 0; bits &= bits - 1) {
     const int k = __builtin_ctz(bits);
     const double u = x + k;
-    const double reciprocal = 1 / (total_.a * u + total_here);
-    const double doubt = doubt_ * reciprocal;
+    const double reciprocal = 1 / (g.a[3] * u + (g.b[3] * v + g.c[3]));
+    const double doubt = g.doubt * reciprocal;
     for (std::size_t c = 0; c < 3; ++c) {
       // Half up: the floor of the value and a half. A total too small to
       // trust makes the doubt large, or negative, or no number.
-      const double value = (sums_[c].a * u + sums_here[c]) * reciprocal + 0.5;
+      const double value =
+          (g.a[c] * u + (g.b[c] * v + g.c[c])) * reciprocal + 0.5;
       const bool usable = doubt >= 0 && doubt < 0.25;
       auto level = static_cast<std::int32_t>(usable ? value : 128.0);
       const double above = value - level;
@@ -128,7 +129,8 @@ int Shader::shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
         ++exact;
         level = exact_channel(c, x + k, j, std::clamp(level, 0, 255));
       }
-      line[3 * k + static_cast<int>(c)] = static_cast<std::uint8_t>(level);
+      colors[at + 3 * k + static_cast<int>(c)] =
+          static_cast<std::uint8_t>(level);
     }
   }
   return exact;

@@ -6,6 +6,7 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/scene.hpp"
 #include "image_line.hpp"
+#include "kernel.hpp"
 #include "view.hpp"
 
 namespace halfspace::fast {
@@ -33,20 +34,19 @@ class Shader {
     exact_ready_ = false;
   }
 
+  /// Its colours in doubles.
+  const Gradient& gradient() {
+    if (!ready_) prepare();
+    return gradient_;
+  }
+
   /// Writes the colours of the pixels `bits` of line `j`, from column `x` on,
-  /// to `line`, which is column x. Returns how many channels were decided
-  /// exactly.
+  /// to `colors`, where column x is at byte `at`. Returns how many channels
+  /// were decided exactly.
   int shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
-            std::uint8_t* line);
+            std::uint8_t* colors, std::int64_t at);
 
  private:
-  /// a i + b j + c at the centre of pixel (i, j), in doubles.
-  struct Line {
-    double a = 0;
-    double b = 0;
-    double c = 0;
-  };
-
   void prepare();
   void prepare_exact();
   std::uint8_t exact_channel(std::size_t channel, std::int32_t i,
@@ -61,9 +61,7 @@ class Shader {
   bool exact_ready_ = false;
   std::array<ImageLine<4>, 3> exact_sums_;
   ImageLine<4> exact_total_;
-  std::array<Line, 3> sums_;
-  Line total_;
-  double doubt_ = 0;  ///< bound on a channel's error, times the total
+  Gradient gradient_;
 };
 
 }  // namespace halfspace::fast

@@ -28,6 +28,7 @@ struct RenderOptions {
   /// The part of the image that is wanted; nothing: all of it. It must lie in
   /// the image and not be empty.
   std::optional<Rectangle> rectangle;
+  bool items = true;      ///< false: leave Rendering::items empty
   bool colors = true;     ///< false: leave Rendering::colors empty
   bool portable = false;  ///< only the loops that run on every machine
 };
