@@ -81,6 +81,14 @@ void expect_same(const Scene& scene, const Camera& camera,
   fast::render(scene, tree, camera, options, how, part);
   ASSERT_EQ(part.items, expected.items);
   ASSERT_TRUE(part.colors.pixels.empty());
+
+  // Colours alone.
+  how.colors = true;
+  how.items = false;
+  how.threads = 1;
+  fast::render(scene, tree, camera, options, how, part);
+  ASSERT_EQ(part.colors, expected.colors);
+  ASSERT_TRUE(part.items.pixels.empty());
 }
 
 /// Runs the comparison on scenes of every kind and grid.
@@ -107,7 +115,10 @@ void compare(int polygons, std::int64_t width, std::int64_t height,
         expect_same(scene, camera, options, expected, tree, draws, stats);
         if (::testing::Test::HasFatalFailure()) return;
         fast::DisplayTreeOptions display;
-        display.leaf_size = static_cast<std::size_t>(draws.from_to(1, 8));
+        // Leaves of many fragments go another way than those of few.
+        display.leaf_size = draws.one_in(2)
+                                ? 64
+                                : static_cast<std::size_t>(draws.from_to(1, 8));
         display.own_planes = draws.one_in(2) ? 8 : 0;
         display.threads = 1;
         expect_same(scene, camera, options, expected,
@@ -137,6 +148,11 @@ TEST(AgreeImage, SmallImagesOfScenesMadeToHurt) {
 TEST(AgreeImage, ImagesOfManyTiles) {
   fast::FilterStats stats;
   compare(6, 150, 70, 6, stats);
+}
+
+TEST(AgreeImage, LeavesOfManySmallPolygons) {
+  fast::FilterStats stats;
+  compare(40, 200, 60, 2, stats);
 }
 
 TEST(AgreeImage, WideImagesCrossWordsOfTiles) {

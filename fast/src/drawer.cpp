@@ -76,6 +76,12 @@ void Drawer<kBits>::gather(const TreeFragment& fragment,
     ++c;
   }
   polygons.error[k] = error;
+  if (!gouraud_) return;
+  const SceneData& scene = frame_.reader.scene().data();
+  const std::size_t first =
+      scene.first_corner[static_cast<std::size_t>(fragment.source)];
+  __builtin_prefetch(scene.corners.data() + first);
+  __builtin_prefetch(scene.corner_colors.data() + first);
 }
 
 template <int kBits>
@@ -191,6 +197,12 @@ const Ink& Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
   eye_sign_ = eye_sign;
   scan_.start(fragment, eye_sign);
   ++serial_;
+  Seen& seen = seen_[static_cast<std::size_t>(fragment.source) % seen_.size()];
+  if (seen.polygon != fragment.source) {
+    seen.polygon = fragment.source;
+    seen.ready = false;
+  }
+  seen.fragment = &fragment;
   const Scene& scene = frame_.reader.scene();
   bool smooth = false;
   Rgb color;
@@ -286,12 +298,35 @@ bool Drawer<kBits>::is_nearer(PolygonId other, std::int32_t i, std::int32_t j) {
   return order > 0 || (order == 0 && fragment_->source < other);
 }
 
+/// The plane of a polygon, from the corners of its fragment if that is all of
+/// the triangle: the scene's own lists are far from here.
+template <int kBits>
+Plane Drawer<kBits>::plane_of(PolygonId polygon,
+                              const TreeFragment* fragment) const {
+  const Scene& scene = frame_.reader.scene();
+  const auto count = static_cast<std::int32_t>(scene.data().vertices.size());
+  std::array<GridPoint, 3> points;
+  std::size_t k = 0;
+  if (fragment != nullptr && fragment->corner_count == 3) {
+    for (const Corner& corner : frame_.reader.corners(*fragment)) {
+      if (corner.edge != static_cast<EdgeCode>(k) || corner.vertex >= count) {
+        break;
+      }
+      points[k++] = scene.point(corner.vertex);
+    }
+  }
+  if (k == 3) return rounded(exact_plane<kBits>(points));
+  return frame_.reader.geometry().plane(polygon);
+}
+
 template <int kBits>
 const SeenApproximately& Drawer<kBits>::seen(PolygonId polygon) {
   Seen& entry = seen_[static_cast<std::size_t>(polygon) % seen_.size()];
-  if (entry.polygon != polygon) {
-    entry = {polygon, see_approximately(frame_.reader.geometry().plane(polygon),
-                                        frame_.view)};
+  if (entry.polygon != polygon) entry = {polygon, false, nullptr, {}};
+  if (!entry.ready) {
+    entry.ready = true;
+    entry.plane =
+        see_approximately(plane_of(polygon, entry.fragment), frame_.view);
   }
   return entry.plane;
 }
@@ -327,6 +362,10 @@ void Drawer<kBits>::nearer(void* self, std::int32_t x, std::int32_t y,
     double level = 0;
     for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
       const int k = __builtin_ctz(bits);
+      if (items[line + k] == drawer.fragment_->source) {
+        lit[r] &= ~(std::uint32_t{1} << k);  // lit by itself, and doubtful
+        continue;
+      }
       if (rival == nullptr || rival->polygon != items[line + k]) {
         rival = &drawer.rival(items[line + k]);
         level = rival->line.b * j + rival->line.c;

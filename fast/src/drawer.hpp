@@ -128,6 +128,7 @@ class Drawer {
   };
   const Rival& rival(PolygonId other);
   const SeenApproximately& seen(PolygonId polygon);
+  Plane plane_of(PolygonId polygon, const TreeFragment* fragment) const;
 
   const Frame& frame_;
   Canvas& canvas_;
@@ -146,6 +147,8 @@ class Drawer {
   /// Planes that were seen lately.
   struct Seen {
     PolygonId polygon = kBackground;
+    bool ready = false;
+    const TreeFragment* fragment = nullptr;  ///< of the polygon, if known
     SeenApproximately plane;
   };
   std::vector<Seen> seen_;

@@ -31,6 +31,14 @@ constexpr EdgeName name_of(EdgeCode edge) {
 /// TreeFragment::corner_count has 31 bits; no fragment has more corners.
 constexpr std::uint32_t kMostCornersOfFragment = 0x7fffffff;
 
+/// A plane of the grid, exactly, as doubles.
+template <int kBits>
+Plane rounded(const ExactPlane<kBits>& plane) {
+  const auto offset = value_at(plane, GridPoint{});
+  return {to_double(Int128{plane.normal.x}), to_double(Int128{plane.normal.y}),
+          to_double(Int128{plane.normal.z}), to_double(offset)};
+}
+
 /// A scene and the free planes of its tree: what signs are decided from.
 class Geometry {
  public:

@@ -9,14 +9,6 @@
 namespace halfspace::fast {
 namespace {
 
-/// A plane of the grid, exactly, as doubles.
-template <int kBits>
-Plane rounded(const ExactPlane<kBits>& plane) {
-  const auto offset = value_at(plane, GridPoint{});
-  return {to_double(Int128{plane.normal.x}), to_double(Int128{plane.normal.y}),
-          to_double(Int128{plane.normal.z}), to_double(offset)};
-}
-
 /// The eye's side of a plane, exactly: n.(e - p0) with e in lattice steps and
 /// p0 scaled to them, or n.e for a direction.
 ///

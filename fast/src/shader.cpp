@@ -46,15 +46,16 @@ void Shader::prepare_exact() {
 /// The weights as edge_line() has them, in doubles.
 ///
 /// Let R bound the sizes of all coordinates: of the view's reach, and of the
-/// eye. A difference of two points is at most 2R, and off by 2u of each and its
-/// own rounding: 6u R. A component of the cross product has two products of at
-/// most 4 R^2, off by 2 (2R 6u R) + 4u R^2 each, and a difference: 68u R^2 in
-/// all, and is at most 8 R^2. Its product with the image point, at most 2R: off
-/// by 68u R^2 2R + 8 R^2 6u R + 16u R^3 = 200u R^3, three of them and their
-/// sums: 750u R^3. The three parts a i, b j, c are each as large at most, so a
-/// weight is off by 2300u R^3. A total has three of them, a sum of a channel
-/// three times 255: with the sums' roundings a quotient of at most 256 is off
-/// by (256 + 255) 3 2400u R^3 over the total: 2^22 u R^3.
+/// eye; L those of the edges, so that small triangles have small errors. A
+/// difference to the eye is at most 2R, and off by 2u of each and its own
+/// rounding: 6u R; an edge is off by u L. A component of the cross product has
+/// two products of at most 2R L, off by 6u R L + 2u R L + 2u R L each, and a
+/// difference: 24u R L in all, and is at most 4 R L. Its product with the image
+/// point, at most 2R and off by 6u R: off by 48u + 24u + 8u = 80u R^2 L, three
+/// of them and their sums: 300u R^2 L. The three parts a i, b j, c are each as
+/// large at most, so a weight is off by 920u R^2 L. A total has three of them,
+/// a sum of a channel three times 255: with the sums' roundings a quotient of
+/// at most 256 is off by (256 + 255) 3 960u R^2 L over the total: 2^21 u R^2 L.
 void Shader::prepare() {
   ready_ = true;
   using Point = std::array<double, 3>;
@@ -74,12 +75,15 @@ void Shader::prepare() {
   }
   Gradient& g = gradient_;
   std::array<std::array<double, 4>, 3> across{}, down{}, at{};
+  double longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Point& from = points[(k + 1) % 3];
     const Point& to = points[(k + 2) % 3];
+    // The edge in place of `from` less the eye: the same product.
     const Point u = view_.perspective ? minus(to, view_.eye) : view_.eye;
-    const Point v =
-        view_.perspective ? minus(from, view_.eye) : minus(to, from);
+    const Point v = view_.perspective ? minus(from, to) : minus(to, from);
+    longest =
+        std::max({longest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     const Point m = {eye_sign_ * (u[1] * v[2] - u[2] * v[1]),
                      eye_sign_ * (u[2] * v[0] - u[0] * v[2]),
                      eye_sign_ * (u[0] * v[1] - u[1] * v[0])};
@@ -104,7 +108,7 @@ void Shader::prepare() {
   const double reach =
       view_.reach + std::max({std::abs(view_.eye[0]), std::abs(view_.eye[1]),
                               std::abs(view_.eye[2])});
-  gradient_.doubt = 0x1p22 * kRounding * reach * reach * reach;
+  gradient_.doubt = 0x1p21 * kRounding * reach * reach * longest;
 }
 
 int Shader::shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
