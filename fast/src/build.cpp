@@ -17,9 +17,51 @@ namespace {
 struct Task {
   std::size_t first;
   std::uint64_t key;
+  double share;  ///< of the work
   NodeId parent;
   Side side;              ///< of the parent
   NodeId node = kNoNode;  ///< its root, where there is one already
+};
+
+/// How often progress is told, at least: after so much work, or as many
+/// decisions as take some milliseconds.
+constexpr double kToldShare = 1.0 / 256;
+constexpr std::size_t kToldDecisions = 1 << 18;
+
+/// Tells how far a build is, and remembers that it was stopped.
+class Teller {
+ public:
+  explicit Teller(const Progress& progress) : progress_(progress) {}
+
+  bool is_stopped() const { return stopped_; }
+
+  /// Adds work that is done.
+  void add_done(double share) {
+    done_ += share;
+    tell();
+  }
+
+  /// Adds decisions that are about to be taken; whether to take them.
+  bool add_decisions(std::size_t count) {
+    decisions_ += count;
+    tell();
+    return !stopped_;
+  }
+
+ private:
+  void tell() {
+    if (!progress_ || stopped_) return;
+    if (done_ < told_ + kToldShare && decisions_ < kToldDecisions) return;
+    told_ = done_;
+    decisions_ = 0;
+    stopped_ = !progress_(std::min(done_, 1.0));
+  }
+
+  const Progress& progress_;
+  double done_ = 0;
+  double told_ = 0;
+  std::size_t decisions_ = 0;
+  bool stopped_ = false;
 };
 
 /// Makes `child` the child of `parent`, which may be none, on its `side`.
@@ -40,9 +82,10 @@ std::int32_t add_fragment(BspTree& tree, const Part& part, bool turned) {
 class Autopartition {
  public:
   Autopartition(const Scene& scene, const BuildOptions& options, BspTree& tree,
-                FilterStats& stats)
+                FilterStats& stats, const Progress& progress)
       : options_(options),
         tree_(tree),
+        teller_(progress),
         builder_(scene, tree, stats),
         table_(intern_planes(scene)) {
     for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
@@ -51,14 +94,15 @@ class Autopartition {
     }
   }
 
-  /// Makes the tree of the whole scene.
-  void run() {
+  /// Makes the tree of the whole scene; false where it was stopped.
+  bool run() {
     for (std::size_t p = 0; p < planes_.size(); ++p) {
       parts_.push_back(builder_.whole(static_cast<PolygonId>(p)));
     }
-    if (parts_.empty()) return;
-    tasks_.push_back({0, root_key(options_.seed), kNoNode, Side::kOn});
+    if (parts_.empty()) return true;
+    tasks_.push_back({0, root_key(options_.seed), 1, kNoNode, Side::kOn});
     work_off();
+    return !teller_.is_stopped();
   }
 
   /// Makes a leaf the root of a tree of its fragments, whose old entries no
@@ -82,13 +126,13 @@ class Autopartition {
     }
     const auto number = static_cast<std::uint64_t>(leaf);
     tasks_.push_back(
-        {0, root_key(options_.seed + number), kNoNode, Side::kOn, leaf});
+        {0, root_key(options_.seed + number), 1, kNoNode, Side::kOn, leaf});
     work_off();
   }
 
  private:
   void work_off() {
-    while (!tasks_.empty()) {
+    while (!tasks_.empty() && !teller_.is_stopped()) {
       const Task task = tasks_.back();
       tasks_.pop_back();
       make_node(task);
@@ -110,11 +154,13 @@ class Autopartition {
   void make_node(const Task& task) {
     // Step 1: choose the root; its plane is the node's.
     const Part* list = parts_.data() + task.first;
-    const std::size_t root =
-        choose_root(parts_.size() - task.first, options_, task.key,
-                    [&](std::size_t i, std::size_t j) {
-                      return relation(list[j], list[i].source);
-                    });
+    const std::size_t count = parts_.size() - task.first;
+    const std::size_t root = choose_root(
+        count, options_, task.key,
+        [&](std::size_t i, std::size_t j) {
+          return relation(list[j], list[i].source);
+        },
+        [&] { return teller_.add_decisions(count); });
     const PolygonId splitter = list[root].source;
     NodeId id = task.node;
     if (id == kNoNode) {
@@ -132,16 +178,22 @@ class Autopartition {
 
     // Step 3: make the subtrees of what is not empty; the last task is next.
     // Its parts are on top of the stack.
+    const double share = task.share / static_cast<double>(positive_.size() +
+                                                          negative_.size() + 1);
+    const auto share_of = [share](const std::vector<Part>& parts) {
+      return share * static_cast<double>(parts.size());
+    };
     parts_.resize(task.first);
     parts_.insert(parts_.end(), negative_.begin(), negative_.end());
     if (!negative_.empty()) {
-      tasks_.push_back(
-          {task.first, negative_key(task.key), id, Side::kNegative});
+      tasks_.push_back({task.first, negative_key(task.key), share_of(negative_),
+                        id, Side::kNegative});
     }
     if (!positive_.empty()) {
-      tasks_.push_back(
-          {parts_.size(), positive_key(task.key), id, Side::kPositive});
+      tasks_.push_back({parts_.size(), positive_key(task.key),
+                        share_of(positive_), id, Side::kPositive});
     }
+    teller_.add_done(share);
     parts_.insert(parts_.end(), positive_.begin(), positive_.end());
   }
 
@@ -182,6 +234,7 @@ class Autopartition {
 
   BuildOptions options_;
   BspTree& tree_;
+  Teller teller_;
   TreeBuilder builder_;
   PlaneTable table_;
   std::vector<FilterPlane> planes_;
@@ -219,9 +272,14 @@ BspTree build(const Scene& scene, const BuildOptions& options) {
 
 BspTree build(const Scene& scene, const BuildOptions& options,
               FilterStats& stats) {
+  return build(scene, options, stats, nullptr);
+}
+
+BspTree build(const Scene& scene, const BuildOptions& options,
+              FilterStats& stats, const Progress& progress) {
   HALFSPACE_ASSERT(options.candidates >= 1);
   BspTree tree;
-  Autopartition(scene, options, tree, stats).run();
+  if (!Autopartition(scene, options, tree, stats, progress).run()) return {};
   drop_unused_corners(tree);
   add_boxes(tree, scene);
   return tree;
@@ -240,8 +298,9 @@ void divide_leaves(BspTree& tree, const Scene& scene) {
     return;
   }
   FilterStats stats;
+  const Progress silent;
   Autopartition partition(scene, {.rule = RootRule::kRandom, .candidates = 5},
-                          tree, stats);
+                          tree, stats, silent);
   const auto count = static_cast<NodeId>(tree.nodes.size());
   for (NodeId id = 0; id < count; ++id) {
     if (tree.nodes[static_cast<std::size_t>(id)].splitter == kNoPlane) {

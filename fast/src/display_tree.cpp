@@ -18,6 +18,9 @@ namespace {
 /// A list of so many items or fewer is one thread's work.
 constexpr std::size_t kJobSize = 16384;
 
+/// So many cuts are always allowed: some megabytes.
+constexpr double kFreeCuts = 100'000;
+
 /// Polygons that a thread reads at a time.
 constexpr std::size_t kBlock = 4096;
 
@@ -46,6 +49,8 @@ class JobRunner {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, job.items.size(), kBlock), read);
     for (const Item& item : job.items) include(job.box, item);
+    job.allowance = kFreeCuts + work_.options.most_cuts *
+                                    static_cast<double>(job.items.size());
     return job;
   }
 
@@ -248,10 +253,14 @@ BspTree build_display_tree(const Scene& scene,
   return tree;
 }
 
+TreeBytes bytes_by_array(const BspTree& tree) {
+  return {bytes_of(tree.nodes),        bytes_of(tree.boxes),
+          bytes_of(tree.fragments),    bytes_of(tree.corners),
+          bytes_of(tree.cut_vertices), bytes_of(tree.free_planes)};
+}
+
 std::size_t bytes_of(const BspTree& tree) {
-  return bytes_of(tree.nodes) + bytes_of(tree.fragments) +
-         bytes_of(tree.corners) + bytes_of(tree.cut_vertices) +
-         bytes_of(tree.free_planes) + bytes_of(tree.boxes);
+  return bytes_by_array(tree).total();
 }
 
 }  // namespace halfspace::fast

@@ -65,11 +65,13 @@ void DisplayWork::add_done(double share) {
 
 /// A job of its own for some of the items: with copies of what they refer to.
 DisplayJob DisplayWorker::job_of(const Item* items, std::size_t count,
-                                 const Box& box, double share) const {
+                                 const Box& box, double share,
+                                 double allowance) const {
   DisplayJob job;
   job.items.assign(items, items + count);
   job.box = box;
   job.share = share;
+  job.allowance = allowance;
   job.tree.free_planes = job_.tree.free_planes;
   job.inherited_planes = job_.tree.free_planes.size();
   const auto vertex_count =

@@ -54,8 +54,8 @@ DisplayWorker::DisplayWorker(DisplayWork& work, DisplayJob& job)
       items_(job.items) {}
 
 void DisplayWorker::make_subtree() {
-  tasks_.push_back(
-      {0, items_.size(), job_.box, job_.share, kNoNode, Side::kOn});
+  tasks_.push_back({0, items_.size(), job_.box, job_.share, job_.allowance,
+                    kNoNode, Side::kOn});
   while (!tasks_.empty() && !work_.is_stopped()) {
     const Task task = tasks_.back();
     tasks_.pop_back();
@@ -68,15 +68,21 @@ void DisplayWorker::make_subtree() {
     const auto share = [&](std::size_t count) {
       return task.share * static_cast<double>(count) / all;
     };
+    const double each = allowance_for_each(task, *parts);
+    const auto allowance = [each](std::size_t count) {
+      return each * static_cast<double>(count);
+    };
     add_done(share(1));
     items_.resize(task.first + parts->negative_count);
     if (parts->negative_count > 0) {
       tasks_.push_back({task.first, parts->negative_count, parts->negative_box,
-                        share(parts->negative_count), id, Side::kNegative});
+                        share(parts->negative_count),
+                        allowance(parts->negative_count), id, Side::kNegative});
     }
     if (!positive_.empty()) {
       tasks_.push_back({items_.size(), positive_.size(), parts->positive_box,
-                        share(positive_.size()), id, Side::kPositive});
+                        share(positive_.size()), allowance(positive_.size()),
+                        id, Side::kPositive});
       items_.insert(items_.end(), positive_.begin(), positive_.end());
     }
   }
@@ -86,15 +92,18 @@ void DisplayWorker::make_subtree() {
 
 DisplayWorker::Divided DisplayWorker::divide() {
   Divided result;
-  const auto parts =
-      make_node({0, items_.size(), job_.box, job_.share, kNoNode, Side::kOn});
+  const Task root = {0,          items_.size(),  job_.box,
+                     job_.share, job_.allowance, kNoNode,
+                     Side::kOn};
+  const auto parts = make_node(root);
   if (parts) {
     const double share =
         job_.share /
         static_cast<double>(parts->negative_count + positive_.size());
-    const auto part = [&](const Item* items, std::size_t count,
-                          const Box& box) {
-      return job_of(items, count, box, share * static_cast<double>(count));
+    const double each = allowance_for_each(root, *parts);
+    const auto part = [&](const Item* items, std::size_t size, const Box& box) {
+      const auto count = static_cast<double>(size);
+      return job_of(items, size, box, share * count, each * count);
     };
     if (!positive_.empty()) {
       result.positive =
@@ -124,6 +133,16 @@ NodeId DisplayWorker::add_node(const Task& task) {
   return id;
 }
 
+/// What is left of the allowance, for each item of both sides.
+double DisplayWorker::allowance_for_each(const Task& task,
+                                         const Partition& parts) const {
+  const auto both =
+      static_cast<double>(parts.negative_count + positive_.size());
+  const double cuts = both + static_cast<double>(coincident_count_) -
+                      static_cast<double>(task.count);
+  return std::max(0.0, task.allowance - cuts) / std::max(1.0, both);
+}
+
 /// Makes a node of the task's list: a leaf, or nothing is left undone but the
 /// subtrees.
 std::optional<DisplayWorker::Partition> DisplayWorker::make_node(
@@ -150,13 +169,18 @@ std::optional<DisplayWorker::Partition> DisplayWorker::make_node(
                          to_doubles(work_.origin), options.own_planes,
                          options.cut_weight);
   }
-  const double cost = std::min(axis.cost.cost, own.cost.cost);
+  // Step 2: leave the list as it is where dividing costs more than it brings,
+  // or more cuts than are left.
+  const SplitCost& least =
+      axis.cost.cost <= own.cost.cost ? axis.cost : own.cost;
+  if (std::max(least.cuts, 1.0) > task.allowance) return leaf();
+  const double cost = least.cost;
   if (!(cost < undivided) &&
       (is_short || !(cost < undivided + contended_by(task)))) {
     return leaf();
   }
 
-  // Step 2: divide the list.
+  // Step 3: divide the list.
   const bool across = axis.cost.cost <= own.cost.cost;
   PlaneId plane = own.polygon;
   if (across) {
@@ -172,6 +196,7 @@ std::optional<DisplayWorker::Partition> DisplayWorker::make_node(
   node.plane = builder_.geometry().plane(plane);
   const Partition parts =
       distribute(task, plane, node.plane, across ? &axis : nullptr);
+  coincident_count_ = coincident_.size();
   add_fragments(id, coincident_);
   return parts;
 }

@@ -44,6 +44,7 @@ struct DisplayJob {
   std::vector<Part> parts;
   Box box = kNoBox;
   double share = 1;
+  double allowance = 0;  ///< how many cuts its subtree may make, about
   /// Corners of parts, cut vertices and free planes, those of the splitters
   /// above first.
   BspTree tree;
@@ -80,6 +81,7 @@ class DisplayWorker {
     std::size_t count;
     Box box;
     double share;
+    double allowance;
     NodeId parent;
     Side side;
   };
@@ -106,7 +108,8 @@ class DisplayWorker {
   Part part_of(const Item& item);
   void add_fragments(NodeId id, std::vector<Item>& items);
   DisplayJob job_of(const Item* items, std::size_t count, const Box& box,
-                    double share) const;
+                    double share, double allowance) const;
+  double allowance_for_each(const Task& task, const Partition& parts) const;
   Box absolute(const Box& box) const;
   void add_done(double share);
 
@@ -116,6 +119,7 @@ class DisplayWorker {
   std::vector<Item>& items_;
   std::vector<Item> positive_;
   std::vector<Item> coincident_;
+  std::size_t coincident_count_ = 0;  ///< of the node that was made last
   std::vector<Task> tasks_;
   std::vector<VertexId> vertices_;
   double done_ = 0;

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "boxes.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/build.hpp"
 #include "tree_builder.hpp"
@@ -10,6 +11,7 @@ namespace {
 /// A part on its way down, at `node` or, if there is none, at that place.
 struct Step {
   Part part;
+  Box box;
   NodeId node;
   NodeId parent;
   Side side;
@@ -49,6 +51,14 @@ void make_node(BspTree& tree, const Step& step, const Plane& plane) {
   put(tree, id, step.part, plane);
 }
 
+Box box_of(const BspTree& tree, const TreeBuilder& builder, const Part& part) {
+  Box box = kEmptyBox;
+  for (std::uint32_t k = 0; k < part.count; ++k) {
+    extend(box, builder.vertex(tree.corners[part.first + k].vertex));
+  }
+  return box;
+}
+
 }  // namespace
 
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon) {
@@ -60,10 +70,15 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
             FilterStats& stats) {
   TreeBuilder builder(scene, tree, stats);
   const Plane plane = plane_of(scene, polygon);
-  tree.boxes.clear();
+  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
   std::vector<Step> steps;
-  steps.push_back({builder.whole(polygon), tree.nodes.empty() ? kNoNode : 0,
-                   kNoNode, Side::kOn});
+  const auto start = [&](const Part& part, NodeId node, NodeId parent,
+                         Side side) {
+    const Box box = has_boxes ? box_of(tree, builder, part) : Box{};
+    steps.push_back({part, box, node, parent, side});
+  };
+  start(builder.whole(polygon), tree.nodes.empty() ? kNoNode : 0, kNoNode,
+        Side::kOn);
   while (!steps.empty()) {
     const Step step = steps.back();
     steps.pop_back();
@@ -71,16 +86,21 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
     // Step 1: where there is no node, the part becomes one.
     if (step.node == kNoNode) {
       make_node(tree, step, plane);
+      if (has_boxes) tree.boxes.push_back(step.box);
       continue;
+    }
+    if (has_boxes) {
+      extend(tree.boxes[static_cast<std::size_t>(step.node)], step.box);
     }
 
     // Step 2: else it stays here, goes to one side, or is cut and goes to both.
     const Node node = node_at(tree, step.node);
     HALFSPACE_ASSERT(node.splitter != kNoPlane);
-    const auto go = [&](const Part& part, Side side) {
-      steps.push_back({part,
-                       side == Side::kPositive ? node.positive : node.negative,
-                       step.node, side});
+    const auto child = [&node](Side side) {
+      return side == Side::kPositive ? node.positive : node.negative;
+    };
+    const auto go = [&](Side side) {
+      steps.push_back({step.part, step.box, child(side), step.node, side});
     };
     const FilterPlane filter = filter_plane(node.plane);
     switch (builder.relation(step.part, node.splitter, filter)) {
@@ -88,15 +108,15 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
         put(tree, step.node, step.part, plane);
         break;
       case Relation::kPositive:
-        go(step.part, Side::kPositive);
+        go(Side::kPositive);
         break;
       case Relation::kNegative:
-        go(step.part, Side::kNegative);
+        go(Side::kNegative);
         break;
       case Relation::kSpanning: {
         const CutParts cut = builder.cut(step.part, node.splitter, filter);
-        go(cut.negative, Side::kNegative);
-        go(cut.positive, Side::kPositive);
+        start(cut.negative, child(Side::kNegative), step.node, Side::kNegative);
+        start(cut.positive, child(Side::kPositive), step.node, Side::kPositive);
         break;
       }
     }

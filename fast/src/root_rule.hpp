@@ -90,10 +90,13 @@ inline std::pair<std::uint64_t, std::uint64_t> root_cost(
 }
 
 /// The place of the root in a list of `count` polygons (S3.3).
-/// `relation_of(i, j)` is polygon j against the plane of polygon i.
-template <class RelationOf>
+/// `relation_of(i, j)` is polygon j against the plane of polygon i;
+/// `go_on()` is asked once a candidate, and where it says no any place is
+/// given.
+template <class RelationOf, class GoOn>
 std::size_t choose_root(std::size_t count, const BuildOptions& options,
-                        std::uint64_t key, RelationOf&& relation_of) {
+                        std::uint64_t key, RelationOf&& relation_of,
+                        GoOn&& go_on) {
   // Step 1: nothing to compare where there is no choice.
   if (options.rule == RootRule::kFirst || count == 1) return 0;
   // Step 2: the candidates, lowest id first.
@@ -106,6 +109,7 @@ std::size_t choose_root(std::size_t count, const BuildOptions& options,
       options.rule == RootRule::kH2 || options.rule == RootRule::kH3;
   std::vector<RootCounts> counts(candidates.size());
   for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (!go_on()) return 0;
     for (std::size_t j = 0; j < count; ++j) {
       const Relation relation = relation_of(candidates[c], j);
       counts[c].positive += relation == Relation::kPositive ? 1 : 0;

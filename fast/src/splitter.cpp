@@ -12,9 +12,11 @@ std::size_t choose_root(const Scene& scene,
   HALFSPACE_ASSERT(!polygons.empty());
   HALFSPACE_ASSERT(options.candidates >= 1);
   return choose_root(
-      polygons.size(), options, key, [&](std::size_t i, std::size_t j) {
+      polygons.size(), options, key,
+      [&](std::size_t i, std::size_t j) {
         return relation(scene, polygons[j], polygons[i].source, stats);
-      });
+      },
+      [] { return true; });
 }
 
 }  // namespace halfspace::fast

@@ -137,6 +137,17 @@ TEST(DisplayTree, GrowsLittleWhereTrianglesAreSmall) {
   EXPECT_LT(stats(tree).height, 40u);
 }
 
+/// Where every triangle crosses most others, a tree without leaves would have a
+/// thousand fragments for each.
+TEST(DisplayTree, GrowsByNoMoreThanItMay) {
+  const Scene scene = strewn(2000, (std::int64_t{1} << 26) - 1000, 26);
+  const BspTree tree = build_display_tree(scene);
+  const DisplayTreeOptions options;
+  const double most = options.most_cuts * 2000 + 100'000;
+  EXPECT_LT(static_cast<double>(tree.fragments.size()), 2 * most);
+  EXPECT_GT(static_cast<double>(tree.fragments.size()), most / 4);
+}
+
 TEST(DisplayTree, IsDividedOnTheWidestGridToo) {
   const Scene scene = strewn(3000, std::int64_t{1} << 46, 54);
   DisplayTreeOptions options;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "halfspace/bsp_tree.hpp"
@@ -70,6 +71,10 @@ struct BspTree {
   std::vector<Box> boxes;
 };
 
+/// Called now and then with the share of the work that is done, from 0 to 1,
+/// never less than before. Where it returns false, the work stops.
+using Progress = std::function<bool(double)>;
+
 /// The tree of the scene (S3.5; FAG83 sec. 2.2.1, Make_tree).
 ///
 /// A pure function of its arguments; no recursion.
@@ -80,12 +85,15 @@ struct BspTree {
 BspTree build(const Scene& scene, const BuildOptions& options);
 BspTree build(const Scene& scene, const BuildOptions& options,
               FilterStats& stats);
+/// Without nodes if `progress` stopped it.
+BspTree build(const Scene& scene, const BuildOptions& options,
+              FilterStats& stats, const Progress& progress);
 
 /// Adds polygon `polygon` of the scene to a tree that does not hold it yet
 /// (S3.6; F2B "on-line").
 ///
 /// Each part of it ends in the node whose plane it lies in, or in a new node
-/// of its own where there was none.
+/// of its own where there was none. A tree that has boxes keeps them.
 /// Requires: a tree of this scene, without leaves.
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon);
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
 #include "halfspace/fast/build.hpp"
 
@@ -15,6 +14,9 @@ struct DisplayTreeOptions {
   /// What a cut costs, in fragments that a ray meets: more makes the tree
   /// smaller and its leaves longer.
   double cut_weight = 2;
+  /// How many cuts the tree may make for each polygon, about, beyond the first
+  /// 100,000: what would need more lies in longer leaves. Bounds the memory.
+  double most_cuts = 4;
   /// How many polygons' own planes are tried where no plane across an axis
   /// divides well; 0 for none.
   std::size_t own_planes = 8;
@@ -22,7 +24,7 @@ struct DisplayTreeOptions {
   int threads = 0;
   /// Called now and then, one call at a time, from any of the threads, with the
   /// share that is done, from 0 to 1. Where it returns false, the work stops.
-  std::function<bool(double)> progress;
+  Progress progress;
 };
 
 /// A tree for displaying the scene (S3.1, S3.7) that divides it well with few
@@ -56,6 +58,24 @@ bool has_leaves(const BspTree& tree);
 /// Exact: yes.
 /// Cost:  for a leaf of k fragments k log k decisions, at worst k squared.
 void divide_leaves(BspTree& tree, const Scene& scene);
+
+/// What the arrays of a tree take. Units: bytes.
+struct TreeBytes {
+  std::size_t nodes = 0;
+  std::size_t boxes = 0;
+  std::size_t fragments = 0;
+  std::size_t corners = 0;
+  std::size_t cut_vertices = 0;
+  std::size_t free_planes = 0;
+
+  std::size_t total() const {
+    return nodes + boxes + fragments + corners + cut_vertices + free_planes;
+  }
+  friend bool operator==(const TreeBytes&, const TreeBytes&) = default;
+};
+
+/// What the tree takes, array by array.
+TreeBytes bytes_by_array(const BspTree& tree);
 
 /// What the tree takes. Units: bytes.
 std::size_t bytes_of(const BspTree& tree);
