@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <tuple>
@@ -7,6 +10,7 @@
 
 #include "agree_solids.hpp"
 #include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/export.hpp"
 #include "halfspace/ref/boolean.hpp"
 
 /// Solids are compared by their faces' boundaries: of each face that the result
@@ -166,16 +170,116 @@ void compare(const Solid& first, const Solid& second) {
   }
 }
 
+/// Whether the solids have one surface: every byte of their meshes is alike
+/// once all that can be merged is.
+bool same_surface(const fast::Solid& a, const fast::Solid& b) {
+  const auto m = fast::exported(fast::merged(a, fast::Merge::kPlane));
+  const auto n = fast::exported(fast::merged(b, fast::Merge::kPlane));
+  return m.vertices == n.vertices && m.first_corner == n.first_corner &&
+         m.corners == n.corners;
+}
+
+/// The faces of one part by the polygons they come from.
+Outline outline_of_part(const fast::Solid& solid, std::int32_t part) {
+  Points points(solid);
+  Outline outline;
+  for (const fast::Face& face : solid.faces) {
+    auto& lines = outline[{face.part == part, face.polygon, face.turned}];
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      const fast::SolidEdge& edge = solid.edges[face.first_edge + i];
+      const Point from = points[edge.from];
+      add_edge(from, points[edge.to], lines);
+    }
+  }
+  return without_nothing(std::move(outline));
+}
+
+/// What holds of two solids without a reference.
+void check_identities(const Solid& first, const Solid& second) {
+  using enum BooleanOp;
+  const fast::Solid a = fast::to_solid(first, 1);
+  const fast::Solid b = fast::to_solid(second, 2);
+  const fast::Solid both = fast::boolean(kIntersection, a, b);
+  const fast::Solid any = fast::boolean(kUnion, a, b);
+  const fast::Solid less = fast::boolean(kDifference, a, b);
+  const fast::Solid one = fast::symmetric_difference(a, b);
+  ASSERT_TRUE(volume6(any) + volume6(both) == volume6(a) + volume6(b));
+  ASSERT_TRUE(volume6(one) == volume6(any) - volume6(both));
+  ASSERT_TRUE(fast::bad_edges(one).empty());
+  ASSERT_TRUE(same_surface(any, fast::boolean(kUnion, b, a)));
+  ASSERT_TRUE(same_surface(both, fast::boolean(kIntersection, b, a)));
+  // De Morgan: a less b, and a or b.
+  ASSERT_TRUE(
+      same_surface(less, fast::boolean(kIntersection, a, fast::complement(b))));
+  ASSERT_TRUE(same_surface(
+      any, fast::complement(fast::boolean(kIntersection, fast::complement(a),
+                                          fast::complement(b)))));
+  // What was taken apart is put together again, polygon by polygon.
+  const fast::Solid again = fast::boolean(kUnion, less, both);
+  ASSERT_TRUE(outline_of_part(again, 1) == outline_of_part(a, 1));
+  const fast::Solid parts = fast::merged(again, fast::Merge::kOrigin);
+  ASSERT_EQ(parts.faces.size(), a.faces.size());
+  ASSERT_TRUE(outline_of_part(parts, 1) == outline_of_part(a, 1));
+}
+
+/// The parts on either side of a plane through corners of the other solid.
+void check_halves(const Solid& first, const Solid& second, Draws& draws) {
+  const auto& points = second.scene().data().vertices;
+  if (points.empty()) return;
+  std::array<GridPoint, 3> corners;
+  for (GridPoint& corner : corners) {
+    corner = points[static_cast<std::size_t>(
+        draws.from_to(0, static_cast<std::int64_t>(points.size()) - 1))];
+  }
+  const auto point = [&](std::size_t i) { return ref::to_point(corners[i]); };
+  const Point u{point(1).x - point(0).x, point(1).y - point(0).y,
+                point(1).z - point(0).z};
+  const Point v{point(2).x - point(0).x, point(2).y - point(0).y,
+                point(2).z - point(0).z};
+  const Point normal{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z,
+                     u.x * v.y - u.y * v.x};
+  if (normal == Point{}) return;
+  const fast::Solid a = fast::to_solid(first);
+  const fast::Halves halves = fast::split(a, corners);
+  const auto sides_are = [&](const fast::Solid& half, int side) {
+    Points at(half);
+    return std::all_of(half.edges.begin(), half.edges.end(),
+                       [&](const auto& edge) {
+                         const Point& p = at[edge.from];
+                         const Rational value = normal.x * (p.x - point(0).x) +
+                                                normal.y * (p.y - point(0).y) +
+                                                normal.z * (p.z - point(0).z);
+                         return sign(value) * side >= 0;
+                       });
+  };
+  ASSERT_TRUE(fast::bad_edges(halves.positive).empty());
+  ASSERT_TRUE(fast::bad_edges(halves.negative).empty());
+  ASSERT_TRUE(sides_are(halves.positive, 1));
+  ASSERT_TRUE(sides_are(halves.negative, -1));
+  ASSERT_TRUE(volume6(halves.positive) + volume6(halves.negative) ==
+              volume6(a));
+  ASSERT_TRUE(same_surface(
+      a, fast::boolean(BooleanOp::kUnion, halves.positive, halves.negative)));
+}
+
+/// How many seeds: more where the environment asks for a campaign.
+std::uint64_t times(std::uint64_t seeds) {
+  const char* asked = std::getenv("HALFSPACE_BOOLEAN_TIMES");
+  return asked != nullptr ? seeds * std::strtoull(asked, nullptr, 10) : seeds;
+}
+
 void compare_kinds(std::uint64_t seeds, std::int64_t scale) {
   for (const SolidKind first : kSolidKinds) {
     for (const SolidKind second : kSolidKinds) {
-      for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      for (std::uint64_t seed = 1; seed <= times(seeds); ++seed) {
         SCOPED_TRACE(std::to_string(static_cast<int>(first)) + " and " +
                      std::to_string(static_cast<int>(second)) + ", seed " +
                      std::to_string(seed));
         Draws draws(seed);
         const Solid a = random_solid(first, scale, draws);
         const Solid b = random_solid(second, scale, draws);
+        check_identities(a, b);
+        check_halves(a, b, draws);
         compare(a, b);
         if (::testing::Test::HasFatalFailure()) return;
       }

@@ -69,6 +69,12 @@ Solid symmetric_difference(const Solid& a, const Solid& b) {
   return carried_out({false, true, true}, a, b);
 }
 
+Halves split(const Solid& solid, const std::array<GridPoint, 3>& corners) {
+  const Solid negative = half_space(corners, solid);
+  return {boolean(BooleanOp::kDifference, solid, negative),
+          boolean(BooleanOp::kIntersection, solid, negative)};
+}
+
 std::vector<BadEdge> bad_edges(const Solid& solid) {
   // Uses from the lesser end to the greater one count up, the others down.
   std::vector<BadEdge> uses;

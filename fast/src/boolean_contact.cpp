@@ -23,6 +23,7 @@ bool Contact::find_sides(std::size_t o, std::int32_t plane) {
   auto& sides = sides_[o];
   const std::uint32_t count = face(o).edge_count;
   sides.resize(count);
+  if (count == 0) return true;
   bool positive = false, negative = false;
   for (std::uint32_t i = 0; i < count; ++i) {
     const int side = space_.side(plane, edges[i].from);
@@ -54,6 +55,7 @@ bool Contact::may_overlap(int axis) const {
     const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
     low[o] = std::numeric_limits<double>::max();
     high[o] = -low[o];
+    if (face(o).edge_count == 0) std::swap(low[o], high[o]);
     const auto reach = [&](const Vertex& v) {
       low[o] = std::min(low[o], coordinate(v) - v.error);
       high[o] = std::max(high[o], coordinate(v) + v.error);
@@ -108,6 +110,13 @@ void Contact::add_marks(std::size_t o, std::int32_t across) {
   }
 }
 
+/// Whether the faces are there before the first mark: what has no edges is.
+std::array<std::array<bool, 2>, 2> Contact::far_away() const {
+  const bool first = face(0).edge_count == 0;
+  const bool second = face(1).edge_count == 0;
+  return {{{first, first}, {second, second}}};
+}
+
 /// Puts the marks in order along the axis, and makes one of those at the same
 /// point.
 void Contact::order_marks(int axis) {
@@ -130,7 +139,7 @@ void Contact::order_marks(int axis) {
     }
   }
   marks_.resize(kept);
-  std::array<std::array<bool, 2>, 2> state{};
+  auto state = far_away();
   for (Mark& mark : marks_) {
     for (std::size_t o = 0; o < 2; ++o) {
       for (std::size_t s = 0; s < 2; ++s)
@@ -209,7 +218,7 @@ void Contact::meet_in_plane(std::size_t o) {
 
 /// The points at which either face meets the other.
 void Contact::report_cuts() {
-  std::array<std::array<bool, 2>, 2> before{};
+  auto before = far_away();
   for (const Mark& mark : marks_) {
     for (std::size_t o = 0; o < 2; ++o) {
       const std::size_t p = 1 - o;

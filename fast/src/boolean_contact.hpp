@@ -49,6 +49,7 @@ class Contact {
   bool may_overlap(int axis) const;
   void add_marks(std::size_t o, std::int32_t across);
   void order_marks(int axis);
+  std::array<std::array<bool, 2>, 2> far_away() const;
   void meet_across();
   void meet_in_plane(std::size_t o);
   void report_cuts();

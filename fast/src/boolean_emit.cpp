@@ -224,6 +224,8 @@ Solid Engine::result() {
   Solid result;
   result.unit = operands_[0].solid->unit;
   result.space = operands_[0].solid->space;
+  result.unbounded =
+      truth_(operands_[0].solid->unbounded, operands_[1].solid->unbounded);
   std::vector<std::uint8_t> pinned(space_.vertex_count());
   for (std::size_t o = 0; o < 2; ++o) copy_untouched(o, result, pinned);
   // Step 2: what is left of the others.
@@ -260,6 +262,7 @@ void Engine::copy_untouched(std::size_t o, Solid& result,
   const auto count = static_cast<std::int32_t>(operands_[o].boxes.size());
   for (std::int32_t f = 0; f < count; ++f) {
     if (operands_[o].touched[static_cast<std::size_t>(f)] != 0) continue;
+    if (operands_[o].face(f).edge_count == 0) continue;
     const SolidEdge* edges = operands_[o].edges_of(f);
     const bool member = is_inside(o, edges[0].from);
     const bool beyond = apply(o, false, member);

@@ -16,6 +16,10 @@ void add_boxes(Operand& operand) {
       extend(box, solid.space->vertex(solid.edges[face.first_edge + i].from)
                       .approximate);
     }
+    if (face.edge_count == 0) {
+      // All of a plane.
+      std::swap(box.low, box.high);
+    }
     operand.boxes.push_back(box);
     extend(operand.box, box);
   }
@@ -131,15 +135,20 @@ bool Locator::is_inside(std::int32_t vertex, std::int32_t towards) const {
   extend(ray, space_.vertex(vertex).approximate);
   extend(ray, space_.vertex(towards).approximate);
   ray.high[0] = std::numeric_limits<float>::max();
-  int winding = 0;
+  int winding = operand_.solid->unbounded ? 1 : 0;
   tree_.find(ray, [&](std::int32_t f) {
     const Face& face = operand_.face(f);
     const int along = space_.normal_sign(face.plane, 0);
-    if (along == 0) return;
+    if (along == 0 && face.edge_count != 0) return;
     int side = space_.side(face.plane, vertex);
     if (side == 0) side = space_.side(face.plane, towards);
     // The face lies ahead where the normal that points along the ray has the
     // point behind it.
+    if (face.edge_count == 0) {
+      // No ray: its side decides for itself.
+      winding = (side > 0) == face.turned ? 1 : 0;
+      return;
+    }
     if (side * along >= 0 || !is_above(f, vertex, towards)) return;
     winding += (along > 0) != face.turned ? 1 : -1;
   });

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 #include "space.hpp"
 #include "triangulate.hpp"
@@ -27,11 +27,14 @@ struct Polygon {
 std::vector<Polygon> polygons_of(const Solid& solid, bool triangles) {
   std::vector<Polygon> polygons;
   std::vector<std::array<std::int32_t, 3>> parts;
+  std::vector<std::vector<std::int32_t>> joined;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     const auto id = static_cast<std::int32_t>(f);
     const Face& face = solid.faces[f];
     if (!triangles || face.edge_count == 3) {
-      auto loop = convex_loop(solid, face);
+      auto loop = convex_loop(
+          solid, face,
+          std::span(solid.edges).subspan(face.first_edge, face.edge_count));
       if (!loop.empty()) {
         polygons.push_back({std::move(loop), id});
         continue;
@@ -39,6 +42,12 @@ std::vector<Polygon> polygons_of(const Solid& solid, bool triangles) {
     }
     parts.clear();
     triangulate(solid, face, parts);
+    if (!triangles) {
+      joined.clear();
+      join_convex(solid, face, parts, joined);
+      for (auto& part : joined) polygons.push_back({std::move(part), id});
+      continue;
+    }
     for (const auto& part : parts)
       polygons.push_back({{part.begin(), part.end()}, id});
   }
@@ -69,17 +78,18 @@ void add_vertices(const Solid& solid, std::vector<Polygon>& polygons,
   for (const std::int32_t v : used) {
     numbers[static_cast<std::size_t>(v)] =
         static_cast<std::int32_t>(mesh.vertices.size());
-    const SpaceVertex& vertex = space.vertex(v);
-    const Vertex& p = vertex.approximate;
-    std::array<double, 3> at{scaled(p.x, solid.unit), scaled(p.y, solid.unit),
-                             scaled(p.z, solid.unit)};
+    bool rounded = false;
+    std::array<double, 3> at = space.nearest(v, rounded);
+    for (double& coordinate : at) coordinate = scaled(coordinate, solid.unit);
     mesh.vertices.push_back(at);
-    if (vertex.is_grid() && solid.unit.base == 2) continue;
-    // What the approximation is off by, and 2^-50 for the unit.
+    if (!rounded && solid.unit.base == 2) continue;
+    // Half a unit in the last place, and 2^-51 for a power of ten and what is
+    // done with it.
     const double size =
         std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
     ++mesh.moved;
-    mesh.max_move = std::max(mesh.max_move, size * 0x1p-49);
+    mesh.max_move = std::max(mesh.max_move,
+                             size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
   }
   for (Polygon& polygon : polygons) {
     for (std::int32_t& v : polygon.corners)

@@ -90,7 +90,7 @@ Solid merged(const Solid& solid, Merge rule) {
     }
   }
   straighten(pieces, {}, *solid.space);
-  Solid result{{}, {}, solid.unit, solid.space};
+  Solid result{{}, {}, solid.unbounded, solid.unit, solid.space};
   std::int64_t last = -1;
   for (const Piece& piece : pieces) {
     if (piece.bucket != last) {

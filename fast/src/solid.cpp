@@ -56,6 +56,30 @@ Solid to_solid(const halfspace::Solid& solid, const Solid& with,
   return in_space(solid, with.space, part);
 }
 
+Solid complement(Solid solid) {
+  for (Face& face : solid.faces) face.turned = !face.turned;
+  for (SolidEdge& edge : solid.edges) std::swap(edge.from, edge.to);
+  // The edges of a loop stand in a row.
+  for (const Face& face : solid.faces) {
+    const auto first =
+        solid.edges.begin() + static_cast<std::ptrdiff_t>(face.first_edge);
+    std::reverse(first, first + static_cast<std::ptrdiff_t>(face.edge_count));
+  }
+  solid.unbounded = !solid.unbounded;
+  return solid;
+}
+
+Solid half_space(const std::array<GridPoint, 3>& corners, const Solid& with) {
+  Solid result;
+  result.unit = with.unit;
+  result.space = with.space;
+  const OrientedPlane plane = result.space->add_plane(corners);
+  result.faces.emplace_back();
+  result.faces[0].plane = plane.plane;
+  result.faces[0].turned = plane.turned;
+  return result;
+}
+
 SolidPlane plane_at(const Solid& solid, std::int32_t plane) {
   const SpacePlane& p = solid.space->plane(plane);
   return {{p.normal.x, p.normal.y, p.normal.z}, p.origin};

@@ -114,6 +114,10 @@ class Space {
   /// The sign of a component of the normal.
   int normal_sign(std::int32_t plane, int axis) const;
 
+  /// The coordinates as the nearest doubles, ties to even. `rounded`: whether
+  /// one of them is off.
+  std::array<double, 3> nearest(std::int32_t vertex, bool& rounded) const;
+
   /// Whether the planes are not parallel; and then an axis along which their
   /// line runs, as far from athwart as doubles can tell.
   bool line_axis(std::int32_t p, std::int32_t q, int& axis) const;

@@ -1,38 +1,11 @@
 #include "triangulate.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "face_view.hpp"
 
 namespace halfspace::fast {
 namespace {
-
-/// A face's plane as seen from outside: which way points are ordered, and turn.
-class View {
- public:
-  View(const Solid& solid, const Face& face) : space_(*solid.space) {
-    const Plane& n = space_.plane(face.plane).filter.plane;
-    const std::array<double, 3> size{std::abs(n.a), std::abs(n.b),
-                                     std::abs(n.c)};
-    axis_ = static_cast<int>(std::max_element(size.begin(), size.end()) -
-                             size.begin());
-    sign_ = space_.normal_sign(face.plane, axis_) * (face.turned ? -1 : 1);
-  }
-  /// 1 if r is on the left of p and q, -1 if on the right.
-  int turn(std::int32_t p, std::int32_t q, std::int32_t r) const {
-    return sign_ * space_.turn(axis_, p, q, r);
-  }
-  /// Whether the sweep comes to u before it comes to v.
-  bool before(std::int32_t u, std::int32_t v) const {
-    const int first = space_.compare((axis_ + 1) % 3, u, v);
-    if (first != 0) return first < 0;
-    return sign_ * space_.compare((axis_ + 2) % 3, u, v) < 0;
-  }
-
- private:
-  const Space& space_;
-  int axis_ = 0;
-  int sign_ = 1;
-};
 
 /// Triangulates by a sweep from left to right.
 ///
@@ -42,7 +15,8 @@ class View {
 /// a vertex comes to either end of it.
 class Sweep {
  public:
-  Sweep(const View& view, std::vector<std::array<std::int32_t, 3>>& triangles)
+  Sweep(const FaceView& view,
+        std::vector<std::array<std::int32_t, 3>>& triangles)
       : view_(view), triangles_(triangles) {}
 
   void run(std::vector<SolidEdge> edges) {
@@ -170,7 +144,7 @@ class Sweep {
     return true;
   }
 
-  const View& view_;
+  const FaceView& view_;
   std::vector<std::array<std::int32_t, 3>>& triangles_;
   std::vector<Side> active_;  ///< from below upwards
 };
@@ -179,33 +153,11 @@ class Sweep {
 
 void triangulate(const Solid& solid, const Face& face,
                  std::vector<std::array<std::int32_t, 3>>& triangles) {
-  const View view(solid, face);
+  const FaceView view(solid, face);
   const auto first =
       solid.edges.begin() + static_cast<std::ptrdiff_t>(face.first_edge);
   Sweep(view, triangles)
       .run({first, first + static_cast<std::ptrdiff_t>(face.edge_count)});
-}
-
-std::vector<std::int32_t> convex_loop(const Solid& solid, const Face& face) {
-  const View view(solid, face);
-  const SolidEdge* edges = solid.edges.data() + face.first_edge;
-  const std::uint32_t count = face.edge_count;
-  std::vector<std::int32_t> loop;
-  // A loop that never turns to the right and goes leftwards once is convex.
-  int returns = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const SolidEdge& edge = edges[i];
-    const SolidEdge& next = edges[(i + 1) % count];
-    if (edge.to != next.from || next.to == edge.from ||
-        view.turn(edge.from, edge.to, next.to) < 0)
-      return {};
-    returns +=
-        view.before(edge.from, edge.to) && view.before(next.to, next.from) ? 1
-                                                                           : 0;
-    loop.push_back(edge.from);
-  }
-  if (returns != 1) return {};
-  return loop;
 }
 
 }  // namespace halfspace::fast

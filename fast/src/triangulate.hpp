@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "halfspace/fast/solid.hpp"
@@ -18,7 +19,15 @@ namespace halfspace::fast {
 void triangulate(const Solid& solid, const Face& face,
                  std::vector<std::array<std::int32_t, 3>>& triangles);
 
-/// The face's vertices in order, if it is convex with one loop; else nothing.
-std::vector<std::int32_t> convex_loop(const Solid& solid, const Face& face);
+/// The vertices of `edges`, which are edges of the face, in order, if they are
+/// one loop round a convex region; else nothing.
+std::vector<std::int32_t> convex_loop(const Solid& solid, const Face& face,
+                                      std::span<const SolidEdge> edges);
+
+/// Puts triangles of a face together again where they are all of a part of it
+/// that hangs together and is convex. Adds the polygons that result.
+void join_convex(const Solid& solid, const Face& face,
+                 const std::vector<std::array<std::int32_t, 3>>& triangles,
+                 std::vector<std::vector<std::int32_t>>& polygons);
 
 }  // namespace halfspace::fast

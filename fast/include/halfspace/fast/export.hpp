@@ -31,8 +31,9 @@ struct ExportedMesh {
   std::vector<std::int32_t> turned;
 };
 
-/// The solid as convex polygons, or as triangles, in doubles. Every vertex is
-/// within 2^-49 of its size of the exact one.
+/// The solid as convex polygons, or as triangles, in doubles: the nearest ones,
+/// ties to even, times the unit, where that is a power of two; else they are
+/// multiplied or divided by a power of ten, which rounds once or twice more.
 ///
 /// Shape: closed like the solid: what was one point is one vertex. Vertices in
 ///        the order of their coordinates, polygons in that of their corners:

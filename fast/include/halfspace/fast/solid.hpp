@@ -38,7 +38,8 @@ struct Face {
   /// solid was made, and the polygon there.
   std::int32_t part = 0;
   PolygonId polygon = 0;
-  /// Its edges are `edges[first_edge]` and the `edge_count - 1` after it.
+  /// Its edges are `edges[first_edge]` and the `edge_count - 1` after it. The
+  /// face of a half-space has none: it is all of its plane.
   std::uint32_t first_edge = 0;
   std::uint32_t edge_count = 0;
 };
@@ -52,6 +53,7 @@ struct Face {
 struct Solid {
   std::vector<Face> faces;
   std::vector<SolidEdge> edges;
+  bool unbounded = false;  ///< what is far away is inside
   Unit unit;
   std::shared_ptr<Space> space;
 };
@@ -64,6 +66,24 @@ Solid to_solid(const halfspace::Solid& solid, std::int32_t part = 0);
 /// Requires: its grid has no fewer bits than the solid's.
 Solid to_solid(const halfspace::Solid& solid, const Solid& with,
                std::int32_t part = 0);
+
+/// What is outside of the solid, regularised. An operand like any other.
+Solid complement(Solid solid);
+
+/// The points that are on the negative side of a plane, given by three points
+/// of the grid that are not on one line: an operand in the table of `with`.
+///
+/// Requires: a boolean of it must have a bounded surface, as the intersection
+///           of a solid with it has.
+Solid half_space(const std::array<GridPoint, 3>& corners, const Solid& with);
+
+/// The parts of the solid on either side of the plane through three points of
+/// the grid, both closed (S6.5).
+struct Halves {
+  Solid positive;
+  Solid negative;
+};
+Halves split(const Solid& solid, const std::array<GridPoint, 3>& corners);
 
 /// The points in exactly one of two solids in one unit, regularised. Shape,
 /// Keeps, Exact, Cost: as boolean().
