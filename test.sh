@@ -45,7 +45,8 @@ step "build, optimised" build release
 step "all tests, optimised" ctest --preset release --no-tests=error
 # What the tests with these labels need; building the laws takes longer.
 step "build, with sanitizers" build asan \
-  {spec,ref,fast,io}/test/all fuzz/all tools/all examples/all
+  {spec,ref,fast,io}/test/all proptest/faults/all fuzz/all tools/all \
+  examples/all
 step "unit tests and fuzz corpus, with sanitizers" \
   ctest --preset asan --no-tests=error -L 'unit|fuzz'
 for script in tools/check_laws.py tools/check_mirror.py \

@@ -1,4 +1,5 @@
 #include "fuzz.hpp"
+#include "halfspace/fast/screen.hpp"
 #include "halfspace/ref/screen.hpp"
 
 namespace halfspace {
@@ -54,9 +55,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     unlit = merged.unlit;
     // By lists that are cut up anyhow.
     const std::uint64_t some = bytes.word();
-    const auto other = ref::merge(objects, spans_of(some, bytes.word()));
+    const std::uint64_t cut = bytes.word();
+    const auto other = ref::merge(objects, spans_of(some, cut));
     HALFSPACE_FUZZ_EXPECT(mask_of(other.lit) == (mask & some));
     HALFSPACE_FUZZ_EXPECT(mask_of(other.unlit) == (some & ~mask));
+    const auto by_fast = fast::merge(objects, spans_of(some, cut));
+    HALFSPACE_FUZZ_EXPECT(by_fast.lit == other.lit);
+    HALFSPACE_FUZZ_EXPECT(by_fast.unlit == other.unlit);
+    for (const Span& object : objects) {
+      for (const Span& line : spans_of(some, cut)) {
+        HALFSPACE_FUZZ_EXPECT(fast::merge_case(object, line) ==
+                              ref::merge_case(object, line));
+      }
+    }
     // On the screen.
     std::uint64_t now = 0;
     screen.merge(0, objects, [&now](Span span) { now |= mask_of({span}); });

@@ -14,3 +14,13 @@ foreach(stem IN ITEMS agree_blend agree_boolean agree_display_tree agree_image
                         halfspace::fast halfspace::ref GTest::gtest_main)
   gtest_discover_tests(${stem}_test PROPERTIES LABELS agree)
 endforeach()
+
+# The same bytes by every compiler: tools/determinism.sh tries others.
+add_executable(determinism ${CMAKE_CURRENT_LIST_DIR}/determinism.cpp)
+halfspace_target(determinism)
+target_link_libraries(determinism PRIVATE
+  halfspace_agree_scenes halfspace::fast halfspace::io halfspace::ref)
+add_test(NAME Determinism.TheBytesAreThoseOfEveryCompiler
+  COMMAND determinism ${CMAKE_CURRENT_LIST_DIR}/determinism.txt)
+set_tests_properties(Determinism.TheBytesAreThoseOfEveryCompiler
+                     PROPERTIES LABELS agree)

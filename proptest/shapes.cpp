@@ -137,6 +137,53 @@ std::vector<Polygon> tetrahedron_of(const Shape& shape) {
   return {{o, q, p}, {o, p, r}, {o, r, q}, {p, q, r}};
 }
 
+/// Bars along the sides of a convex polygon. Each rises on its way, so that it
+/// lies above the next one where that begins: a cycle.
+std::vector<Polygon> pinwheel(const Shape& shape) {
+  constexpr std::int64_t kCorners[8][2] = {
+      {2, 1}, {1, 2}, {-1, 2}, {-2, 1}, {-2, -1}, {-1, -2}, {1, -2}, {2, -1}};
+  const auto count = static_cast<std::size_t>(3 + shape.other % 6);
+  const auto corner = [&](std::size_t k) {
+    // For few bars, corners that are far apart.
+    const auto& c = kCorners[k % count * 8 / count];
+    return GridPoint{c[0], c[1], 0};
+  };
+  const std::int64_t rise = 1 + std::abs(shape.numbers[3]);
+  std::vector<Polygon> bars;
+  for (std::size_t k = 0; k < count; ++k) {
+    const GridPoint side = corner(k + 1) - corner(k);
+    const GridPoint start =
+        vector_at(shape, 0) + std::int64_t{4} * corner(k) - side;
+    const GridPoint along = std::int64_t{6} * side + GridPoint{0, 0, rise};
+    const GridPoint across{-side.y, side.x, 0};
+    bars.push_back(
+        {start, start + along, start + along + across, start + across});
+  }
+  return bars;
+}
+
+/// Four bars round a square hole, lying in the plane of u and v.
+void add_ring(const GridPoint& centre, const GridPoint& u, const GridPoint& v,
+              std::vector<Polygon>& bars) {
+  const auto at = [&](std::int64_t a, std::int64_t b) {
+    return centre + a * u + b * v;
+  };
+  bars.push_back({at(-4, -4), at(4, -4), at(4, -3), at(-4, -3)});
+  bars.push_back({at(4, -3), at(4, 3), at(3, 3), at(3, -3)});
+  bars.push_back({at(4, 4), at(-4, 4), at(-4, 3), at(4, 3)});
+  bars.push_back({at(-4, 3), at(-4, -3), at(-3, -3), at(-3, 3)});
+}
+
+std::vector<Polygon> rings(const Shape& shape) {
+  const GridPoint centre = vector_at(shape, 0);
+  const GridPoint x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  std::vector<Polygon> bars;
+  add_ring(centre, x, y, bars);
+  add_ring(centre + std::int64_t{4} * x, x,
+           z + std::int64_t{shape.numbers[3] / 4} * y, bars);
+  return bars;
+}
+
 std::vector<Polygon> polygons_of(const Shape& shape, const Polygons& polygons) {
   const GridPoint p = vector_at(shape, 0);
   const GridPoint u = vector_at(shape, 3);
@@ -163,6 +210,10 @@ std::vector<Polygon> polygons_of(const Shape& shape, const Polygons& polygons) {
       return cubes_of(shape);
     case ShapeKind::kTetrahedron:
       return tetrahedron_of(shape);
+    case ShapeKind::kPinwheel:
+      return pinwheel(shape);
+    case ShapeKind::kRings:
+      return rings(shape);
   }
   return {};
 }

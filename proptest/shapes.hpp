@@ -21,6 +21,8 @@ enum class ShapeKind {
   kBox,    ///< the six faces of a box
   kCubes,  ///< the surface of some of 2 x 2 x 2 cubes
   kTetrahedron,
+  kPinwheel,  ///< 3 to 8 bars, each before the next
+  kRings,     ///< two square rings, one through the other
 };
 
 /// One step in making a scene.

@@ -86,6 +86,8 @@ struct Maker {
         return polygon[0];
       case EyeKind::kInside:
         return (unit / 2) * small;
+      case EyeKind::kInPolygon:
+        return polygon[0] + halved(halved(u) + halved(v));
     }
     return {};
   }
@@ -103,6 +105,7 @@ struct Maker {
         return u;
       case EyeKind::kAtVertex:
       case EyeKind::kInside:
+      case EyeKind::kInPolygon:
         return along(recipe.edge, number(0) < 0 ? -1 : 1);
     }
     return {};

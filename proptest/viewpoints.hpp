@@ -9,7 +9,14 @@
 namespace halfspace::generate {
 
 /// Where the eye is; for an eye at infinity, what its direction lies in.
-enum class EyeKind { kFree, kOnSplitter, kOnEdge, kAtVertex, kInside };
+enum class EyeKind {
+  kFree,
+  kOnSplitter,
+  kOnEdge,
+  kAtVertex,
+  kInside,
+  kInPolygon
+};
 
 /// What the image is laid over.
 enum class AimKind {

@@ -1,8 +1,11 @@
 #include "file.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
 namespace halfspace::io {
 namespace {
@@ -12,21 +15,53 @@ Error unwritable(const std::filesystem::path& path) {
           path.string() + ": cannot be written: " + std::strerror(errno)};
 }
 
-}  // namespace
-
-Result<Done> write_file(const std::filesystem::path& path,
-                        std::string_view bytes) {
-  std::FILE* const file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return unwritable(path);
+/// Writes the bytes into the open file and closes it.
+bool fill(std::FILE* file, std::string_view bytes) {
   const std::size_t written = std::fwrite(bytes.data(), 1, bytes.size(), file);
   // Closing writes what is still buffered, and may fail as writing may.
   const bool closed = std::fclose(file) == 0;
-  if (written == bytes.size() && closed) return Done{};
+  return written == bytes.size() && closed;
+}
+
+/// Writes into whatever is at the path: a device or a pipe cannot be renamed
+/// to, and a folder may be closed to new files.
+Result<Done> write_in_place(const std::filesystem::path& path,
+                            std::string_view bytes) {
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return unwritable(path);
+  if (fill(file, bytes)) return Done{};
   const Error error = unwritable(path);
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path, ignored)) {
     std::filesystem::remove(path, ignored);
   }
+  return error;
+}
+
+}  // namespace
+
+Result<Done> write_file(const std::filesystem::path& path,
+                        std::string_view bytes) {
+  std::error_code ignored;
+  // Through a symbolic link, so that the link stays.
+  const std::filesystem::path target =
+      std::filesystem::is_symlink(path, ignored)
+          ? std::filesystem::weakly_canonical(path, ignored)
+          : path;
+  if (std::filesystem::exists(target, ignored) &&
+      !std::filesystem::is_regular_file(target, ignored)) {
+    return write_in_place(path, bytes);
+  }
+  const std::filesystem::path beside =
+      target.string() + ".part-" + std::to_string(::getpid());
+  // "x": never a file that somebody else has made.
+  std::FILE* const file = std::fopen(beside.c_str(), "wbx");
+  if (file == nullptr) return write_in_place(path, bytes);
+  if (fill(file, bytes) && std::rename(beside.c_str(), target.c_str()) == 0) {
+    return Done{};
+  }
+  const Error error = unwritable(path);
+  std::filesystem::remove(beside, ignored);
   return error;
 }
 

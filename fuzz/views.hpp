@@ -1,0 +1,56 @@
+#pragma once
+
+#include "fuzz.hpp"
+#include "halfspace/bsp_tree.hpp"
+#include "shapes.hpp"
+#include "viewpoints.hpp"
+
+/// What the bytes of a fuzzer mean to the generators of proptest/.
+namespace halfspace::fuzz {
+
+inline BuildOptions build_options_of(Bytes& bytes) {
+  BuildOptions options;
+  options.rule = static_cast<RootRule>(bytes.below(9));
+  options.candidates = 1 + static_cast<std::uint32_t>(bytes.below(6));
+  options.seed = bytes.next();
+  return options;
+}
+
+inline generate::ViewRecipe view_recipe_of(Bytes& bytes) {
+  generate::ViewRecipe view;
+  view.eye = static_cast<generate::EyeKind>(bytes.below(5));
+  view.aim = static_cast<generate::AimKind>(bytes.below(5));
+  view.near = static_cast<generate::NearKind>(bytes.below(3));
+  const int flags = bytes.below(8);
+  view.perspective = (flags & 1) == 0;
+  view.cull = (flags & 2) != 0;
+  view.gouraud = (flags & 4) != 0;
+  view.other = bytes.below(24);
+  view.edge = bytes.below(12);
+  view.width_px = 1 + bytes.below(16);
+  view.height_px = 1 + bytes.below(12);
+  view.numbers = bytes.numbers(12);
+  return view;
+}
+
+inline generate::SceneRecipe scene_recipe_of(Bytes& bytes) {
+  generate::SceneRecipe scene;
+  scene.stretch = static_cast<generate::Stretch>(bytes.below(4));
+  const int more = bytes.below(4);
+  scene.jitter = (more & 1) != 0;
+  scene.corner_colors = (more & 2) != 0;
+  while (!bytes.empty() && scene.shapes.size() < 10) {
+    const auto kind = static_cast<generate::ShapeKind>(bytes.below(12));
+    const int other = bytes.below(24);
+    scene.shapes.push_back({kind, other, bytes.numbers(9)});
+  }
+  return scene;
+}
+
+/// The camera, the scene and the options that the bytes mean.
+inline SceneFile view_of(Bytes& bytes) {
+  const generate::ViewRecipe view = view_recipe_of(bytes);
+  return generate::make(generate::make(scene_recipe_of(bytes)), view);
+}
+
+}  // namespace halfspace::fuzz

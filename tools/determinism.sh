@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Builds proptest/determinism with many compilers, levels of optimisation and
+# sanitizers, and compares what it prints with proptest/determinism.txt and with
+# one another.
+#
+#   tools/determinism.sh                    all compilers that are there
+#   tools/determinism.sh g++-12 clang++-19  these
+#   LEVELS="-O0 -O3" tools/determinism.sh   these levels
+#
+# Exit status: 0 the same bytes everywhere, 1 not.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+compilers=("$@")
+if [ ${#compilers[@]} = 0 ]; then
+  for compiler in g++-12 clang++-14 clang++-19; do
+    command -v "$compiler" >/dev/null && compilers+=("$compiler")
+  done
+fi
+status=0
+first=
+# Whether the hashes are those of the first build, inner ones too.
+as_the_first() {
+  [ -n "$first" ] || first=$1
+  cmp -s "$first" "$1"
+}
+try() {
+  local what=$1 folder=build/determinism/${1//[^a-zA-Z0-9]/_}
+  shift
+  if cmake -S . -B "$folder" -G Ninja -DHALFSPACE_WARNINGS_AS_ERRORS=OFF \
+    "$@" >"$folder.log" 2>&1 &&
+    cmake --build "$folder" --target determinism >>"$folder.log" 2>&1 &&
+    "$folder/proptest/determinism" proptest/determinism.txt \
+      >>"$folder.log" 2>&1 &&
+    "$folder/proptest/determinism" --all >"$folder.hashes" &&
+    as_the_first "$folder.hashes"; then
+    echo "same   $what"
+  else
+    echo "OTHER  $what: see $folder.log"
+    status=1
+  fi
+}
+mkdir -p build/determinism
+for compiler in "${compilers[@]}"; do
+  for level in ${LEVELS:--O0 -O1 -O2 -O3}; do
+    try "$compiler $level" -DCMAKE_CXX_COMPILER="$compiler" \
+      -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$level"
+  done
+done
+[ -n "${LEVELS:-}" ] || for sanitizers in address,undefined thread; do
+  try "g++-12 $sanitizers" -DCMAKE_CXX_COMPILER=g++-12 \
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1 \
+    -DHALFSPACE_SANITIZE="$sanitizers"
+done
+exit $status

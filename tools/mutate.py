@@ -1,0 +1,471 @@
+#!/usr/bin/python3
+"""Plants faults in the sources, and tells which the tests do not notice.
+
+  tools/mutate.py                          the core of ref/ and fast/
+  tools/mutate.py --only screen,split      files whose path has one of these
+  tools/mutate.py --list --only screen     the mutants, one a line
+  tools/mutate.py --report mutants.md      the table and the survivors
+
+Mutant schemata: every mutant of a file is compiled into it at once, and the
+environment variable HALFSPACE_MUTANT tells which one is alive; so there is one
+build, then a process or a few for each mutant. Faults are planted in operators
+(one for another), comparisons (one too many, one too few, turned round),
+conditions (negated), constants (one more; true and false), enumerators (the
+next one) and statements (left out). Needs Debian's python3-clang-14, and a
+build of the tests: cmake --preset release && cmake --build --preset release.
+
+A mutant dies if a test fails, crashes or takes twenty times as long. One that
+cannot be told from the original is listed in tools/mutants.txt, as
+
+  FILE: BEFORE => AFTER: why nobody can tell
+
+Exit status: 0 all others died, 1 some survived, 2 nothing could be tried.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+from clang import cindex
+from clang.cindex import CursorKind as Kind
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+LIBCLANG = "/usr/lib/llvm-14/lib/libclang-14.so.1"
+
+FILES = [
+    "ref/src/screen.cpp", "ref/src/split.cpp", "ref/src/predicate.cpp",
+    "ref/src/splitter.cpp", "ref/src/build.cpp", "ref/src/traverse.cpp",
+    "ref/src/projection.cpp", "ref/src/scan.cpp", "ref/src/render.cpp",
+    "ref/src/shade.cpp", "ref/src/classify.cpp", "ref/src/boolean.cpp",
+    "fast/src/merge.cpp", "fast/src/split.cpp", "fast/src/geometry.cpp",
+    "fast/src/predicate.cpp", "fast/src/splitter.cpp",
+    "fast/src/traverse.cpp", "fast/src/insert.cpp",
+]
+
+OTHERS = {
+    "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"],
+    "==": ["!="], "!=": ["=="], "&&": ["||"], "||": ["&&"],
+    "+": ["-"], "-": ["+"], "*": ["+"], "/": ["*"], "%": ["/"],
+    "<<": [">>"], ">>": ["<<"], "&": ["|"], "|": ["&"],
+    "+=": ["-="], "-=": ["+="], "*=": ["+="],
+}
+
+# Which tests look at a file, quickest first: a program and its filter.
+QUICK = [("vectors_test", "*Implementations*"), ("ref_test", "*"),
+         ("fast_test", "*")]
+LAWS = [("exhaustive_test", "*Word*"), ("agree_tree_test", "*"),
+        ("agree_image_test", "*"), ("proptest", "S*/*")]
+
+PRELUDE = """#include <cstdlib>
+static bool HalfspaceMutant(int id) {
+  static const int alive = [] {
+    const char* text = std::getenv("HALFSPACE_MUTANT");
+    return text == nullptr ? -1 : std::atoi(text);
+  }();
+  return alive == id;
+}
+"""
+
+
+class Site:
+    """A piece of the source, and what may stand in its place."""
+
+    def __init__(self, begin, end, is_statement):
+        self.begin, self.end, self.is_statement = begin, end, is_statement
+        self.mutants = []  # (id, text); the text of a statement is left out
+
+
+class Mutant:
+    def __init__(self, number, path, line, before, after):
+        self.number, self.path, self.line = number, path, line
+        self.before = " ".join(before.split())
+        self.after = " ".join(after.split())
+
+    def key(self):
+        return f"{self.path}: {self.before} => {self.after}"
+
+
+class Source:
+    """A file, its sites, and the text with all of its mutants in it."""
+
+    def __init__(self, path, first_id, arguments):
+        self.path, self.next_id = path, first_id
+        self.text = (ROOT / path).read_text()
+        self.sites, self.mutants = {}, []
+        unit = cindex.Index.create().parse(str(ROOT / path), args=arguments)
+        errors = [d for d in unit.diagnostics if d.severity >= 3]
+        if errors:
+            sys.exit(f"{path}: {errors[0]}")
+        self.kept_out = [m.span() for m in re.finditer(
+            r"HALFSPACE_ASSERT\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)"
+            r"|static_assert\([^;]*;|constexpr [^;{(]*[=;{][^;]*;", self.text)]
+        for cursor in unit.cursor.get_children():
+            where = cursor.location.file
+            if where and where.name == str(ROOT / path):
+                self.visit(cursor, None)
+
+    # What is mutated.
+
+    def visit(self, cursor, parent):
+        children = list(cursor.get_children())
+        begin, end = cursor.extent.start.offset, cursor.extent.end.offset
+        is_out = any(a <= begin < b for a, b in self.kept_out)
+        if not is_out and end > begin:
+            self.mutate(cursor, parent, children, begin, end)
+        for k, child in enumerate(children):
+            # Labels and sizes must be constants.
+            if cursor.kind == Kind.CASE_STMT and k == 0:
+                continue
+            if cursor.kind == Kind.VAR_DECL and "[" in cursor.type.spelling:
+                if child.kind == Kind.INTEGER_LITERAL:
+                    continue
+            self.visit(child, cursor)
+
+    def mutate(self, cursor, parent, children, begin, end):
+        kind, text = cursor.kind, self.text[begin:end]
+        operands = self.operands(cursor, children)
+        if operands:
+            (_, left_end), (right_begin, _) = operands
+            word = self.text[left_end:right_begin].strip()
+            for other in OTHERS.get(word, []):
+                if "string" in cursor.type.spelling:
+                    continue
+                self.add(begin, end, self.text[begin:left_end] + f" {other} " +
+                         self.text[right_begin:end])
+        elif kind == Kind.UNARY_OPERATOR:
+            for sign, other in (("++", "--"), ("--", "++"), ("-", ""),
+                                ("!", "")):
+                if text.startswith(sign) and text[1:2] != "=":
+                    self.add(begin, end, other + text[len(sign):])
+                    break
+        elif kind == Kind.CXX_BOOL_LITERAL_EXPR:
+            self.add(begin, end, "false" if text == "true" else "true")
+        elif kind == Kind.INTEGER_LITERAL and text.isdigit():
+            if parent is not None and parent.kind in (
+                    Kind.DECL_REF_EXPR, Kind.MEMBER_REF_EXPR,
+                    Kind.INIT_LIST_EXPR, Kind.TYPE_REF):
+                return
+            self.add(begin, end, str(int(text) + 1))
+        elif kind == Kind.DECL_REF_EXPR and cursor.referenced is not None \
+                and cursor.referenced.kind == Kind.ENUM_CONSTANT_DECL:
+            values = [c.enum_value for c in
+                      cursor.referenced.semantic_parent.get_children()]
+            at = values.index(cursor.referenced.enum_value)
+            self.add(begin, end, f"static_cast<decltype({text})>"
+                                 f"({values[(at + 1) % len(values)]})")
+        if kind == Kind.IF_STMT or kind == Kind.CONDITIONAL_OPERATOR:
+            condition = children[0]
+            a, b = condition.extent.start.offset, condition.extent.end.offset
+            if condition.kind.is_expression():
+                self.add(a, b, f"!({self.text[a:b]})")
+        if kind in (Kind.COMPOUND_STMT, Kind.CASE_STMT, Kind.DEFAULT_STMT):
+            for child in children[kind == Kind.CASE_STMT:]:
+                if child.kind.is_expression() or child.kind in (
+                        Kind.BREAK_STMT, Kind.CONTINUE_STMT):
+                    self.leave_out(child)
+
+    def operands(self, cursor, children):
+        """The extents of both operands, where there are two."""
+        def extent(c):
+            return c.extent.start.offset, c.extent.end.offset
+        if cursor.kind in (Kind.BINARY_OPERATOR,
+                           Kind.COMPOUND_ASSIGNMENT_OPERATOR):
+            return [extent(c) for c in children[:2]]
+        if cursor.kind == Kind.CALL_EXPR and \
+                cursor.spelling.startswith("operator"):
+            given = list(cursor.get_arguments())
+            if len(given) == 2 and extent(given[0])[1] <= extent(given[1])[0]:
+                return [extent(c) for c in given]
+        return None
+
+    def site(self, begin, end, is_statement):
+        key = (begin, end, is_statement)
+        if key not in self.sites:
+            self.sites[key] = Site(begin, end, is_statement)
+        return self.sites[key]
+
+    def add(self, begin, end, after):
+        self.note(self.site(begin, end, False), after)
+
+    def leave_out(self, cursor):
+        begin, end = cursor.extent.start.offset, cursor.extent.end.offset
+        if not any(a <= begin < b for a, b in self.kept_out):
+            self.note(self.site(begin, end, True), "")
+
+    def note(self, site, after):
+        number = self.next_id
+        self.next_id += 1
+        site.mutants.append((number, after))
+        line = self.text.count("\n", 0, site.begin) + 1
+        self.mutants.append(Mutant(
+            number, self.path, line, self.text[site.begin:site.end],
+            after or "(left out)"))
+
+    # The text with all mutants in it.
+
+    def drop_lines(self, lines):
+        """Forgets the mutants on lines that do not compile."""
+        for key, site in list(self.sites.items()):
+            first = self.text.count("\n", 0, site.begin) + 1
+            last = self.text.count("\n", 0, site.end) + 1
+            if any(first <= line <= last for line in lines):
+                gone = {number for number, _ in site.mutants}
+                self.mutants = [m for m in self.mutants
+                                if m.number not in gone]
+                del self.sites[key]
+
+    def schemata(self):
+        # Outer sites first; of equal extents the statement is the outer one.
+        order = sorted(self.sites.values(),
+                       key=lambda s: (s.begin, -s.end, not s.is_statement))
+        text, rest = self.render(0, len(self.text), order)
+        assert not rest
+        return text.replace("constexpr MergeCase", "inline MergeCase")
+
+    def render(self, begin, end, sites):
+        """The text from begin to end; takes the sites in it off the list."""
+        result, at = [], begin
+        while sites and sites[0].begin < end and sites[0].end <= end:
+            site = sites.pop(0)
+            result.append(self.text[at:site.begin])
+            inner, _ = self.render(site.begin, site.end, sites)
+            result.append(self.wrapped(site, inner))
+            at = site.end
+        result.append(self.text[at:end])
+        return "".join(result), sites
+
+    @staticmethod
+    def wrapped(site, inner):
+        for number, after in site.mutants:
+            if site.is_statement:
+                inner = f"if (!HalfspaceMutant({number})) {inner}"
+            else:
+                # On one line, so that errors name the original's lines.
+                flat = " ".join(re.sub(r"//.*", "", after).split())
+                inner = f"(HalfspaceMutant({number}) ? ({flat}) : ({inner}))"
+        return inner
+
+
+class Build:
+    """The tests of a build, linked again with mutated objects."""
+
+    def __init__(self, folder, scratch):
+        self.folder, self.scratch = folder, scratch
+        scratch.mkdir(parents=True, exist_ok=True)
+        (scratch / "prelude.hpp").write_text(PRELUDE)
+
+    def commands(self, target):
+        output = subprocess.run(
+            ["ninja", "-C", self.folder, "-t", "commands", target],
+            capture_output=True, text=True)
+        return output.stdout.splitlines() if output.returncode == 0 else []
+
+    def compile_command(self, path):
+        room = path.split("/")[0]
+        for line in self.commands(f"{room}/libhalfspace_{room}.a"):
+            if line.endswith(f"/{path}"):
+                return line
+        sys.exit(f"mutate.py: {self.folder} does not compile {path}")
+
+    def parse_arguments(self, path):
+        words = self.compile_command(path).split()
+        return [w for w in words if w[:2] in ("-D", "-I")] + ["-std=c++20"]
+
+    def compile(self, source):
+        """Compiles the schemata; forgets mutants until that succeeds."""
+        stem = source.path.replace("/", "_")
+        file, object_ = self.scratch / stem, self.scratch / (stem + ".o")
+        original = str(ROOT / source.path)
+        command = self.compile_command(source.path).split()
+        command[command.index("-o") + 1] = str(object_)
+        command[-1] = str(file)
+        for flag in ("-MD", "-Werror"):
+            if flag in command:
+                command.remove(flag)
+        for flag in ("-MT", "-MF"):
+            if flag in command:
+                at = command.index(flag)
+                del command[at:at + 2]
+        # -O1 compiles sooner; the mutants do not mind.
+        command += ["-O1", "-w", "-I", str(pathlib.Path(original).parent),
+                    "-include", str(self.scratch / "prelude.hpp")]
+        for _ in range(12):
+            file.write_text(source.schemata())
+            done = subprocess.run(command, capture_output=True, text=True,
+                                  cwd=self.folder)
+            if done.returncode == 0:
+                return object_
+            lines = {int(n) for n in re.findall(
+                re.escape(str(file)) + r":(\d+):\d+: (?:error|note)",
+                done.stderr)}
+            if not lines:
+                sys.exit(f"{source.path}:\n{done.stderr[:3000]}")
+            source.drop_lines(lines)
+        sys.exit(f"mutate.py: {source.path} does not compile with mutants")
+
+    def link(self, target, objects):
+        """Links a test with the objects before all libraries."""
+        lines = self.commands(target)
+        if not lines:
+            return None
+        for part in lines[-1].split(" && "):
+            if " -o " not in part:
+                continue
+            program = self.scratch / target
+            part = re.sub(r" -o (\S+)", f" -o {program} " + " ".join(
+                map(str, objects)), part, count=1)
+            done = subprocess.run(part, shell=True, cwd=self.folder,
+                                  capture_output=True, text=True)
+            if done.returncode != 0:
+                sys.exit(f"{target}:\n{done.stderr[-2000:]}")
+            return program
+        return None
+
+
+def run(program, filter_, mutant, limit):
+    """Whether the tests pass, and how long they took."""
+    environment = dict(os.environ)
+    if mutant is not None:
+        environment["HALFSPACE_MUTANT"] = str(mutant)
+    begin = time.monotonic()
+    try:
+        done = subprocess.run(
+            [program, f"--gtest_filter={filter_}", "--gtest_fail_fast"],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            env=environment, timeout=limit, cwd=program.parent)
+        return done.returncode == 0, time.monotonic() - begin
+    except subprocess.TimeoutExpired:
+        return False, limit
+
+
+def plan_for(path, programs):
+    """The tests for mutants of a file, quickest first."""
+    room = path.split("/")[0]
+    steps = []
+    for target, filter_ in QUICK + LAWS:
+        if target not in programs or f"{room}_test" != target in (
+                "ref_test", "fast_test"):
+            continue
+        if target == "proptest":
+            filter_ = "S*/0.*" if room == "ref" else "S*/1.*"
+        steps.append((programs[target], filter_))
+    return steps
+
+
+def reasons():
+    """The mutants that nobody can tell from the original, and why."""
+    path = ROOT / "tools/mutants.txt"
+    known = {}
+    if not path.is_file():
+        return known
+    for line in path.read_text().splitlines():
+        match = re.fullmatch(r"(\S+: .* => .*): (.*)", line)
+        if match and not line.startswith("#"):
+            known[match[1]] = match[2]
+    return known
+
+
+def judge(mutant, steps, limits):
+    """What kills the mutant, if anything."""
+    for program, filter_ in steps:
+        fine, _ = run(program, filter_, mutant.number,
+                      limits[program, filter_])
+        if not fine:
+            return program.name
+    return None
+
+
+def write_report(path, rows, survivors, known):
+    lines = ["| file | mutants | died | equivalent | survived |",
+             "|---|---|---|---|---|"]
+    for name, (count, died, equivalent) in rows.items():
+        lines.append(f"| `{name}` | {count} | {died} | {equivalent} | "
+                     f"{count - died - equivalent} |")
+    sums = [sum(row[k] for row in rows.values()) for k in range(3)]
+    lines.append(f"| all | {sums[0]} | {sums[1]} | {sums[2]} | "
+                 f"{sums[0] - sums[1] - sums[2]} |")
+    if survivors:
+        lines += ["", "Survivors:", ""]
+        for mutant in survivors:
+            why = known.get(mutant.key(), "not explained")
+            lines.append(f"* `{mutant.path}:{mutant.line}`: "
+                         f"`{mutant.before}` => `{mutant.after}`: {why}")
+    text = "\n".join(lines) + "\n"
+    print(text)
+    if path:
+        path.write_text(text)
+
+
+def parse():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--only", default="", help="parts of paths, commas")
+    parser.add_argument("--build", type=pathlib.Path,
+                        default=ROOT / "build/release")
+    parser.add_argument("--scratch", type=pathlib.Path,
+                        default=ROOT / "build/mutants")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--report", type=pathlib.Path)
+    parser.add_argument("--list", action="store_true")
+    return parser.parse_args()
+
+
+def main():
+    arguments = parse()
+    cindex.Config.set_library_file(LIBCLANG)
+    build = Build(arguments.build.resolve(), arguments.scratch.resolve())
+    words = arguments.only.split(",")
+    paths = [p for p in FILES if any(word in p for word in words)]
+    sources, number = [], 0
+    for path in paths:
+        source = Source(path, number, build.parse_arguments(path))
+        number = source.next_id
+        sources.append(source)
+    if arguments.list:
+        for source in sources:
+            for mutant in source.mutants:
+                print(f"{mutant.path}:{mutant.line}: {mutant.before} => "
+                      f"{mutant.after}")
+        return 0
+    objects = [build.compile(source) for source in sources]
+    programs = {}
+    for target, _ in QUICK + LAWS:
+        program = build.link(target, objects)
+        if program:
+            programs[target] = program
+    limits = {}
+    plans = {path: plan_for(path, programs) for path in paths}
+    for step in {step for plan in plans.values() for step in plan}:
+        fine, seconds = run(*step, None, None)
+        if not fine:
+            print(f"mutate.py: {step[0].name} fails without a fault")
+            return 2
+        limits[step] = 20 * seconds + 5
+    mutants = [m for source in sources for m in source.mutants]
+    known, survivors = reasons(), []
+    rows = collections.OrderedDict((path, [0, 0, 0]) for path in paths)
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        verdicts = pool.map(
+            lambda m: judge(m, plans[m.path], limits), mutants)
+        for done, (mutant, killer) in enumerate(zip(mutants, verdicts), 1):
+            row = rows[mutant.path]
+            row[0] += 1
+            row[1] += killer is not None
+            if killer is None:
+                row[2] += mutant.key() in known
+                survivors.append(mutant)
+            print(f"{done}/{len(mutants)} {mutant.path}:{mutant.line}: "
+                  f"{mutant.before} => {mutant.after}: "
+                  f"{killer or 'SURVIVES'}", file=sys.stderr)
+    write_report(arguments.report, rows, survivors, known)
+    return 1 if any(m.key() not in known for m in survivors) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
