@@ -7,11 +7,21 @@
 
 namespace halfspace::bench {
 
+namespace {
+
+/// The cell, in quotes if it holds a comma.
+std::string csv_cell(const std::string& cell) {
+  if (cell.find(',') == std::string::npos) return cell;
+  return '"' + cell + '"';
+}
+
+}  // namespace
+
 std::string to_csv(const Table& table) {
   std::string text;
   const auto add = [&text](const std::vector<std::string>& row) {
     for (std::size_t k = 0; k < row.size(); ++k) {
-      text += (k == 0 ? "" : ",") + row[k];
+      text += (k == 0 ? "" : ",") + csv_cell(row[k]);
     }
     text += '\n';
   };

@@ -12,7 +12,8 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// The table as comma-separated values; cells hold neither commas nor quotes.
+/// The table as comma-separated values; cells with commas stand in quotes.
+/// Requires: no cell holds a quote or a line's end.
 std::string to_csv(const Table& table);
 
 /// The table as Markdown, columns as wide as their widest cell.

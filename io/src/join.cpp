@@ -164,6 +164,10 @@ Result<JoinedSize> join_npy(const Paths& parts,
   }
   out.close();
   if (good && out) return size;
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(output, ignored)) {
+    std::filesystem::remove(output, ignored);
+  }
   return Error{ErrorCode::kUnwritable, output.string() + ": cannot be written"};
 }
 

@@ -16,6 +16,14 @@ char kPartName[] = "Halfspace rows";
 
 void ignore(png_structp, png_const_charp) {}
 
+/// Removes what was begun, unless it is a device or the like.
+void remove_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored)) {
+    std::filesystem::remove(path, ignored);
+  }
+}
+
 }  // namespace
 
 PngWriter::PngWriter(const std::filesystem::path& path, std::int32_t width_px,
@@ -45,8 +53,7 @@ PngWriter::~PngWriter() {
   if (file_ == nullptr) return;
   // finish() was not reached.
   std::fclose(file_);
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
+  remove_file(path_);
 }
 
 void PngWriter::fail(png_structp png, png_const_charp why) {
@@ -94,8 +101,7 @@ Result<Done> PngWriter::finish() {
     trouble_ = std::strerror(errno);
   }
   if (trouble_.empty()) return Done{};
-  std::error_code ignored;
-  if (file != nullptr) std::filesystem::remove(path_, ignored);
+  if (file != nullptr) remove_file(path_);
   return Error{ErrorCode::kUnwritable,
                path_.string() + ": cannot be written: " + trouble_};
 }

@@ -56,6 +56,12 @@ expect 2 'narrow.npy.*40 columns' join whole.npy narrow.npy -o a.npy
 [ ! -e a.png ] || wrong "a failed join left a.png"
 expect 2 'none/a.png' join all.png -o none/a.png
 expect 2 'none/a.npy' join whole.npy -o none/a.npy
+# A full disk is said to be full.
+ln -sf /dev/full full.png
+expect 2 'full.png' join all.png -o full.png
+expect 2 'full.png' render cubes.off --size 9x9 -o full.png
+expect 2 '/dev/full' render cubes.off --size 9x9 --ids /dev/full
+[ -c /dev/full ] || wrong "a device was removed"
 
 # A film: key frames are the cameras they say, in between it moves evenly.
 cat >tour.txt <<'TOUR'
