@@ -229,6 +229,7 @@ Solid Engine::result() {
   std::vector<std::uint8_t> pinned(space_.vertex_count());
   for (std::size_t o = 0; o < 2; ++o) copy_untouched(o, result, pinned);
   // Step 2: what is left of the others.
+  const std::size_t untouched = result.faces.size();
   straighten(pieces_, pinned, space_);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
@@ -240,6 +241,8 @@ Solid Engine::result() {
     result.edges.push_back({piece.from, piece.to, piece.other});
     ++result.faces.back().edge_count;
   }
+  for (std::size_t f = untouched; f < result.faces.size(); ++f)
+    result.faces[f].box = face_box(result, result.faces[f]);
   return result;
 }
 

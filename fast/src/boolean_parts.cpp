@@ -11,17 +11,8 @@ void add_boxes(Operand& operand) {
   const Solid& solid = *operand.solid;
   operand.boxes.reserve(solid.faces.size());
   for (const Face& face : solid.faces) {
-    Box box = kEmptyBox;
-    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-      extend(box, solid.space->vertex(solid.edges[face.first_edge + i].from)
-                      .approximate);
-    }
-    if (face.edge_count == 0) {
-      // All of a plane.
-      std::swap(box.low, box.high);
-    }
-    operand.boxes.push_back(box);
-    extend(operand.box, box);
+    operand.boxes.push_back(face.box);
+    extend(operand.box, face.box);
   }
   operand.is_active.assign(solid.faces.size(), 0);
   operand.touched.assign(solid.faces.size(), 0);

@@ -124,6 +124,17 @@ class LoopWalk {
 
 }  // namespace
 
+Box face_box(const Solid& solid, const Face& face) {
+  Box box = kEmptyBox;
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    const std::int32_t v = solid.edges[face.first_edge + i].from;
+    extend(box, solid.space->vertex(v).approximate);
+  }
+  // One without edges is all of its plane.
+  if (face.edge_count == 0) std::swap(box.low, box.high);
+  return box;
+}
+
 void straighten(std::vector<Piece>& pieces,
                 const std::vector<std::uint8_t>& pinned, const Space& space) {
   const auto straight = straight_vertices(pieces, pinned, space);

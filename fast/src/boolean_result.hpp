@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "boxes.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "space.hpp"
 
@@ -16,6 +17,9 @@ struct Piece {
   std::int32_t to = 0;
   std::int32_t other = -1;  ///< as SolidEdge::other
 };
+
+/// The box of a face, rounded outwards.
+Box face_box(const Solid& solid, const Face& face);
 
 /// Drops the vertices at which nothing turns: all edges there are on one line.
 /// What is left is in the order of buckets, loop by loop.

@@ -103,6 +103,7 @@ Solid merged(const Solid& solid, Merge rule) {
     result.edges.push_back({piece.from, piece.to, piece.other});
     ++result.faces.back().edge_count;
   }
+  for (Face& face : result.faces) face.box = face_box(result, face);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "boolean_result.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "space.hpp"
@@ -38,6 +39,7 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
       };
       result.edges.push_back({at(i), at(i + 1)});
     }
+    face.box = face_box(result, face);
     result.faces.push_back(face);
   }
   return result;
@@ -77,6 +79,7 @@ Solid half_space(const std::array<GridPoint, 3>& corners, const Solid& with) {
   result.faces.emplace_back();
   result.faces[0].plane = plane.plane;
   result.faces[0].turned = plane.turned;
+  result.faces[0].box = face_box(result, result.faces[0]);
   return result;
 }
 

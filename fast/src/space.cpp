@@ -279,6 +279,7 @@ int Space::compare(int axis, std::int32_t u, std::int32_t v) const {
   const double error = (a.error + b.error) * (1 + 0x1p-50);
   if (d > error) return 1;
   if (d < -error) return -1;
+  if (error == 0) return 0;
   return with_grid(grid_bits_, [&](auto bits) {
     constexpr std::size_t kWords = 2 * Grid<bits()>::kWords;
     const auto k = static_cast<std::size_t>(axis);
@@ -308,6 +309,14 @@ int Space::turn(int axis, std::int32_t p, std::int32_t q,
   const double bound = 2 * (4 * size * e + 2 * e * e + 0x1p-50 * size * size);
   if (value > bound) return 1;
   if (value < -bound) return -1;
+  const auto at = [&](std::int32_t v, int k) {
+    const GridPoint& g = vertex(v).point;
+    return Int128{k == 0 ? g.x : k == 1 ? g.y : g.z};
+  };
+  if (vertex(p).is_grid() && vertex(q).is_grid() && vertex(r).is_grid()) {
+    return sign((at(q, i) - at(p, i)) * (at(r, j) - at(p, j)) -
+                (at(q, j) - at(p, j)) * (at(r, i) - at(p, i)));
+  }
   return with_grid(grid_bits_, [&](auto bits) {
     constexpr std::size_t kTwo = 2 * Grid<bits()>::kWords;
     constexpr std::size_t kThree = 3 * Grid<bits()>::kWords;

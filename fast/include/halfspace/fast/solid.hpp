@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "halfspace/boolean.hpp"
+#include "halfspace/fast/build.hpp"
 #include "halfspace/int128.hpp"
 #include "halfspace/scene.hpp"
 
@@ -42,6 +43,7 @@ struct Face {
   /// face of a half-space has none: it is all of its plane.
   std::uint32_t first_edge = 0;
   std::uint32_t edge_count = 0;
+  Box box;  ///< holds the face, rounded outwards
 };
 
 /// A solid, exactly: its vertices are points of the grid or meets of three of
