@@ -335,7 +335,7 @@ Proof.
   apply in_or_app; auto.
 Qed.
 
-Lemma nearer_not_hidden : forall f g, 
+Lemma nearer_not_hidden : forall f g,
   (covers f = true -> covers g = true ->
    is_nearer g f = false /\ is_nearer f g = true) -> not_hidden f g.
 Proof.
