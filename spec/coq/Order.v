@@ -4,8 +4,8 @@
     for one pixel those of [render.cpp], [painter.cpp], [zbuffer.cpp] and
     [raycast.cpp]. Everything happens at one sample: [covers] says which
     fragments cover it, and [side_at] on which side of a plane the sample's ray
-    meets a fragment. [Scene.v] defines both for polygons in space, and proves
-    what is asked of them here. *)
+    meets a fragment. [View.v] defines both for polygons in space, and proves
+    what is asked of them here; [Image.v] puts the two together. *)
 
 From Coq Require Import ZArith Lia List Bool Permutation Sorted.
 From Halfspace Require Import Base Tree.
@@ -103,7 +103,7 @@ Proof.
     rewrite !app_assoc, (Permutation_app_comm fp c); reflexivity.
 Qed.
 
-(** ** What the geometry has to give, and [Scene.v] does *)
+(** ** What the geometry has to give, and [View.v] does *)
 
 Variable valid : Fragment -> Prop.
 Variable plane_ok : Plane -> Prop.

@@ -1,14 +1,13 @@
-(** * S4.1 to S4.5, S5: polygons in space, seen by a camera.
+(** * S1.3, S2: polygons in space, and what a plane makes of them.
 
-    Here is shown what [Tree.v] and [Order.v] ask of the geometry, for convex
-    polygons with rational corners, every camera and every pixel. A fragment is
-    its source, its plane, the planes of its edges, and points whose sides say
-    how it lies against a plane: its corners, to which a split adds where lines
-    between them cross the splitter. (Of these the ones between neighbours are
-    the new corners; the others lie between them and change no side.) *)
+    A fragment is its source, its plane, the planes of its edges, and points
+    whose sides say how it lies against a plane: its corners, to which a split
+    adds where lines between them cross the splitter. (Of these the ones between
+    neighbours are the new corners; the others lie between them and change no
+    side.) [View.v] shows such fragments to a camera. *)
 
 From Coq Require Import QArith Qminmax Lqa Lia List Bool Permutation.
-From Halfspace Require Import Base Sample Tree Order.
+From Halfspace Require Import Base.
 Import ListNotations.
 Open Scope Q_scope.
 

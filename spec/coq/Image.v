@@ -1,0 +1,224 @@
+(** * S5.5: the algorithms agree.
+
+    The programs of [Order.v] with the polygons of [Scene.v] and the cameras of
+    [View.v]: nothing is left to be assumed. *)
+
+From Coq Require Import QArith Lia List Permutation.
+From Halfspace Require Import Base Tree Order Scene View.
+Import ListNotations.
+
+Section Image.
+
+Variable camera : Camera.
+Hypothesis ok : camera_ok camera.
+Variable options : Options.
+(** The pixel. *)
+Variables i j : Z.
+
+Local Notation eye_side := (View.eye_side camera).
+Local Notation covers := (View.covers camera options i j).
+Local Notation side_at := (View.side_at camera i j).
+Local Notation is_nearer := (View.is_nearer camera i j).
+
+(** A scene: planes and corners; the index is the id. *)
+Definition Scene := list (Plane * list Point).
+
+Definition scene_ok (scene : Scene) : Prop :=
+  Forall (fun p => polygon_ok (fst p) (snd p)) scene.
+
+Fixpoint polygons_from (id : Z) (scene : Scene) : list Fragment :=
+  match scene with
+  | [] => []
+  | (plane, corners) :: rest =>
+    whole id plane corners :: polygons_from (id + 1) rest
+  end.
+
+Definition polygons_of (scene : Scene) : list Fragment :=
+  polygons_from 0 scene.
+
+Definition Tree := BspTree Fragment Plane.
+
+(** S3.5, S3.6, with this file's fragments. *)
+Definition build_scene (choose_root : list Side -> list Fragment -> nat)
+  (scene : Scene) : Tree :=
+  Tree.build Fragment Plane support relation split choose_root
+    (polygons_of scene).
+
+Definition insert_scene (polygons : list Fragment) : Tree :=
+  Tree.insert_all Fragment Plane source support relation split polygons Nothing.
+
+(** S5.5: what the four programs show at the pixel. *)
+Definition render (tree : Tree) : option Z :=
+  render_pixel Fragment source covers
+    (front_to_back Fragment Plane eye_side tree).
+
+Definition paint (tree : Tree) : option Z :=
+  paint_pixel Fragment source covers
+    (back_to_front Fragment Plane eye_side tree).
+
+Definition zbuffer (polygons : list Fragment) : option Z :=
+  zbuffer_pixel Fragment source covers is_nearer polygons.
+
+Definition raycast (polygons : list Fragment) : option Z :=
+  raycast_pixel Fragment source covers is_nearer polygons.
+
+(** S5.1: the pixel of the item image. *)
+Definition seen (polygons : list Fragment) (pixel : option Z) : Prop :=
+  item Fragment source covers is_nearer polygons pixel.
+
+Definition tree_of_scene (polygons : list Fragment) (tree : Tree) : Prop :=
+  tree_of Fragment Plane source valid not_zero covers side_at is_nearer
+    polygons tree.
+
+Lemma polygons_valid : forall scene, scene_ok scene ->
+  Forall valid (polygons_of scene).
+Proof.
+  unfold polygons_of; generalize 0%Z; intros id scene O; revert id.
+  induction O as [|[plane corners] scene P _ IH]; intros id; simpl; auto.
+  constructor; [now apply whole_valid | apply IH].
+Qed.
+
+Lemma polygons_in_order : forall scene,
+  in_order Fragment source (polygons_of scene).
+Proof.
+  unfold polygons_of, in_order; generalize 0%Z; intros id scene; revert id.
+  assert (forall scene id least, (least <= id)%Z ->
+          Forall (fun f => (least <= source f)%Z) (polygons_from id scene))
+    as L.
+  { clear; induction scene as [|[plane corners] scene IH]; intros id least H;
+      simpl; constructor; simpl; auto; apply IH; lia. }
+  induction scene as [|[plane corners] scene IH]; intros id; simpl;
+    constructor; auto; apply L; simpl; lia.
+Qed.
+
+Lemma plane_of_ok : forall f, valid f -> not_zero (support f).
+Proof. intros f V; apply (valid_normal f V). Qed.
+
+Lemma split_source : forall f h,
+  source (fst (split f h)) = source f /\ source (snd (split f h)) = source f.
+Proof. split; reflexivity. Qed.
+
+Lemma split_support : forall f h,
+  support (fst (split f h)) = support f /\
+  support (snd (split f h)) = support f.
+Proof. split; reflexivity. Qed.
+
+Lemma split_side_at : forall f h k,
+  side_at (fst (split f h)) k = side_at f k /\
+  side_at (snd (split f h)) k = side_at f k.
+Proof.
+  intros f h k; unfold View.side_at; destruct (split_support f h) as [-> ->].
+  auto.
+Qed.
+
+Lemma split_nearer : forall f h g,
+  is_nearer (fst (split f h)) g = is_nearer f g /\
+  is_nearer (snd (split f h)) g = is_nearer f g /\
+  is_nearer g (fst (split f h)) = is_nearer g f /\
+  is_nearer g (snd (split f h)) = is_nearer g f.
+Proof.
+  intros f h g; unfold View.is_nearer.
+  destruct (split_support f h) as [-> ->]; auto.
+Qed.
+
+(** S3.5: a built tree is one of its scene, however roots are chosen. *)
+Theorem build_scene_tree : forall choose_root scene, scene_ok scene ->
+  tree_of_scene (polygons_of scene) (build_scene choose_root scene).
+Proof.
+  intros choose_root scene O.
+  apply (build_tree_of Fragment Plane source support relation split valid
+    not_zero covers side_at is_nearer own_plane plane_of_ok split_valid
+    split_source split_side_at
+    (View.split_covers camera ok options i j)
+    (View.relation_side_at camera ok options i j) split_nearer).
+  - now apply polygons_valid.
+  - apply polygons_in_order.
+Qed.
+
+(** S3.6: and so is one made by insertion, in any order. *)
+Theorem insert_scene_tree : forall scene polygons, scene_ok scene ->
+  Permutation polygons (polygons_of scene) ->
+  tree_of_scene (rev polygons) (insert_scene polygons).
+Proof.
+  intros scene polygons O P.
+  apply (insert_all_tree_of Fragment Plane source support relation split valid
+    not_zero covers side_at is_nearer own_plane plane_of_ok split_valid
+    split_source split_side_at
+    (View.split_covers camera ok options i j)
+    (View.relation_side_at camera ok options i j) split_nearer).
+  apply Forall_forall; intros f F.
+  pose proof (polygons_valid scene O) as V; rewrite Forall_forall in V.
+  apply V; now apply (Permutation_in f P).
+Qed.
+
+Lemma trees_agree : forall polygons others tree,
+  tree_of_scene polygons tree -> Permutation polygons others ->
+  render tree = paint tree /\ render tree = zbuffer others.
+Proof.
+  intros polygons others tree T P.
+  destruct (algorithms_agree Fragment Plane source eye_side valid not_zero
+    covers side_at is_nearer
+    (fun f g h _ _ => nearer_side camera options i j f g h)
+    (fun f g h _ _ => both_on camera options i j f g h)
+    (fun f g h _ _ => eye_on_plane camera ok options i j f g h) (nearer_asymmetric camera i j)
+    (not_nearer_transitive camera i j) polygons others tree T P) as (A & B & _).
+  split; assumption.
+Qed.
+
+(** S5.5: for every scene, every camera that is one, every choice of roots and
+    every pixel: front to back with the first writer, back to front with the
+    last, z-buffer in any order of the polygons, and nearest hit agree. *)
+Theorem image_of_built_tree : forall choose_root scene others,
+  scene_ok scene -> Permutation (polygons_of scene) others ->
+  let tree := build_scene choose_root scene in
+  render tree = paint tree /\
+  render tree = zbuffer others /\
+  render tree = raycast (polygons_of scene) /\
+  seen (polygons_of scene) (render tree).
+Proof.
+  intros choose_root scene others O P tree.
+  pose proof (build_scene_tree choose_root scene O) as T; fold tree in T.
+  destruct (trees_agree _ others tree T P) as [A B].
+  destruct (trees_agree _ (polygons_of scene) tree T (Permutation_refl _))
+    as [_ C].
+  split; [exact A|]; split; [exact B|].
+  assert (zbuffer (polygons_of scene) = raycast (polygons_of scene)) as R.
+  { symmetry; apply raycast_is_zbuffer, polygons_in_order. }
+  split; [congruence|]; rewrite C; unfold zbuffer, seen.
+  apply zbuffer_is_item;
+    [exact (nearer_asymmetric camera i j) |
+     exact (not_nearer_transitive camera i j)].
+Qed.
+
+(** The same of a tree made by insertion, in any order: so the image does not
+    depend on the tree. *)
+Theorem image_of_inserted_tree : forall choose_root scene polygons,
+  scene_ok scene -> Permutation polygons (polygons_of scene) ->
+  render (insert_scene polygons) = paint (insert_scene polygons) /\
+  render (insert_scene polygons) = render (build_scene choose_root scene).
+Proof.
+  intros choose_root scene polygons O P.
+  pose proof (insert_scene_tree scene polygons O P) as T.
+  assert (Permutation (rev polygons) (polygons_of scene)) as R.
+  { rewrite <- P; symmetry; apply Permutation_rev. }
+  destruct (trees_agree _ _ _ T R) as [A B]; split; [exact A|].
+  destruct (image_of_built_tree choose_root scene (polygons_of scene) O
+              (Permutation_refl _)) as (_ & C & _).
+  congruence.
+Qed.
+
+(** S3.7: front to back no fragment is hidden by a later one. *)
+Theorem scene_front_to_back : forall choose_root scene, scene_ok scene ->
+  ForallOrdPairs (not_hidden Fragment source covers is_nearer)
+    (front_to_back Fragment Plane eye_side (build_scene choose_root scene)).
+Proof.
+  intros choose_root scene O.
+  destruct (build_scene_tree choose_root scene O) as (S & V & _).
+  apply (front_to_back_order Fragment Plane source eye_side valid not_zero
+    covers side_at is_nearer
+    (fun f g h _ _ => nearer_side camera options i j f g h)
+    (fun f g h _ _ => both_on camera options i j f g h)
+    (fun f g h _ _ => eye_on_plane camera ok options i j f g h) _ S V).
+Qed.
+
+End Image.
