@@ -6,9 +6,7 @@
 #include "boolean_engine.hpp"
 
 namespace halfspace::fast {
-namespace {
 
-/// The solid with its points and planes in another table.
 Solid moved_to(const Solid& solid, const std::shared_ptr<Space>& space) {
   const Space& from = *solid.space;
   std::vector<std::int32_t> planes(from.plane_count(), -1);
@@ -42,6 +40,8 @@ Solid moved_to(const Solid& solid, const std::shared_ptr<Space>& space) {
   return result;
 }
 
+namespace {
+
 Solid carried_out(const Truth& truth, const Solid& a, const Solid& b) {
   if (a.space == b.space) return Engine(truth, a, b, *a.space).run();
   const auto space = std::make_shared<Space>(
@@ -54,15 +54,7 @@ Solid carried_out(const Truth& truth, const Solid& a, const Solid& b) {
 }  // namespace
 
 Solid boolean(BooleanOp operation, const Solid& a, const Solid& b) {
-  switch (operation) {
-    case BooleanOp::kUnion:
-      return carried_out({true, true, true}, a, b);
-    case BooleanOp::kIntersection:
-      return carried_out({true, false, false}, a, b);
-    case BooleanOp::kDifference:
-      break;
-  }
-  return carried_out({false, true, false}, a, b);
+  return carried_out(truth_of(operation), a, b);
 }
 
 Solid symmetric_difference(const Solid& a, const Solid& b) {

@@ -6,115 +6,185 @@
 
 namespace halfspace::fast {
 
+namespace {
+
+/// So many edges in a row have a box, in faces with many more.
+constexpr std::uint32_t kBlock = 16;
+constexpr std::uint32_t kManyEdges = 3 * kBlock;
+
+double coordinate(const Vertex& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/// Which side of the plane the box is on, or 0 if it may meet it.
+int known_side(const FilterPlane& plane, const Box& box, double rounding) {
+  double at[3];
+  double radius = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    at[k] = (double{box.low[k]} + double{box.high[k]}) / 2;
+    radius = std::max(radius, double{box.high[k]} - double{box.low[k]});
+  }
+  // No point of the box is off its middle by more than half of that; the
+  // middle is rounded by less than 2^-20 of it, where it is rounded at all.
+  const Vertex middle{at[0], at[1], at[2], radius * (0.5 + 0x1p-20)};
+  return known_sign(value_at(plane, middle, rounding));
+}
+
+}  // namespace
+
 void Contact::meet(std::int32_t face_a, std::int32_t face_b) {
   faces_ = {face_a, face_b};
   if (face(0).plane == face(1).plane) {
     meet_in_plane(0);
     meet_in_plane(1);
-  } else if (find_sides(0, face(1).plane) && find_sides(1, face(0).plane)) {
+  } else if (find_hits(0, face(1).plane) && find_hits(1, face(0).plane)) {
     meet_across();
   }
 }
 
-/// Notes the sides of face `o` against the plane that cuts it. Whether it
-/// reaches the plane.
-bool Contact::find_sides(std::size_t o, std::int32_t plane) {
-  const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
-  auto& sides = sides_[o];
+/// The boxes of face `o`'s edges, if they are many.
+std::span<const Box> Contact::blocks_of(std::size_t o) {
   const std::uint32_t count = face(o).edge_count;
-  sides.resize(count);
-  if (count == 0) return true;
-  bool positive = false, negative = false;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const int side = space_.side(plane, edges[i].from);
-    sides[i][0] = static_cast<std::int8_t>(side);
-    positive = positive || side >= 0;
-    negative = negative || side <= 0;
-  }
-  if (!positive || !negative) return false;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    // The edges of a loop stand in a row, nearly always.
-    const std::uint32_t next = i + 1 < count ? i + 1 : 0;
-    sides[i][1] =
-        edges[next].from == edges[i].to
-            ? sides[next][0]
-            : static_cast<std::int8_t>(space_.side(plane, edges[i].to));
-  }
-  return true;
-}
-
-/// Whether the faces may overlap along the axis where they meet the line: they
-/// surely do not where the doubles' bounds leave a gap.
-bool Contact::may_overlap(int axis) const {
-  std::array<double, 2> low, high;
-  const auto coordinate = [axis](const Vertex& v) {
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-  };
-  for (std::size_t o = 0; o < 2; ++o) {
-    const FilterPlane& plane = space_.plane(face(1 - o).plane).filter;
+  if (count < kManyEdges) return {};
+  std::vector<Box>& blocks = blocks_[o];
+  std::int32_t& first = first_block_[o][static_cast<std::size_t>(faces_[o])];
+  if (first < 0) {
+    first = static_cast<std::int32_t>(blocks.size());
     const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
-    low[o] = std::numeric_limits<double>::max();
-    high[o] = -low[o];
-    if (face(o).edge_count == 0) std::swap(low[o], high[o]);
-    const auto reach = [&](const Vertex& v) {
-      low[o] = std::min(low[o], coordinate(v) - v.error);
-      high[o] = std::max(high[o], coordinate(v) + v.error);
-    };
-    for (std::uint32_t i = 0; i < face(o).edge_count; ++i) {
-      const auto [s, t] = sides_[o][i];
-      const Vertex& p = space_.vertex(edges[i].from).approximate;
-      if (s == 0) reach(p);
-      if (s * t >= 0) continue;
-      const Vertex& q = space_.vertex(edges[i].to).approximate;
-      const double r = space_.rounding();
-      reach(fast::meet(p, value_at(plane, p, r), q, value_at(plane, q, r), r));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (i % kBlock == 0) blocks.push_back(kEmptyBox);
+      extend(blocks.back(), space_.vertex(edges[i].from).approximate);
+      extend(blocks.back(), space_.vertex(edges[i].to).approximate);
     }
   }
-  return low[0] <= high[1] && low[1] <= high[0];
+  return std::span(blocks).subspan(static_cast<std::size_t>(first),
+                                   (count + kBlock - 1) / kBlock);
 }
 
-/// Adds the marks of face `o`, whose sides against the plane `across` are
-/// known.
+/// Notes which edges of face `o` meet the plane. Whether the face does.
+bool Contact::find_hits(std::size_t o, std::int32_t plane) {
+  hits_[o].clear();
+  positive_ = negative_ = false;
+  const std::uint32_t count = face(o).edge_count;
+  if (count == 0) return true;
+  const auto blocks = blocks_of(o);
+  if (blocks.empty()) find_hits(o, plane, 0, count);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const int side =
+        known_side(space_.plane(plane).filter, blocks[b], space_.rounding());
+    positive_ = positive_ || side > 0;
+    negative_ = negative_ || side < 0;
+    const auto first = static_cast<std::uint32_t>(b) * kBlock;
+    if (side == 0) find_hits(o, plane, first, std::min(first + kBlock, count));
+  }
+  return positive_ && negative_;
+}
+
+void Contact::find_hits(std::size_t o, std::int32_t plane, std::uint32_t first,
+                        std::uint32_t last) {
+  const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
+  const int start = space_.side(plane, edges[first].from);
+  int from = start;
+  for (std::uint32_t i = first; i < last; ++i) {
+    // The edges of a loop stand in a row, nearly always.
+    const bool is_last = i + 1 == last;
+    const std::int32_t to_vertex = edges[i].to;
+    const std::int32_t next = edges[is_last ? first : i + 1].from;
+    const int to =
+        is_last && next == to_vertex ? start : space_.side(plane, to_vertex);
+    positive_ = positive_ || from >= 0 || to >= 0;
+    negative_ = negative_ || from <= 0 || to <= 0;
+    if (from != to || from == 0) {
+      hits_[o].push_back(
+          {i, static_cast<std::int8_t>(from), static_cast<std::int8_t>(to)});
+    }
+    if (!is_last) from = next == to_vertex ? to : space_.side(plane, next);
+  }
+}
+
+/// Measures the hits of face `o` along the line, which it is to have met.
+void Contact::measure(std::size_t o, std::int32_t plane_id, int axis) {
+  const FilterPlane& plane = space_.plane(plane_id).filter;
+  const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
+  const double r = space_.rounding();
+  low_[o] = std::numeric_limits<double>::max();
+  high_[o] = -low_[o];
+  if (face(o).edge_count == 0) std::swap(low_[o], high_[o]);
+  for (Hit& hit : hits_[o]) {
+    const Vertex& p = space_.vertex(edges[hit.edge].from).approximate;
+    const Vertex& q = space_.vertex(edges[hit.edge].to).approximate;
+    hit.low = std::numeric_limits<double>::max();
+    hit.high = -hit.low;
+    const auto reach = [&](const Vertex& v) {
+      hit.low = std::min(hit.low, coordinate(v, axis) - v.error);
+      hit.high = std::max(hit.high, coordinate(v, axis) + v.error);
+    };
+    if (hit.from == 0) reach(p);
+    if (hit.to == 0) reach(q);
+    if (hit.from * hit.to < 0)
+      reach(fast::meet(p, value_at(plane, p, r), q, value_at(plane, q, r), r));
+    low_[o] = std::min(low_[o], hit.low);
+    high_[o] = std::max(high_[o], hit.high);
+  }
+}
+
+void Contact::begin_line() {
+  marks_.clear();
+  // What has no edges is everywhere.
+  for (std::size_t o = 0; o < 2; ++o) {
+    start_[o].fill(face(o).edge_count == 0);
+    along_[o].clear();
+  }
+}
+
+/// Adds the marks of face `o`, whose hits are measured, as is the other face.
 void Contact::add_marks(std::size_t o, std::int32_t across) {
-  Operand& operand = *operands_[o];
-  const SolidEdge* edges = operand.edges_of(faces_[o]);
-  along_[o].clear();
-  for (std::uint32_t i = 0; i < face(o).edge_count; ++i) {
-    const auto [s, t] = sides_[o][i];
-    const std::int32_t id = operand.edge_of[face(o).first_edge + i];
-    Mark mark;
-    mark.present[o] = true;
-    if (s == 0 && t == 0) {
-      // An edge at which the surface touches itself may be there twice.
-      if (std::find(along_[o].begin(), along_[o].end(), id) == along_[o].end())
-        along_[o].push_back(id);
-      for (const std::int32_t end : {edges[i].from, edges[i].to}) {
-        mark.vertex = end;
-        marks_.push_back(mark);
-      }
+  for (const Hit& hit : hits_[o]) {
+    if (hit.low > high_[1 - o]) continue;
+    if (hit.high >= low_[1 - o]) {
+      add_mark(o, hit, across);
       continue;
     }
-    mark.toggle[o] = {(s > 0) != (t > 0), (s < 0) != (t < 0)};
-    if (!mark.toggle[o][0] && !mark.toggle[o][1]) continue;
-    if (s == 0) {
-      mark.vertex = edges[i].from;
-    } else if (t == 0) {
-      mark.vertex = edges[i].to;
-    } else {
-      LineEdge& edge = operand.edge(id);
-      mark.edge[o] = id;
-      mark.vertex =
-          space_.meet(edge.plane, second_plane(edge, operand, space_), across);
-    }
-    marks_.push_back(mark);
+    start_[o][0] = start_[o][0] != ((hit.from > 0) != (hit.to > 0));
+    start_[o][1] = start_[o][1] != ((hit.from < 0) != (hit.to < 0));
   }
 }
 
-/// Whether the faces are there before the first mark: what has no edges is.
-std::array<std::array<bool, 2>, 2> Contact::far_away() const {
-  const bool first = face(0).edge_count == 0;
-  const bool second = face(1).edge_count == 0;
-  return {{{first, first}, {second, second}}};
+void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
+  Operand& operand = *operands_[o];
+  const SolidEdge& solid_edge = operand.edges_of(faces_[o])[hit.edge];
+  const std::int32_t id = operand.edge_of[face(o).first_edge + hit.edge];
+  Mark mark;
+  mark.present[o] = true;
+  if (hit.from == 0 && hit.to == 0) {
+    // A far edge is not on the other face, whatever doubles say.
+    if (id < 0) return;
+    // An edge at which the surface touches itself may be there twice.
+    if (std::find(along_[o].begin(), along_[o].end(), id) == along_[o].end())
+      along_[o].push_back(id);
+    for (const std::int32_t end : {solid_edge.from, solid_edge.to}) {
+      mark.vertex = end;
+      marks_.push_back(mark);
+    }
+    return;
+  }
+  mark.toggle[o] = {(hit.from > 0) != (hit.to > 0),
+                    (hit.from < 0) != (hit.to < 0)};
+  if (!mark.toggle[o][0] && !mark.toggle[o][1]) return;
+  if (hit.from == 0) {
+    mark.vertex = solid_edge.from;
+  } else if (hit.to == 0) {
+    mark.vertex = solid_edge.to;
+  } else if (id < 0) {
+    mark.vertex = space_.meet(
+        face(o).plane, plane_athwart(solid_edge, face(o), space_), across);
+  } else {
+    LineEdge& edge = operand.edge(id);
+    mark.edge[o] = id;
+    mark.vertex =
+        space_.meet(edge.plane, second_plane(edge, operand, space_), across);
+  }
+  marks_.push_back(mark);
 }
 
 /// Puts the marks in order along the axis, and makes one of those at the same
@@ -139,7 +209,7 @@ void Contact::order_marks(int axis) {
     }
   }
   marks_.resize(kept);
-  auto state = far_away();
+  State state = start_;
   for (Mark& mark : marks_) {
     for (std::size_t o = 0; o < 2; ++o) {
       for (std::size_t s = 0; s < 2; ++s)
@@ -163,10 +233,10 @@ void Contact::order_marks(int axis) {
 void Contact::meet_across() {
   int axis = 0;
   if (!space_.line_axis(face(0).plane, face(1).plane, axis)) return;
-  if (!may_overlap(axis)) return;
-  marks_.clear();
-  add_marks(0, face(1).plane);
-  add_marks(1, face(0).plane);
+  for (std::size_t o = 0; o < 2; ++o) measure(o, face(1 - o).plane, axis);
+  if (low_[0] > high_[1] || low_[1] > high_[0]) return;
+  begin_line();
+  for (std::size_t o = 0; o < 2; ++o) add_marks(o, face(1 - o).plane);
   order_marks(axis);
   report_cuts();
   for (std::size_t i = 0; i + 1 < marks_.size(); ++i) {
@@ -191,34 +261,56 @@ void Contact::meet_across() {
 /// Both faces lie in one plane: the edges of face `o` against the other face.
 void Contact::meet_in_plane(std::size_t o) {
   Operand& operand = *operands_[o];
-  const std::size_t p = 1 - o;
+  const Box& other = face(1 - o).box;
+  const auto blocks = blocks_of(o);
+  const SolidEdge* edges = operand.edges_of(faces_[o]);
   for (std::uint32_t i = 0; i < face(o).edge_count; ++i) {
-    const std::int32_t id = operand.edge_of[face(o).first_edge + i];
-    if (operand.edge(id).first_edge != face(o).first_edge + i) continue;
-    const std::int32_t across = second_plane(operand.edge(id), operand, space_);
-    if (!find_sides(p, across)) continue;
-    const LineEdge edge = operand.edge(id);
-    marks_.clear();
-    add_marks(p, across);
-    along_[o].assign(1, id);
-    for (const std::int32_t end : {edge.low, edge.high}) {
-      Mark mark;
-      mark.vertex = end;
-      mark.present[o] = true;
-      marks_.push_back(mark);
+    if (!blocks.empty() && i % kBlock == 0 &&
+        !overlap(blocks[i / kBlock], other)) {
+      i += kBlock - 1;
+      continue;
     }
-    order_marks(edge.axis);
-    for (const Mark& mark : marks_) {
-      if (mark.present[o] && mark.has(p)) put_on_other(o, mark.vertex);
-    }
-    report_along(o, id,
-                 space_.cross_sign(edge.axis, across, face(p).plane) > 0);
+    const std::uint32_t at = face(o).first_edge + i;
+    const std::int32_t id = operand.edge_of[at];
+    if (id < 0 || operand.edge(id).first_edge != at ||
+        is_beyond(other, space_.vertex(edges[i].from).approximate,
+                  space_.vertex(edges[i].to).approximate))
+      continue;
+    meet_edge(o, id);
   }
+}
+
+void Contact::meet_edge(std::size_t o, std::int32_t id) {
+  Operand& operand = *operands_[o];
+  const std::size_t p = 1 - o;
+  const std::int32_t across = second_plane(operand.edge(id), operand, space_);
+  if (!find_hits(p, across)) return;
+  const LineEdge edge = operand.edge(id);
+  measure(p, across, edge.axis);
+  const Vertex& low = space_.vertex(edge.low).approximate;
+  const Vertex& high = space_.vertex(edge.high).approximate;
+  low_[o] = coordinate(low, edge.axis) - low.error;
+  high_[o] = coordinate(high, edge.axis) + high.error;
+  if (low_[0] > high_[1] || low_[1] > high_[0]) return;
+  begin_line();
+  add_marks(p, across);
+  along_[o].push_back(id);
+  for (const std::int32_t end : {edge.low, edge.high}) {
+    Mark mark;
+    mark.vertex = end;
+    mark.present[o] = true;
+    marks_.push_back(mark);
+  }
+  order_marks(edge.axis);
+  for (const Mark& mark : marks_) {
+    if (mark.present[o] && mark.has(p)) put_on_other(o, mark.vertex);
+  }
+  report_along(o, id, space_.cross_sign(edge.axis, across, face(p).plane) > 0);
 }
 
 /// The points at which either face meets the other.
 void Contact::report_cuts() {
-  auto before = far_away();
+  State before = start_;
   for (const Mark& mark : marks_) {
     for (std::size_t o = 0; o < 2; ++o) {
       const std::size_t p = 1 - o;

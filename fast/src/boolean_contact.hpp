@@ -15,11 +15,15 @@ namespace halfspace::fast {
 /// A line is met by a face in intervals. Seen from right beside the line, on
 /// either side, the face begins and ends where an edge crosses that side; so a
 /// vertex on the line or an edge along it needs no case of its own: it counts
-/// on the side that it reaches.
+/// on the side that it reaches. What happens to a face surely before the other
+/// one begins or after it has ended needs no exact point.
 class Contact {
  public:
   Contact(Operand& a, Operand& b, Space& space, std::vector<Trace>& traces)
-      : operands_{&a, &b}, space_(space), traces_(traces) {}
+      : operands_{&a, &b}, space_(space), traces_(traces) {
+    for (std::size_t o = 0; o < 2; ++o)
+      first_block_[o].assign(operands_[o]->solid->faces.size(), -1);
+  }
 
   /// Whatever the two faces have in common is added to the operands' lists and
   /// to the traces. Exact: yes.
@@ -42,16 +46,34 @@ class Contact {
     }
   };
 
+  /// An edge of a face that meets the plane that makes the line: the sides of
+  /// its first end and its last, and from where to where it is on the line,
+  /// in doubles.
+  struct Hit {
+    std::uint32_t edge = 0;
+    std::int8_t from = 0;
+    std::int8_t to = 0;
+    double low = 0;
+    double high = 0;
+  };
+  /// By face and side of the line.
+  using State = std::array<std::array<bool, 2>, 2>;
+
   const Face& face(std::size_t o) const {
     return operands_[o]->face(faces_[o]);
   }
-  bool find_sides(std::size_t o, std::int32_t plane);
-  bool may_overlap(int axis) const;
+  std::span<const Box> blocks_of(std::size_t o);
+  bool find_hits(std::size_t o, std::int32_t plane);
+  void find_hits(std::size_t o, std::int32_t plane, std::uint32_t first,
+                 std::uint32_t last);
+  void measure(std::size_t o, std::int32_t plane, int axis);
   void add_marks(std::size_t o, std::int32_t across);
+  void add_mark(std::size_t o, const Hit& hit, std::int32_t across);
+  void begin_line();
   void order_marks(int axis);
-  std::array<std::array<bool, 2>, 2> far_away() const;
   void meet_across();
   void meet_in_plane(std::size_t o);
+  void meet_edge(std::size_t o, std::int32_t edge);
   void report_cuts();
   void report_along(std::size_t o, std::int32_t edge, bool positive_is_left);
   void cut(std::size_t o, std::int32_t edge, std::int32_t vertex, bool through);
@@ -61,11 +83,16 @@ class Contact {
   Space& space_;
   std::vector<Trace>& traces_;
   std::array<std::int32_t, 2> faces_{};
-  /// The sides of the faces' edges' first ends against the plane that makes
-  /// the line, and of their last ends.
-  std::array<std::vector<std::array<std::int8_t, 2>>, 2> sides_;
+  std::array<std::vector<Hit>, 2> hits_;
+  bool positive_ = false, negative_ = false;  ///< sides that a face reaches
+  /// From where to where either face is on the line, in doubles.
+  std::array<double, 2> low_{}, high_{};
+  State start_{};                                   ///< before the first mark
   std::array<std::vector<std::int32_t>, 2> along_;  ///< edges on the line
   std::vector<Mark> marks_;
+  /// By operand and face: where the boxes of its edges begin, or -1.
+  std::array<std::vector<std::int32_t>, 2> first_block_;
+  std::array<std::vector<Box>, 2> blocks_;
 };
 
 }  // namespace halfspace::fast

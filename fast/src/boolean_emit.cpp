@@ -226,11 +226,17 @@ Solid Engine::result() {
   result.space = operands_[0].solid->space;
   result.unbounded =
       truth_(operands_[0].solid->unbounded, operands_[1].solid->unbounded);
-  std::vector<std::uint8_t> pinned(space_.vertex_count());
-  for (std::size_t o = 0; o < 2; ++o) copy_untouched(o, result, pinned);
-  // Step 2: what is left of the others.
+  notes_.pinned.forget();
+  for (std::size_t o = 0; o < 2; ++o) copy_untouched(o, result);
+  for (std::size_t o = 0; o < 2; ++o) add_runs(o);
+  // Step 2: what is left of the others. A vertex that is beyond one operand
+  // may be one of faces that are not here.
   const std::size_t untouched = result.faces.size();
-  straighten(pieces_, pinned, space_);
+  const auto is_pinned = [this](std::int32_t v) {
+    return notes_.pinned.get(v, 0) != 0 || is_beyond_other(0, v) ||
+           is_beyond_other(1, v);
+  };
+  straighten(pieces_, is_pinned, space_);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
     if (i == 0 || piece.bucket != pieces_[i - 1].bucket) {
@@ -238,12 +244,60 @@ Solid Engine::result() {
       const std::int64_t rest = piece.bucket & ((std::int64_t{1} << 40) - 1);
       begin_face(o, static_cast<std::int32_t>(rest / 2), rest % 2 != 0, result);
     }
-    result.edges.push_back({piece.from, piece.to, piece.other});
-    ++result.faces.back().edge_count;
+    add_edge(piece, result);
   }
   for (std::size_t f = untouched; f < result.faces.size(); ++f)
     result.faces[f].box = face_box(result, result.faces[f]);
   return result;
+}
+
+/// Adds an edge to the last face, or the run that the piece stands for.
+void Engine::add_edge(const Piece& piece, Solid& result) const {
+  result.faces.back().edge_count += std::max(piece.run_count, 1u);
+  if (piece.run_count == 0) {
+    result.edges.push_back({piece.from, piece.to, piece.other});
+    return;
+  }
+  const auto o = static_cast<std::size_t>(piece.bucket >> 40);
+  const SolidEdge* run = operands_[o].solid->edges.data() + piece.run_first;
+  const bool flipped = piece.bucket % 2 != 0;
+  for (std::uint32_t i = 0; i < piece.run_count; ++i) {
+    SolidEdge edge = run[flipped ? piece.run_count - 1 - i : i];
+    if (flipped) std::swap(edge.from, edge.to);
+    result.edges.push_back(edge);
+  }
+}
+
+/// Adds the far edges of the faces that the other operand touches, if they
+/// bound the result, in rows as long as can be.
+void Engine::add_runs(std::size_t o) {
+  const Operand& operand = operands_[o];
+  const bool member = operands_[1 - o].solid->unbounded;
+  const bool beyond = apply(o, false, member);
+  if (apply(o, true, member) == beyond) return;
+  for (const std::int32_t f : operand.active) {
+    if (operand.touched[static_cast<std::size_t>(f)] == 0) continue;
+    const Face& face = operand.face(f);
+    const SolidEdge* edges = operand.edges_of(f);
+    for (std::uint32_t i = 0; i < face.edge_count;) {
+      const std::uint32_t first = i;
+      while (i < face.edge_count && operand.edge_of[face.first_edge + i] < 0 &&
+             (i == first || edges[i - 1].to == edges[i].from))
+        ++i;
+      if (i == first) {
+        ++i;
+        continue;
+      }
+      Piece run{bucket_of(o, f, beyond), face.plane, edges[first].from,
+                edges[i - 1].to};
+      if (beyond) std::swap(run.from, run.to);
+      run.run_first = face.first_edge + first;
+      run.run_count = i - first;
+      notes_.pinned.set(run.from, 1);
+      notes_.pinned.set(run.to, 1);
+      pieces_.push_back(run);
+    }
+  }
 }
 
 /// Begins a face of the result that is a part of face `f`.
@@ -260,9 +314,9 @@ void Engine::begin_face(std::size_t o, std::int32_t f, bool flipped,
 
 /// Adds the faces of an operand that the other one does not touch, if they
 /// bound the result, and notes their vertices.
-void Engine::copy_untouched(std::size_t o, Solid& result,
-                            std::vector<std::uint8_t>& pinned) {
-  const auto count = static_cast<std::int32_t>(operands_[o].boxes.size());
+void Engine::copy_untouched(std::size_t o, Solid& result) {
+  const auto count =
+      static_cast<std::int32_t>(operands_[o].solid->faces.size());
   for (std::int32_t f = 0; f < count; ++f) {
     if (operands_[o].touched[static_cast<std::size_t>(f)] != 0) continue;
     if (operands_[o].face(f).edge_count == 0) continue;
@@ -272,11 +326,13 @@ void Engine::copy_untouched(std::size_t o, Solid& result,
     if (apply(o, true, member) == beyond) continue;
     begin_face(o, f, beyond, result);
     const std::uint32_t size = operands_[o].face(f).edge_count;
+    // Vertices beyond the other operand stay in any case.
+    const bool is_near = overlap(operands_[o].face(f).box, operands_[o].reach);
     for (std::uint32_t i = 0; i < size; ++i) {
       SolidEdge edge = edges[beyond ? size - 1 - i : i];
       if (beyond) std::swap(edge.from, edge.to);
       result.edges.push_back(edge);
-      pinned[static_cast<std::size_t>(edge.from)] = 1;
+      if (is_near) notes_.pinned.set(edge.from, 1);
     }
     result.faces.back().edge_count = size;
   }

@@ -9,9 +9,17 @@
 namespace halfspace::fast {
 
 Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space)
-    : truth_(truth), space_(space) {
+    : truth_(truth), space_(space), notes_(space.notes()) {
   operands_[0].solid = &a;
   operands_[1].solid = &b;
+}
+
+Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
+               const Solid& whole, const FaceIndex& index, const Box& extent)
+    : Engine(truth, a, b, space) {
+  operands_[0].whole = &whole;
+  operands_[0].index = &index;
+  operands_[0].extent = extent;
 }
 
 Solid Engine::run() {
@@ -29,7 +37,7 @@ Solid Engine::run() {
 }
 
 void Engine::find_contacts() {
-  for (Operand& operand : operands_) add_boxes(operand);
+  prepare(operands_[0], operands_[1], space_);
   const auto pairs = near_pairs(operands_[0], operands_[1]);
   for (Operand& operand : operands_) add_edges(operand, space_);
   Contact contact(operands_[0], operands_[1], space_, traces_);
@@ -54,16 +62,21 @@ void Engine::sort_records(std::size_t o) {
 
 /// What an edge meets is reported by one of its faces: it touches them all.
 void Engine::mark_touched(std::size_t o) {
+  const Operand& operand = operands_[o];
+  for (std::size_t e = 0; e < operand.edges.size(); ++e) {
+    const LineEdge& edge = operand.edges[e];
+    const auto id = static_cast<std::int32_t>(e);
+    if (operand.is_on_other(edge.low) || operand.is_on_other(edge.high) ||
+        !cuts_of(o, id).empty() || !covers_of(o, id).empty())
+      touch_faces_at(o, edge);
+  }
+}
+
+void Engine::touch_faces_at(std::size_t o, const LineEdge& edge) {
   Operand& operand = operands_[o];
-  for (const std::int32_t f : operand.active) {
-    const Face& face = operand.face(f);
-    const SolidEdge* edges = operand.edges_of(f);
-    std::uint8_t& touched = operand.touched[static_cast<std::size_t>(f)];
-    for (std::uint32_t i = 0; i < face.edge_count && touched == 0; ++i) {
-      const std::int32_t id = operand.edge_of[face.first_edge + i];
-      touched = operand.is_on_other(edges[i].from) || !cuts_of(o, id).empty() ||
-                !covers_of(o, id).empty();
-    }
+  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
+    const EdgeUse& use = operand.uses[edge.first_use + u];
+    operand.touched[static_cast<std::size_t>(use.face)] = 1;
   }
 }
 
@@ -80,42 +93,52 @@ std::span<const Cover> Engine::covers_of(std::size_t o,
       .subspan(first_cover_[o][e], first_cover_[o][e + 1] - first_cover_[o][e]);
 }
 
-std::int32_t Engine::root(std::size_t o, std::int32_t v) {
-  auto& parent = parent_[o];
-  while (parent[static_cast<std::size_t>(v)] != v) {
-    std::int32_t& up = parent[static_cast<std::size_t>(v)];
-    up = parent[static_cast<std::size_t>(up)];
+/// What is beyond the other operand's box has the root 0, for all of it is on
+/// one side; vertices are numbered from 1 on.
+std::int32_t Engine::root(std::size_t o, std::int32_t vertex) {
+  Stamped<std::int32_t>& parent = notes_.parent[o];
+  std::int32_t v = vertex + 1;
+  std::int32_t up = parent.get(v, -1);
+  if (up < 0) {
+    up = is_beyond_other(o, vertex) ? 0 : v;
+    parent.set(v, up);
+  }
+  while (up != v) {
+    const std::int32_t next = parent.get(up, up);
+    parent.set(v, next);
     v = up;
+    up = next;
   }
   return v;
+}
+
+void Engine::join(std::size_t o, std::int32_t u, std::int32_t v) {
+  const std::int32_t r = root(o, u);
+  const std::int32_t s = root(o, v);
+  if (r != s) notes_.parent[o].set(std::max(r, s), std::min(r, s));
 }
 
 /// Joins vertices that are on the same side of the other operand's surface,
 /// because the surface does not come between.
 void Engine::join_vertices(std::size_t o) {
   const Operand& operand = operands_[o];
-  parent_[o].resize(space_.vertex_count());
-  std::iota(parent_[o].begin(), parent_[o].end(), 0);
-  member_[o].assign(space_.vertex_count(), Member::kUnknown);
-  const auto join = [&](std::int32_t u, std::int32_t v) {
-    const std::int32_t r = root(o, u);
-    const std::int32_t s = root(o, v);
-    parent_[o][static_cast<std::size_t>(std::max(r, s))] = std::min(r, s);
-  };
+  notes_.parent[o].forget();
+  notes_.member[o].forget();
+  notes_.member[o].set(0,
+                       operands_[1 - o].solid->unbounded ? kInside : kOutside);
   for (std::size_t f = 0; f < operand.solid->faces.size(); ++f) {
     const Face& face = operand.solid->faces[f];
+    if (operand.touched[f] != 0 || !overlap(face.box, operand.reach)) continue;
     const SolidEdge* edges = operand.solid->edges.data() + face.first_edge;
-    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-      if (operand.touched[f] == 0) {
-        join(edges[0].from, edges[i].from);
-        continue;
-      }
-      const std::int32_t id = operand.edge_of[face.first_edge + i];
-      if (cuts_of(o, id).empty() && covers_of(o, id).empty() &&
-          !operand.is_on_other(edges[i].from) &&
-          !operand.is_on_other(edges[i].to))
-        join(edges[i].from, edges[i].to);
-    }
+    for (std::uint32_t i = 1; i < face.edge_count; ++i)
+      join(o, edges[0].from, edges[i].from);
+  }
+  for (std::size_t e = 0; e < operand.edges.size(); ++e) {
+    const LineEdge& edge = operand.edges[e];
+    const auto id = static_cast<std::int32_t>(e);
+    if (cuts_of(o, id).empty() && covers_of(o, id).empty() &&
+        !operand.is_on_other(edge.low) && !operand.is_on_other(edge.high))
+      join(o, edge.low, edge.high);
   }
 }
 
@@ -132,8 +155,7 @@ void Engine::note_members(std::size_t o) {
       if (operands_[o].is_on_other(end)) continue;
       const auto told = crossing_tells(o, id, at, end);
       if (told) {
-        member_[o][static_cast<std::size_t>(root(o, end))] =
-            *told ? Member::kInside : Member::kOutside;
+        notes_.member[o].set(root(o, end), *told ? kInside : kOutside);
       }
     }
   }
@@ -177,12 +199,13 @@ const Locator& Engine::locator(std::size_t o) {
 
 /// Whether a vertex that is not on the other operand's surface is inside.
 bool Engine::is_inside(std::size_t o, std::int32_t vertex) {
-  Member& member = member_[o][static_cast<std::size_t>(root(o, vertex))];
-  if (member == Member::kUnknown) {
-    member = locator(1 - o).is_inside(vertex, vertex) ? Member::kInside
-                                                      : Member::kOutside;
+  const std::int32_t of = root(o, vertex);
+  std::uint8_t member = notes_.member[o].get(of, kUnknown);
+  if (member == kUnknown) {
+    member = locator(1 - o).is_inside(vertex, vertex) ? kInside : kOutside;
+    notes_.member[o].set(of, member);
   }
-  return member == Member::kInside;
+  return member == kInside;
 }
 
 /// Whether a part of an edge that is not on the other operand's surface, but

@@ -8,20 +8,9 @@
 
 #include "boolean_parts.hpp"
 #include "boolean_result.hpp"
+#include "boolean_truth.hpp"
 
 namespace halfspace::fast {
-
-/// A boolean as a function of two memberships, of which the last, outside of
-/// both, is false.
-struct Truth {
-  bool both = false;
-  bool first_only = false;
-  bool second_only = false;
-
-  bool operator()(bool a, bool b) const {
-    return a ? (b ? both : first_only) : b && second_only;
-  }
-};
 
 /// Carries out one boolean.
 ///
@@ -37,6 +26,10 @@ struct Truth {
 class Engine {
  public:
   Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space);
+  /// Likewise if `a` is only the faces of `whole` that are near `b`: they are
+  /// found by the index, and in the box.
+  Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
+         const Solid& whole, const FaceIndex& index, const Box& extent);
   /// The faces of the result, of one source each.
   Solid run();
 
@@ -57,7 +50,8 @@ class Engine {
     std::int32_t axis;
     std::array<std::int32_t, 2> planes;
   };
-  enum class Member : std::uint8_t { kUnknown, kOutside, kInside };
+  /// Of what is joined, in the other operand.
+  enum Member : std::uint8_t { kUnknown, kOutside, kInside };
 
   void find_contacts();
   Solid result();
@@ -77,8 +71,9 @@ class Engine {
   const Wing& source_of(std::size_t first, std::size_t last, bool turned) const;
   void begin_face(std::size_t o, std::int32_t face, bool flipped,
                   Solid& result) const;
-  void copy_untouched(std::size_t o, Solid& result,
-                      std::vector<std::uint8_t>& pinned);
+  void copy_untouched(std::size_t o, Solid& result);
+  void add_runs(std::size_t o);
+  void add_edge(const Piece& piece, Solid& result) const;
   Wing wing_of(std::size_t o, std::int32_t face, int turn) const;
   Segment segment_of(const LineEdge& edge) const;
 
@@ -93,19 +88,23 @@ class Engine {
   bool is_part_inside(std::size_t o, std::int32_t edge, std::int32_t low,
                       std::int32_t high);
   const Locator& locator(std::size_t o);
-  std::int32_t root(std::size_t o, std::int32_t v);
+  bool is_beyond_other(std::size_t o, std::int32_t vertex) const {
+    return is_beyond(operands_[o].reach, space_.vertex(vertex).approximate);
+  }
+  std::int32_t root(std::size_t o, std::int32_t vertex);
+  void join(std::size_t o, std::int32_t u, std::int32_t v);
+  void touch_faces_at(std::size_t o, const LineEdge& edge);
   bool apply(std::size_t o, bool own, bool other) const {
     return o == 0 ? truth_(own, other) : truth_(other, own);
   }
 
   Truth truth_;
   Space& space_;
+  Notes& notes_;
   std::array<Operand, 2> operands_;
   std::vector<Trace> traces_;
   /// By edge: where its cuts and covers begin.
   std::array<std::vector<std::uint32_t>, 2> first_cut_, first_cover_;
-  std::array<std::vector<std::int32_t>, 2> parent_;  ///< union-find, by vertex
-  std::array<std::vector<Member>, 2> member_;  ///< of roots, in the other one
   std::array<std::optional<Locator>, 2> locators_;
   std::vector<Piece> pieces_;
   std::vector<std::int32_t> points_;

@@ -2,45 +2,52 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace halfspace::fast {
 
-void add_boxes(Operand& operand) {
-  const Solid& solid = *operand.solid;
-  operand.boxes.reserve(solid.faces.size());
-  for (const Face& face : solid.faces) {
-    operand.boxes.push_back(face.box);
-    extend(operand.box, face.box);
+void prepare(Operand& a, Operand& b, Space& space) {
+  Notes& notes = space.notes();
+  for (std::size_t o = 0; o < 2; ++o) {
+    Operand& operand = o == 0 ? a : b;
+    const Solid& solid = *operand.solid;
+    for (const Face& face : solid.faces) extend(operand.extent, face.box);
+    operand.is_active.assign(solid.faces.size(), 0);
+    operand.touched.assign(solid.faces.size(), 0);
+    operand.edge_of.assign(solid.edges.size(), -1);
+    notes.on_other[o].forget();
+    operand.on_other = &notes.on_other[o];
   }
-  operand.is_active.assign(solid.faces.size(), 0);
-  operand.touched.assign(solid.faces.size(), 0);
-  operand.edge_of.assign(solid.edges.size(), -1);
+  a.reach = b.extent;
+  b.reach = a.extent;
 }
 
 std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
                                                               Operand& b) {
-  const auto near = [](const Operand& of, const Box& box) {
+  const auto near = [](const Operand& of) {
     std::vector<std::int32_t> items;
-    for (std::size_t f = 0; f < of.boxes.size(); ++f) {
-      if (overlap(of.boxes[f], box))
+    for (std::size_t f = 0; f < of.solid->faces.size(); ++f) {
+      if (overlap(of.solid->faces[f].box, of.reach))
         items.push_back(static_cast<std::int32_t>(f));
     }
     return items;
   };
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  const BoxTree tree(b.boxes, near(b, a.box));
-  for (const std::int32_t f : near(a, b.box)) {
+  const auto box_of = [&](std::int32_t g) -> const Box& {
+    return b.face(g).box;
+  };
+  const BoxTree tree(box_of, near(b));
+  for (const std::int32_t f : near(a)) {
     const std::size_t before = pairs.size();
-    tree.find(a.boxes[static_cast<std::size_t>(f)], [&](std::int32_t g) {
+    tree.find(a.face(f).box, [&](std::int32_t g) {
       pairs.emplace_back(f, g);
       b.is_active[static_cast<std::size_t>(g)] = 1;
     });
     if (pairs.size() > before) a.active.push_back(f);
     a.is_active[static_cast<std::size_t>(f)] = pairs.size() > before;
   }
-  for (std::size_t g = 0; g < b.boxes.size(); ++g) {
+  for (std::size_t g = 0; g < b.is_active.size(); ++g) {
     if (b.is_active[g]) b.active.push_back(static_cast<std::int32_t>(g));
   }
   return pairs;
@@ -62,6 +69,9 @@ void add_edges(Operand& operand, const Space& space) {
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const std::uint32_t at = face.first_edge + i;
       const SolidEdge& edge = solid.edges[at];
+      if (is_beyond(operand.reach, space.vertex(edge.from).approximate,
+                    space.vertex(edge.to).approximate))
+        continue;
       const auto [low, high] = std::minmax(edge.from, edge.to);
       entries.push_back({low, high, f, at, edge.from == low});
     }
@@ -94,6 +104,20 @@ void add_edges(Operand& operand, const Space& space) {
   }
 }
 
+namespace {
+
+/// A plane through two points of the grid and along an axis that is not in the
+/// plane, which holds them: the one that its normal is most along.
+std::int32_t plane_beside(std::int32_t u, std::int32_t v, std::int32_t plane,
+                          Space& space) {
+  const Plane& n = space.plane(plane).filter.plane;
+  const std::array<double, 3> size{std::abs(n.a), std::abs(n.b), std::abs(n.c)};
+  const auto axis = std::max_element(size.begin(), size.end()) - size.begin();
+  return space.add_line_plane(u, v, static_cast<int>(axis));
+}
+
+}  // namespace
+
 std::int32_t second_plane(LineEdge& edge, const Operand& operand,
                           Space& space) {
   if (edge.other >= 0) return edge.other;
@@ -103,21 +127,23 @@ std::int32_t second_plane(LineEdge& edge, const Operand& operand,
     const std::int32_t plane = operand.face(operand.uses[at].face).plane;
     if (plane != edge.plane) return edge.other = plane;
   }
-  // All lie in one plane: a plane through the edge and along an axis that is
-  // not in it, the one that the normal is most along.
-  const Plane& n = space.plane(edge.plane).filter.plane;
-  const std::array<double, 3> size{std::abs(n.a), std::abs(n.b), std::abs(n.c)};
-  const auto axis = std::max_element(size.begin(), size.end()) - size.begin();
-  return edge.other =
-             space.add_line_plane(edge.low, edge.high, static_cast<int>(axis));
+  return edge.other = plane_beside(edge.low, edge.high, edge.plane, space);
+}
+
+std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
+                           Space& space) {
+  return edge.other >= 0 ? edge.other
+                         : plane_beside(edge.from, edge.to, face.plane, space);
 }
 
 Locator::Locator(const Operand& operand, const Space& space)
-    : operand_(operand), space_(space), tree_(operand.boxes, [&] {
-        std::vector<std::int32_t> all(operand.boxes.size());
-        std::iota(all.begin(), all.end(), 0);
-        return all;
-      }()) {}
+    : solid_(operand.whole != nullptr ? *operand.whole : *operand.solid),
+      space_(space),
+      index_(operand.index) {
+  if (index_ != nullptr) return;
+  own_.add(solid_, 0);
+  index_ = &own_;
+}
 
 bool Locator::is_inside(std::int32_t vertex, std::int32_t towards) const {
   // A ray along the first axis. All signs are those at the vertex, or where
@@ -126,9 +152,9 @@ bool Locator::is_inside(std::int32_t vertex, std::int32_t towards) const {
   extend(ray, space_.vertex(vertex).approximate);
   extend(ray, space_.vertex(towards).approximate);
   ray.high[0] = std::numeric_limits<float>::max();
-  int winding = operand_.solid->unbounded ? 1 : 0;
-  tree_.find(ray, [&](std::int32_t f) {
-    const Face& face = operand_.face(f);
+  int winding = solid_.unbounded ? 1 : 0;
+  index_->find(ray, [&](std::int32_t f) {
+    const Face& face = solid_.faces[static_cast<std::size_t>(f)];
     const int along = space_.normal_sign(face.plane, 0);
     if (along == 0 && face.edge_count != 0) return;
     int side = space_.side(face.plane, vertex);
@@ -140,13 +166,13 @@ bool Locator::is_inside(std::int32_t vertex, std::int32_t towards) const {
       winding = (side > 0) == face.turned ? 1 : 0;
       return;
     }
-    if (side * along >= 0 || !is_above(f, vertex, towards)) return;
+    if (side * along >= 0 || !is_above(face, vertex, towards)) return;
     winding += (along > 0) != face.turned ? 1 : -1;
   });
   return winding > 0;
 }
 
-bool Locator::is_above(std::int32_t f, std::int32_t vertex,
+bool Locator::is_above(const Face& face, std::int32_t vertex,
                        std::int32_t towards) const {
   // Seen along the first axis: how many edges pass over the point. A point
   // level with an end counts as above it, and a point on an edge as over it,
@@ -156,9 +182,8 @@ bool Locator::is_above(std::int32_t f, std::int32_t vertex,
     return (order != 0 ? order : space_.compare(1, v, towards)) > 0;
   };
   bool inside = false;
-  const SolidEdge* edges = operand_.edges_of(f);
-  for (std::uint32_t i = 0; i < operand_.face(f).edge_count; ++i) {
-    const SolidEdge& edge = edges[i];
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    const SolidEdge& edge = solid_.edges[face.first_edge + i];
     const bool from = is_higher(edge.from);
     const bool to = is_higher(edge.to);
     if (from == to) continue;

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "box_tree.hpp"
+#include "boxes.hpp"
+#include "face_index.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "space.hpp"
 
@@ -59,20 +60,27 @@ struct Trace {
 };
 
 /// An operand of a boolean at work.
+///
+/// Of a large solid it may be no more than the faces near the other operand.
+/// An edge that the other's box does not meet is far: it is not among `edges`,
+/// for nothing can happen to it.
 struct Operand {
   const Solid* solid = nullptr;
-  std::vector<Box> boxes;               ///< by face
-  Box box = kEmptyBox;                  ///< of all faces
+  /// The whole of it, if `solid` is not, and where its faces are.
+  const Solid* whole = nullptr;
+  const FaceIndex* index = nullptr;
+  Box extent = kEmptyBox;               ///< of the whole
+  Box reach = kEmptyBox;                ///< the other operand's extent
   std::vector<std::int32_t> active;     ///< faces whose boxes meet other faces'
   std::vector<std::uint8_t> is_active;  ///< by face
   std::vector<std::uint8_t> touched;    ///< by face: it meets another
-  std::vector<LineEdge> edges;          ///< of the active faces
+  std::vector<LineEdge> edges;          ///< of the active faces, near ones
   std::vector<EdgeUse> uses;            ///< by edge
-  std::vector<std::int32_t> edge_of;  ///< by edge of the solid; -1: not active
+  std::vector<std::int32_t> edge_of;    ///< by edge of the solid; -1: not here
   std::vector<Cut> cuts;
   std::vector<Cover> covers;
-  /// By vertex of the space: on the other operand's surface.
-  std::vector<std::uint8_t> on_other;
+  /// By vertex: on the other operand's surface.
+  Stamped<std::uint8_t>* on_other = nullptr;
 
   const Face& face(std::int32_t f) const {
     return solid->faces[static_cast<std::size_t>(f)];
@@ -81,29 +89,51 @@ struct Operand {
     return solid->edges.data() + face(f).first_edge;
   }
   LineEdge& edge(std::int32_t e) { return edges[static_cast<std::size_t>(e)]; }
-  bool is_on_other(std::int32_t v) const {
-    return static_cast<std::size_t>(v) < on_other.size() &&
-           on_other[static_cast<std::size_t>(v)] != 0;
-  }
-  void put_on_other(std::int32_t v) {
-    const auto at = static_cast<std::size_t>(v);
-    if (at >= on_other.size()) on_other.resize(at + 1 + at / 2);
-    on_other[at] = 1;
-  }
+  bool is_on_other(std::int32_t v) const { return on_other->get(v, 0) != 0; }
+  void put_on_other(std::int32_t v) { on_other->set(v, 1); }
 };
 
-/// The boxes of the operand's faces, rounded outwards.
-void add_boxes(Operand& operand);
+/// Whether a point is surely not in the box.
+inline bool is_beyond(const Box& box, const Vertex& v) {
+  const double at[3] = {v.x, v.y, v.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (at[k] + v.error < double{box.low[k]} ||
+        at[k] - v.error > double{box.high[k]})
+      return true;
+  }
+  return false;
+}
+
+/// Whether a segment is surely not in the box.
+inline bool is_beyond(const Box& box, const Vertex& u, const Vertex& v) {
+  const double p[3] = {u.x, u.y, u.z};
+  const double q[3] = {v.x, v.y, v.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if ((p[k] + u.error < double{box.low[k]} &&
+         q[k] + v.error < double{box.low[k]}) ||
+        (p[k] - u.error > double{box.high[k]} &&
+         q[k] - v.error > double{box.high[k]}))
+      return true;
+  }
+  return false;
+}
+
+/// Makes room, and finds how far either operand reaches.
+void prepare(Operand& a, Operand& b, Space& space);
 
 /// The pairs of faces whose boxes overlap; fills in `active`.
 std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
                                                               Operand& b);
 
-/// Fills in the edges of the active faces.
+/// Fills in the near edges of the active faces.
 void add_edges(Operand& operand, const Space& space);
 
 /// A plane through the edge other than its first face's.
 std::int32_t second_plane(LineEdge& edge, const Operand& operand, Space& space);
+
+/// Likewise, of an edge of which nothing is known but its ends and its face.
+std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
+                           Space& space);
 
 /// Whether a point off the operand's surface is inside: the vertex, or where
 /// that does not tell, right beside it in the direction of `towards` (S6.2).
@@ -113,12 +143,13 @@ class Locator {
   bool is_inside(std::int32_t vertex, std::int32_t towards) const;
 
  private:
-  bool is_above(std::int32_t face, std::int32_t vertex,
+  bool is_above(const Face& face, std::int32_t vertex,
                 std::int32_t towards) const;
 
-  const Operand& operand_;
+  const Solid& solid_;
   const Space& space_;
-  BoxTree tree_;
+  FaceIndex own_;
+  const FaceIndex* index_;
 };
 
 }  // namespace halfspace::fast

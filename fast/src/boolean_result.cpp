@@ -35,12 +35,8 @@ bool in_line(const Spoke& s, const Spoke& t, const Space& space) {
 
 /// The straight vertices among the ends of the pieces, in order.
 std::vector<std::int32_t> straight_vertices(
-    const std::vector<Piece>& pieces, const std::vector<std::uint8_t>& pinned,
-    const Space& space) {
-  const auto is_pinned = [&](std::int32_t v) {
-    const auto at = static_cast<std::size_t>(v);
-    return at < pinned.size() && pinned[at] != 0;
-  };
+    const std::vector<Piece>& pieces,
+    const std::function<bool(std::int32_t)>& is_pinned, const Space& space) {
   std::vector<Spoke> spokes;
   for (const Piece& p : pieces) {
     if (!is_pinned(p.from)) spokes.push_back({p.from, p.to, p.plane, p.other});
@@ -136,8 +132,9 @@ Box face_box(const Solid& solid, const Face& face) {
 }
 
 void straighten(std::vector<Piece>& pieces,
-                const std::vector<std::uint8_t>& pinned, const Space& space) {
-  const auto straight = straight_vertices(pieces, pinned, space);
+                const std::function<bool(std::int32_t)>& is_pinned,
+                const Space& space) {
+  const auto straight = straight_vertices(pieces, is_pinned, space);
   std::sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) {
     return std::tie(x.bucket, x.from, x.to) < std::tie(y.bucket, y.from, y.to);
   });

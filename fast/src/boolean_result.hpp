@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "boxes.hpp"
@@ -16,6 +17,10 @@ struct Piece {
   std::int32_t from = 0;
   std::int32_t to = 0;
   std::int32_t other = -1;  ///< as SolidEdge::other
+  /// So many edges of the source in a row from this one on, if not 0, turned
+  /// round as the face is.
+  std::uint32_t run_first = 0;
+  std::uint32_t run_count = 0;
 };
 
 /// The box of a face, rounded outwards.
@@ -24,9 +29,9 @@ Box face_box(const Solid& solid, const Face& face);
 /// Drops the vertices at which nothing turns: all edges there are on one line.
 /// What is left is in the order of buckets, loop by loop.
 ///
-/// `pinned`, by vertex, are those of other faces, which must stay. May be
-/// shorter than the space.
+/// `is_pinned(vertex)`: it is one of other faces too, and must stay.
 void straighten(std::vector<Piece>& pieces,
-                const std::vector<std::uint8_t>& pinned, const Space& space);
+                const std::function<bool(std::int32_t)>& is_pinned,
+                const Space& space);
 
 }  // namespace halfspace::fast

@@ -16,11 +16,7 @@ struct Task {
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<Box>& boxes, std::vector<std::int32_t> items)
-    : items_(std::move(items)) {
-  const auto box_of = [&](std::int32_t item) -> const Box& {
-    return boxes[static_cast<std::size_t>(item)];
-  };
+void BoxTree::build() {
   std::vector<Task> tasks;
   if (!items_.empty()) {
     nodes_.emplace_back();
@@ -33,7 +29,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, std::vector<std::int32_t> items)
     std::array<float, 3> low = kEmptyBox.low;
     std::array<float, 3> high = kEmptyBox.high;
     for (std::int32_t i = task.begin; i < task.end; ++i) {
-      const Box& of = box_of(items_[static_cast<std::size_t>(i)]);
+      const Box& of = items_[static_cast<std::size_t>(i)].box;
       extend(box, of);
       for (std::size_t k = 0; k < 3; ++k) {
         const float middle = of.low[k] + of.high[k];
@@ -51,10 +47,10 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, std::vector<std::int32_t> items)
       if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
     }
     const std::int32_t half = task.begin + node.count / 2;
-    const auto less = [&](std::int32_t a, std::int32_t b) {
-      const float u = box_of(a).low[axis] + box_of(a).high[axis];
-      const float v = box_of(b).low[axis] + box_of(b).high[axis];
-      return u != v ? u < v : a < b;
+    const auto less = [axis](const Item& a, const Item& b) {
+      const float u = a.box.low[axis] + a.box.high[axis];
+      const float v = b.box.low[axis] + b.box.high[axis];
+      return u != v ? u < v : a.number < b.number;
     };
     std::nth_element(items_.begin() + task.begin, items_.begin() + half,
                      items_.begin() + task.end, less);
@@ -65,8 +61,6 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, std::vector<std::int32_t> items)
     tasks.push_back({task.begin, half, child});
     nodes_.resize(nodes_.size() + 2);
   }
-  boxes_.reserve(items_.size());
-  for (const std::int32_t item : items_) boxes_.push_back(box_of(item));
 }
 
 }  // namespace halfspace::fast

@@ -18,7 +18,13 @@ inline bool overlap(const Box& a, const Box& b) {
 class BoxTree {
  public:
   /// `items` are the numbers of the boxes that take part.
-  BoxTree(const std::vector<Box>& boxes, std::vector<std::int32_t> items);
+  template <class BoxOf>
+  BoxTree(BoxOf&& box_of, const std::vector<std::int32_t>& items) {
+    items_.reserve(items.size());
+    for (const std::int32_t item : items)
+      items_.push_back({box_of(item), item});
+    build();
+  }
 
   /// Calls `found(item)` for the items whose boxes overlap `box`.
   template <class Found>
@@ -36,7 +42,7 @@ class BoxTree {
       }
       for (std::int32_t i = 0; i < node.count; ++i) {
         const auto at = static_cast<std::size_t>(node.first + i);
-        if (overlap(boxes_[at], box)) found(items_[at]);
+        if (overlap(items_[at].box, box)) found(items_[at].number);
       }
     }
   }
@@ -50,8 +56,14 @@ class BoxTree {
     std::int32_t count = 0;
   };
 
-  std::vector<std::int32_t> items_;
-  std::vector<Box> boxes_;
+  struct Item {
+    Box box;
+    std::int32_t number = 0;
+  };
+
+  void build();
+
+  std::vector<Item> items_;
   std::vector<Node> nodes_;
 };
 

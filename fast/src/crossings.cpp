@@ -32,8 +32,7 @@ void add_overlaps(const Operand& a, std::vector<Crossing>& found) {
 std::vector<Crossing> crossings(const Solid& solid) {
   Operand a, b;
   a.solid = b.solid = &solid;
-  add_boxes(a);
-  add_boxes(b);
+  prepare(a, b, *solid.space);
   const auto pairs = near_pairs(a, b);
   add_edges(a, *solid.space);
   add_edges(b, *solid.space);

@@ -89,7 +89,8 @@ Solid merged(const Solid& solid, Merge rule) {
         pieces.push_back({bucket, face.plane, edge.from, edge.to, edge.other});
     }
   }
-  straighten(pieces, {}, *solid.space);
+  straighten(
+      pieces, [](std::int32_t) { return false; }, *solid.space);
   Solid result{{}, {}, solid.unbounded, solid.unit, solid.space};
   std::int64_t last = -1;
   for (const Piece& piece : pieces) {

@@ -8,6 +8,7 @@
 #include "exact.hpp"
 #include "filter.hpp"
 #include "halfspace/polygon.hpp"
+#include "stamped.hpp"
 
 namespace halfspace::fast {
 
@@ -64,6 +65,14 @@ struct OrientedPlane {
   bool turned = false;
 };
 
+/// What a boolean notes of vertices, of either operand's or of both.
+struct Notes {
+  std::array<Stamped<std::uint8_t>, 2> on_other;
+  std::array<Stamped<std::int32_t>, 2> parent;
+  std::array<Stamped<std::uint8_t>, 2> member;
+  Stamped<std::uint8_t> pinned;
+};
+
 /// The planes and points of solids that meet. Each is held once: equal planes
 /// have equal ids, and so do equal points.
 ///
@@ -75,6 +84,9 @@ class Space {
       : grid_bits_(grid_bits), rounding_(rounding_of_values(grid_bits)) {}
 
   int grid_bits() const { return grid_bits_; }
+  /// Room for a boolean's notes, which would cost it more than its work if it
+  /// were made for each.
+  Notes& notes() { return notes_; }
   double rounding() const { return rounding_; }
   std::size_t plane_count() const { return planes_.size(); }
   std::size_t vertex_count() const { return vertices_.size(); }
@@ -142,6 +154,7 @@ class Space {
   HashIndex plane_index_;
   HashIndex vertex_index_;
   HashIndex triple_index_;
+  Notes notes_;
 };
 
 }  // namespace halfspace::fast

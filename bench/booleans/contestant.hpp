@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "booleans/cases.hpp"
+#include "timing.hpp"
+
+namespace halfspace::bench {
+
+/// What somebody made of a case.
+struct Outcome {
+  double import_ms = 0;  ///< from triangles to their own structures
+  double boolean_ms = 0;
+  double output_ms = 0;       ///< from the result to triangles
+  std::size_t triangles = 0;  ///< of the output
+  bool closed = false;
+  /// Six times the volume. Units: cubic grid steps.
+  double volume6 = 0;
+  double total_ms() const { return import_ms + boolean_ms + output_ms; }
+};
+
+/// Somebody who can do booleans.
+struct Contestant {
+  std::string name;
+  /// Once through; nothing if they cannot do it.
+  std::optional<Outcome> (*run)(const BooleanCase& task);
+};
+
+/// fast::boolean, one operand after the other.
+Contestant ours_in_turn();
+/// fast::combined, all operands at once.
+Contestant ours_at_once();
+/// CGAL's corefinement with its exact kernel; only where it was built in.
+Contestant cgal();
+
+/// The outcome whose total is least, of up to `repeats.most`, as long as the
+/// budget lasts.
+std::optional<Outcome> best_of(const Contestant& contestant,
+                               const BooleanCase& task, const Repeats& repeats);
+
+}  // namespace halfspace::bench

@@ -1,0 +1,71 @@
+#include <utility>
+
+#include "booleans/contestant.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/chain.hpp"
+#include "halfspace/fast/export.hpp"
+
+namespace halfspace::bench {
+namespace {
+
+double volume6_of(const fast::ExportedMesh& mesh) {
+  double sum = 0;
+  for (std::size_t t = 0; t < mesh.faces.size(); ++t) {
+    const auto at = [&](std::size_t i) {
+      return mesh.vertices[static_cast<std::size_t>(mesh.corners[3 * t + i])];
+    };
+    const auto p = at(0), q = at(1), r = at(2);
+    sum += p[0] * (q[1] * r[2] - q[2] * r[1]) +
+           p[1] * (q[2] * r[0] - q[0] * r[2]) +
+           p[2] * (q[0] * r[1] - q[1] * r[0]);
+  }
+  return sum;
+}
+
+template <class Evaluate>
+std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
+  Outcome outcome;
+  const double start = process_ms();
+  std::vector<fast::Solid> solids;
+  for (const Triangles& operand : task.operands) {
+    const Solid solid = solid_of(operand);
+    const auto part = static_cast<std::int32_t>(solids.size());
+    solids.push_back(solids.empty() ? fast::to_solid(solid)
+                                    : fast::to_solid(solid, solids[0], part));
+  }
+  const double imported = process_ms();
+  const fast::Solid result = evaluate(std::move(solids));
+  const double done = process_ms();
+  const fast::ExportedMesh mesh = fast::exported(
+      fast::merged(result, fast::Merge::kPlane), {.triangles = true});
+  outcome.output_ms = process_ms() - done;
+  outcome.import_ms = imported - start;
+  outcome.boolean_ms = done - imported;
+  outcome.triangles = mesh.faces.size();
+  outcome.closed = fast::bad_edges(result).empty();
+  outcome.volume6 = volume6_of(mesh);
+  return outcome;
+}
+
+std::optional<Outcome> in_turn(const BooleanCase& task) {
+  return timed(task, [&](std::vector<fast::Solid> solids) {
+    fast::Chain chain(std::move(solids[0]));
+    for (std::size_t i = 1; i < solids.size(); ++i)
+      chain.apply(task.operation, solids[i]);
+    return chain.solid();
+  });
+}
+
+std::optional<Outcome> at_once(const BooleanCase& task) {
+  return timed(task, [&](const std::vector<fast::Solid>& solids) {
+    return fast::combined(task.operation, solids);
+  });
+}
+
+}  // namespace
+
+Contestant ours_in_turn() { return {"Halfspace", &in_turn}; }
+
+Contestant ours_at_once() { return {"Halfspace, at once", &at_once}; }
+
+}  // namespace halfspace::bench

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "halfspace/boolean.hpp"
+#include "halfspace/fast/solid.hpp"
+
+namespace halfspace::fast {
+
+/// A solid that one boolean after another changes in place.
+///
+/// The same point sets as by boolean(), and the same faces but for their order
+/// and `Face::source`, which says nothing here. A solid is best made with
+/// to_solid(solid, chain.solid()), which spares moving it to the chain's table.
+class Chain {
+ public:
+  explicit Chain(Solid first);
+  Chain(Chain&&) noexcept;
+  Chain& operator=(Chain&&) noexcept;
+  ~Chain();
+
+  /// Exact: yes.
+  /// Cost:  the faces near the other solid, as of boolean(), and what it takes
+  ///        to find them: amortised, (log n)^2 for each that comes or goes. Of
+  ///        an intersection: the result.
+  void apply(BooleanOp operation, const Solid& other);
+
+  /// The solid as it is now. Cost: a copy.
+  Solid solid() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The union or the intersection of all solids, or the first one without the
+/// others: pairs first, then pairs of pairs, so that n log n is done for n
+/// solids that are apart. `Face::source` says nothing here.
+///
+/// The same point set as one after the other. With `Merge::kPlane`, the same
+/// exported mesh, whatever the order of the solids of a union (S6.4).
+/// Requires: not empty, and all in one unit.
+Solid combined(BooleanOp operation, std::span<const Solid> solids);
+
+}  // namespace halfspace::fast

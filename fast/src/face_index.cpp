@@ -1,0 +1,26 @@
+#include "face_index.hpp"
+
+#include <utility>
+
+namespace halfspace::fast {
+
+void FaceIndex::add(const Solid& solid, std::int32_t first) {
+  std::vector<std::int32_t> faces;
+  const auto count = static_cast<std::int32_t>(solid.faces.size());
+  gone_.resize(solid.faces.size());
+  for (std::int32_t f = first; f < count; ++f) faces.push_back(f);
+  while (!layers_.empty() && layers_.back().faces.size() < 2 * faces.size()) {
+    for (const std::int32_t f : layers_.back().faces) {
+      if (!is_gone(f)) faces.push_back(f);
+    }
+    layers_.pop_back();
+  }
+  BoxTree tree(
+      [&](std::int32_t f) -> const Box& {
+        return solid.faces[static_cast<std::size_t>(f)].box;
+      },
+      faces);
+  layers_.push_back({std::move(faces), std::move(tree)});
+}
+
+}  // namespace halfspace::fast

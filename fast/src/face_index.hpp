@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "box_tree.hpp"
+#include "halfspace/fast/solid.hpp"
+
+namespace halfspace::fast {
+
+/// Finds faces by their boxes, while some go and others come.
+///
+/// Cost: of adding or removing a face, amortised, (log n)^2; of a search, as of
+///       log n trees of boxes.
+class FaceIndex {
+ public:
+  /// Adds the faces of the solid from number `first` on.
+  void add(const Solid& solid, std::int32_t first);
+  void remove(std::int32_t face) { gone_[static_cast<std::size_t>(face)] = 1; }
+  bool is_gone(std::int32_t face) const {
+    return gone_[static_cast<std::size_t>(face)] != 0;
+  }
+
+  /// Calls `found(face)` for the faces whose boxes overlap `box`.
+  template <class Found>
+  void find(const Box& box, Found&& found) const {
+    for (const Layer& layer : layers_) {
+      layer.tree.find(box, [&](std::int32_t face) {
+        if (!is_gone(face)) found(face);
+      });
+    }
+  }
+
+ private:
+  struct Layer {
+    std::vector<std::int32_t> faces;
+    BoxTree tree;
+  };
+  std::vector<Layer> layers_;  ///< each less than half as large as the last
+  std::vector<std::uint8_t> gone_;  ///< by face
+};
+
+}  // namespace halfspace::fast

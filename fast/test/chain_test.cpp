@@ -1,0 +1,111 @@
+#include "halfspace/fast/chain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/export.hpp"
+#include "lattice.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+using lattice::Cubes;
+
+Cubes cube_at(int i, int j, int k) {
+  Cubes cubes;
+  cubes.full[static_cast<std::size_t>(
+      (i * lattice::kSize + j) * lattice::kSize + k)] = true;
+  return cubes;
+}
+
+void expect_cubes(const Solid& solid, const Cubes& cubes) {
+  ASSERT_TRUE(bad_edges(solid).empty());
+  bool whole = false;
+  ASSERT_TRUE(lattice::outline(solid, whole) == lattice::outline(cubes));
+  ASSERT_TRUE(whole);
+}
+
+bool same_bytes(const ExportedMesh& a, const ExportedMesh& b) {
+  return a.vertices == b.vertices && a.first_corner == b.first_corner &&
+         a.corners == b.corners && a.colors == b.colors;
+}
+
+TEST(FastChain, EveryStepIsRight) {
+  std::uint64_t state = 23;
+  for (int row = 0; row < 6; ++row) {
+    Cubes cubes = lattice::random_cubes(1 + row % 4, state);
+    Chain chain(to_solid(lattice::surface(cubes)));
+    for (int step = 0; step < 8; ++step) {
+      SCOPED_TRACE("row " + std::to_string(row) + ", step " +
+                   std::to_string(step));
+      // Now and then a solid of a table of its own.
+      const Cubes other =
+          step % 4 == 3 ? lattice::random_cubes(2, state)
+                        : cube_at((row + 3 * step) % 8, step, (5 * step) % 8);
+      const auto surface = lattice::surface(other);
+      const Solid tool =
+          step % 3 == 0 ? to_solid(surface) : to_solid(surface, chain.solid());
+      const auto operation = static_cast<BooleanOp>(step % 7 == 6   ? 1
+                                                    : step % 2 == 0 ? 0
+                                                                    : 2);
+      const bool is_union = operation == BooleanOp::kUnion;
+      const bool is_difference = operation == BooleanOp::kDifference;
+      for (std::size_t i = 0; i < cubes.full.size(); ++i) {
+        const bool a = cubes.full[i], b = other.full[i];
+        cubes.full[i] = is_union ? a || b : a && (is_difference ? !b : b);
+      }
+      chain.apply(operation, tool);
+      ASSERT_NO_FATAL_FAILURE(expect_cubes(chain.solid(), cubes));
+      // What is outside the one and inside the complement of the other.
+      if (!is_difference) continue;
+      chain.apply(BooleanOp::kIntersection, complement(tool));
+      ASSERT_NO_FATAL_FAILURE(expect_cubes(chain.solid(), cubes));
+    }
+  }
+}
+
+TEST(FastChain, UnionsAreTheSameInAnyOrderAndLeast) {
+  std::vector<Cubes> all;
+  for (int i = 0; i < 64; ++i) all.push_back(cube_at(i / 16, i / 4 % 4, i % 4));
+  std::vector<Solid> solids;
+  for (const Cubes& cubes : all) {
+    const auto part = static_cast<std::int32_t>(solids.size());
+    solids.push_back(solids.empty()
+                         ? to_solid(lattice::surface(cubes))
+                         : to_solid(lattice::surface(cubes), solids[0], part));
+  }
+  const auto least = [](const Solid& solid) {
+    return exported(merged(solid, Merge::kPlane), {.triangles = true});
+  };
+  const ExportedMesh block = least(combined(BooleanOp::kUnion, solids));
+  EXPECT_EQ(block.faces.size(), 12u);
+  EXPECT_EQ(block.vertices.size(), 8u);
+  // Every other cube, in three orders, and one after the other.
+  std::vector<Solid> some;
+  for (std::size_t i = 0; i < solids.size(); i += 2 + i % 3)
+    some.push_back(solids[i]);
+  const ExportedMesh expected = least(combined(BooleanOp::kUnion, some));
+  EXPECT_GT(expected.faces.size(), 12u);
+  for (int turn = 0; turn < 3; ++turn) {
+    std::rotate(some.begin(), some.begin() + 7, some.end());
+    if (turn == 1) std::reverse(some.begin(), some.end());
+    EXPECT_TRUE(same_bytes(least(combined(BooleanOp::kUnion, some)), expected));
+    Chain chain(some[0]);
+    for (std::size_t i = 1; i < some.size(); ++i)
+      chain.apply(BooleanOp::kUnion, some[i]);
+    EXPECT_TRUE(same_bytes(least(chain.solid()), expected));
+  }
+  // The block without some of its cubes, one after the other and at once.
+  Chain rest(combined(BooleanOp::kUnion, solids));
+  for (const Solid& cube : some) rest.apply(BooleanOp::kDifference, cube);
+  some.insert(some.begin(), combined(BooleanOp::kUnion, solids));
+  EXPECT_TRUE(same_bytes(least(rest.solid()),
+                         least(combined(BooleanOp::kDifference, some))));
+}
+
+}  // namespace
+}  // namespace halfspace::fast
