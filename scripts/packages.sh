@@ -99,4 +99,5 @@ need_test_packages() {
   need python3 "scripts that check the tree of sources"
   need coq "checks the proofs of spec/coq"
   need make "compiles the proofs"
+  need ocaml "compiles the oracle that the proofs are extracted to"
 }
