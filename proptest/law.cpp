@@ -7,12 +7,16 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace halfspace::law {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Cases tried since take_case_count(). Laws are checked by one thread.
+std::uint64_t case_count = 0;
 
 /// The scene files of a folder, in order of name.
 std::vector<fs::path> scene_files(const fs::path& folder) {
@@ -41,6 +45,7 @@ void replay(const fs::path& folder, bool needs_camera,
                     << (file ? "has no camera" : file.error().message);
       continue;
     }
+    ++case_count;
     try {
       property(*file);
     } catch (const Broken& broken) {
@@ -78,6 +83,8 @@ int runs(int count) {
   return factor == nullptr ? count : count * std::max(1, std::atoi(factor));
 }
 
+std::uint64_t take_case_count() { return std::exchange(case_count, 0); }
+
 std::string law_name() {
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
   // "S4Screen/0" and "L3LitPixelsAre..." give "s4-l3".
@@ -97,6 +104,7 @@ void check(int count, const std::function<void()>& property) {
   params.maxSuccess = runs(count);
   const auto result = rc::detail::checkTestable(
       [&] {
+        ++case_count;
         try {
           property();
         } catch (const Broken& broken) {

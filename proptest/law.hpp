@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -34,6 +35,9 @@ constexpr int kViews = 400;
 
 /// `count` times the factor HALFSPACE_PROPTEST_RUNS, which long campaigns set.
 int runs(int count);
+
+/// How many cases properties have been tried on since this was last asked.
+std::uint64_t take_case_count();
 
 /// The name of the current test's law, for files: "s4-l3".
 std::string law_name();
