@@ -42,7 +42,13 @@ mkdir -p out
 CTEST_PARALLEL_LEVEL=$(nproc)
 export CTEST_PARALLEL_LEVEL
 step "build, optimised" build release
-step "all tests, optimised" ctest --preset release --no-tests=error
+# Every law notes there what it has run.
+laws_run=$PWD/out/laws.txt
+rm -f "$laws_run"
+step "all tests, optimised" env HALFSPACE_LAW_REPORT="$laws_run" \
+  ctest --preset release --no-tests=error
+step "clauses, laws, functions" python3 tools/check_traceability.py \
+  --laws build/release/proptest/proptest "$laws_run"
 # What the tests with these labels need; building the laws takes longer.
 step "build, with sanitizers" build asan \
   {spec,ref,fast,io}/test/all proptest/faults/all fuzz/all tools/all \
@@ -50,6 +56,7 @@ step "build, with sanitizers" build asan \
 step "unit tests and fuzz corpus, with sanitizers" \
   ctest --preset asan --no-tests=error -L 'unit|fuzz'
 for script in tools/check_laws.py tools/check_mirror.py \
+  tools/test/check_traceability_test.py \
   tools/test/check_proofs_test.py tools/check_proofs.py \
   tools/check_oracle.py tools/test/check_oracle_test.py; do
   step "$script" python3 "$script"

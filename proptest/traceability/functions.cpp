@@ -1,0 +1,205 @@
+// Written by tools/check_traceability.py --write from spec/traceability.md.
+// clang-format off
+
+#include "halfspace/bsp_tree.hpp"
+#include "halfspace/camera.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/painter.hpp"
+#include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/render.hpp"
+#include "halfspace/fast/scan.hpp"
+#include "halfspace/fast/screen.hpp"
+#include "halfspace/fast/solid.hpp"
+#include "halfspace/fast/split.hpp"
+#include "halfspace/fast/splitter.hpp"
+#include "halfspace/fast/traverse.hpp"
+#include "halfspace/io/import.hpp"
+#include "halfspace/ref/boolean.hpp"
+#include "halfspace/ref/build.hpp"
+#include "halfspace/ref/classify.hpp"
+#include "halfspace/ref/painter.hpp"
+#include "halfspace/ref/predicate.hpp"
+#include "halfspace/ref/projection.hpp"
+#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scan.hpp"
+#include "halfspace/ref/screen.hpp"
+#include "halfspace/ref/shade.hpp"
+#include "halfspace/ref/split.hpp"
+#include "halfspace/ref/splitter.hpp"
+#include "halfspace/ref/traverse.hpp"
+#include "halfspace/ref/zbuffer.hpp"
+#include "halfspace/scene.hpp"
+#include "halfspace/scene_file.hpp"
+
+#include <cstddef>
+#include <cstdio>
+
+namespace halfspace {
+namespace {
+
+std::size_t taken = 0;
+
+template <class Function>
+void take(Function* function) {
+  Function* volatile kept = function;
+  if (kept != nullptr) ++taken;
+}
+
+void take_all() {
+  take(&grid_bits_for);  // S1.1
+  take(&read_scene);  // S1.2
+  take(&write_scene);  // S1.2
+  take(&make_scene);  // S1.3
+  take(&ref::plane_of);  // S1.4
+  take(&fast::plane_of);  // S1.4
+  take(&fast::intern_planes);  // S1.4
+  take(&ref::side_of);  // S1.5
+  take(&ref::value_at);  // S1.5
+  take(&fast::side_of);  // S1.5
+  take(&ref::planes_of);  // S1.6
+  take(&fast::planes_of);  // S1.6
+  take(&io::import_scene);  // S1.7
+  take(&ref::rounded);  // S1.8
+  take(&ref::relation);  // S2.1
+  take(&fast::relation);  // S2.1
+  {  // S2.2
+    using namespace ref;
+    using Kind = Fragment(const Scene&, PolygonId);
+    take<Kind>(&ref::whole);
+  }
+  {  // S2.2
+    using namespace ref;
+    using Kind = FragmentName(const Fragment&);
+    take<Kind>(&ref::name_of);
+  }
+  take(&fast::whole);  // S2.2
+  {  // S2.2
+    using namespace fast;
+    using Kind = FragmentName(const Fragment&);
+    take<Kind>(&fast::name_of);
+  }
+  take(&ref::split);  // S2.3
+  {  // S2.3
+    using namespace fast;
+    using Kind = SplitResult(const Scene&, const Fragment&, PolygonId, FilterStats&);
+    take<Kind>(&fast::split);
+  }
+  {  // S3.1
+    using namespace ref;
+    using Kind = TreeName(const BspTree&);
+    take<Kind>(&ref::name_of);
+  }
+  {  // S3.1
+    using namespace fast;
+    using Kind = TreeName(const BspTree&);
+    take<Kind>(&fast::name_of);
+  }
+  take(&ref::stats);  // S3.2
+  take(&fast::stats);  // S3.2
+  take(&ref::choose_root);  // S3.3
+  take(&fast::choose_root);  // S3.3
+  take(&draw);  // S3.4
+  take(&mix);  // S3.4
+  {  // S3.5
+    using namespace ref;
+    using Kind = BspTree(const Scene&, const BuildOptions&);
+    take<Kind>(&ref::build);
+  }
+  {  // S3.5
+    using namespace fast;
+    using Kind = BspTree(const Scene&, const BuildOptions&);
+    take<Kind>(&fast::build);
+  }
+  take(&ref::insert);  // S3.6
+  {  // S3.6
+    using namespace fast;
+    using Kind = void(BspTree&, const Scene&, PolygonId);
+    take<Kind>(&fast::insert);
+  }
+  take(&ref::front_to_back);  // S3.7
+  take(&ref::back_to_front);  // S3.7
+  take(&fast::front_to_back);  // S3.7
+  take(&fast::back_to_front);  // S3.7
+  take(&make_camera);  // S4.1
+  take(&ref::side_of_eye);  // S4.2
+  take(&fast::side_of_eye);  // S4.2
+  take(&ref::clip);  // S4.3
+  take(&fast::scan_convert);  // S4.3
+  take(&ref::scan_convert);  // S4.4
+  take(&fast::scan_convert);  // S4.4
+  take(&ref::scan_convert);  // S4.5
+  take(&fast::scan_convert);  // S4.5
+  take(&ref::scan_convert);  // S4.6
+  take(&fast::scan_convert);  // S4.6
+  take(&ref::merge_case);  // S4.7
+  take(&ref::merge_segment);  // S4.7
+  take(&fast::merge_case);  // S4.7
+  take(&ref::merge);  // S4.8
+  take(&fast::merge);  // S4.8
+  take(&ref::render);  // S5.1
+  {  // S5.1
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  take(&ref::render);  // S5.2
+  {  // S5.2
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  take(&ref::render);  // S5.3
+  {  // S5.3
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  take(&ref::color_at);  // S5.4
+  take(&ref::colors_of);  // S5.4
+  {  // S5.4
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  take(&ref::render);  // S5.5
+  take(&ref::paint);  // S5.5
+  take(&ref::zbuffer);  // S5.5
+  take(&ref::raycast);  // S5.5
+  {  // S5.5
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  {  // S5.5
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::paint);
+  }
+  take(&ref::blend);  // S5.6
+  take(&fast::blend);  // S5.6
+  take(&ref::bad_edges);  // S6.1
+  take(&fast::bad_edges);  // S6.1
+  take(&ref::to_solid);  // S6.2
+  {  // S6.2
+    using namespace fast;
+    using Kind = fast::Solid(const halfspace::Solid&, std::int32_t);
+    take<Kind>(&fast::to_solid);
+  }
+  take(&ref::classify);  // S6.3
+  take(&fast::boolean);  // S6.3
+  take(&ref::keep);  // S6.4
+  take(&fast::boolean);  // S6.4
+  take(&ref::boolean);  // S6.5
+  take(&fast::boolean);  // S6.5
+}
+
+}  // namespace
+}  // namespace halfspace
+
+int main() {
+  halfspace::take_all();
+  std::printf("%zu functions\n", halfspace::taken);
+  return halfspace::taken == 81 ? 0 : 1;
+}
