@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -123,12 +124,11 @@ Line line_of(int number) {
   return line;
 }
 
-/// A face in a plane in which `other` has faces of both directions, whichever
-/// of them the tree takes.
-void ask_classes_of(Inquiry& inquiry, const Solid& other, bool along,
-                    std::uint64_t seed) {
+/// A face in a plane in which `other` has faces of both directions; the tree
+/// takes the first.
+void ask_classes_of(Inquiry& inquiry, const Solid& other, bool along) {
   BuildOptions options;
-  options.seed = seed;
+  options.rule = RootRule::kFirst;
   const ref::BspTree tree = ref::build(ref::to_solid(other), options);
   const ref::Solid block = ref::to_solid(
       solid_of({{{along ? 0 : 4, 0, 1}, {along ? 4 : 8, 14, 2}}}));
@@ -182,15 +182,18 @@ void ask_table(Inquiry& inquiry) {
 }
 
 void ask_classes(Inquiry& inquiry) {
-  std::vector<Block> blocks;
-  for (const Stretch& s : kStretches) {
-    if (!s.inside_before && !s.inside_beyond) continue;
-    blocks.push_back({{s.inside_before ? 0 : 4, s.from, 0},
-                      {s.inside_beyond ? 8 : 4, s.to, 3}});
-  }
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  std::vector<Stretch> order(std::begin(kStretches), std::end(kStretches));
+  // The first block decides which way the splitter faces.
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+    std::vector<Block> blocks;
+    for (const Stretch& s : order) {
+      if (!s.inside_before && !s.inside_beyond) continue;
+      blocks.push_back({{s.inside_before ? 0 : 4, s.from, 0},
+                        {s.inside_beyond ? 8 : 4, s.to, 3}});
+    }
     for (const bool along : {false, true})
-      ask_classes_of(inquiry, solid_of(blocks), along, seed);
+      ask_classes_of(inquiry, solid_of(blocks), along);
   }
 }
 
