@@ -20,22 +20,6 @@ Local Notation covers := (View.covers camera options i j).
 Local Notation side_at := (View.side_at camera i j).
 Local Notation is_nearer := (View.is_nearer camera i j).
 
-(** A scene: planes and corners; the index is the id. *)
-Definition Scene := list (Plane * list Point).
-
-Definition scene_ok (scene : Scene) : Prop :=
-  Forall (fun p => polygon_ok (fst p) (snd p)) scene.
-
-Fixpoint polygons_from (id : Z) (scene : Scene) : list Fragment :=
-  match scene with
-  | [] => []
-  | (plane, corners) :: rest =>
-    whole id plane corners :: polygons_from (id + 1) rest
-  end.
-
-Definition polygons_of (scene : Scene) : list Fragment :=
-  polygons_from 0 scene.
-
 Definition Tree := BspTree Fragment Plane.
 
 (** S3.5, S3.6, with this file's fragments. *)
@@ -69,14 +53,6 @@ Definition seen (polygons : list Fragment) (pixel : option Z) : Prop :=
 Definition tree_of_scene (polygons : list Fragment) (tree : Tree) : Prop :=
   tree_of Fragment Plane source valid not_zero covers side_at is_nearer
     polygons tree.
-
-Lemma polygons_valid : forall scene, scene_ok scene ->
-  Forall valid (polygons_of scene).
-Proof.
-  unfold polygons_of; generalize 0%Z; intros id scene O; revert id.
-  induction O as [|[plane corners] scene P _ IH]; intros id; simpl; auto.
-  constructor; [now apply whole_valid | apply IH].
-Qed.
 
 Lemma polygons_in_order : forall scene,
   in_order Fragment source (polygons_of scene).

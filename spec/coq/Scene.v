@@ -550,3 +550,66 @@ Proof.
   - intros [P E]; repeat split; auto.
   - intros [[P E] H]; split; [exact P|]; intros e [<- | I]; auto.
 Qed.
+
+(** Every vertex of a part is on its side, or on the splitter; it is a vertex
+    of the fragment, or lies on the splitter between two of them. *)
+Lemma part_vertex : forall f h v, valid f -> In v (vertices (part f h)) ->
+  0 <= value_at h v /\
+  (In v (vertices f) \/ value_at h v == 0 /\ exists p q t,
+     In p (vertices f) /\ In q (vertices f) /\
+     px v == px p + (px q - px p) * t /\ py v == py p + (py q - py p) * t /\
+     pz v == pz p + (pz q - pz p) * t).
+Proof.
+  intros f h v _ I; apply part_vertices in I; destruct I as [[I P] | I];
+    [auto|].
+  apply crossings_in in I; destruct I as (p & q & Ip & Iq & P & N & ->).
+  pose proof (meet_value h h p q P N) as E.
+  assert (value_at h (meet h p q) == 0) as Z.
+  { apply Qmult_integral_l with (value_at h p - value_at h q); [lra|].
+    rewrite Qmult_comm, E; ring. }
+  split; [rewrite Z; lra|]; right; split; [exact Z|].
+  exists p, q, (value_at h p / (value_at h p - value_at h q)).
+  repeat split; auto; reflexivity.
+Qed.
+
+Lemma part_keeps : forall f h v, In v (vertices f) -> 0 <= value_at h v ->
+  In v (vertices (part f h)).
+Proof. intros; apply part_vertices; auto. Qed.
+
+Lemma part_is_cut : forall f h, valid f -> relation f h = rSpanning ->
+  exists v, In v (vertices (part f h)) /\ value_at h v == 0.
+Proof.
+  intros f h _ R; pose proof (relation_vertices f h) as S; rewrite R in S.
+  destruct S as [(p & Ip & P) (q & Iq & N)].
+  exists (meet h p q); split.
+  - apply part_vertices; right; apply crossings_in; exists p, q; auto.
+  - pose proof (meet_value h h p q P N) as E.
+    apply Qmult_integral_l with (value_at h p - value_at h q); [lra|].
+    rewrite Qmult_comm, E; ring.
+Qed.
+
+(** ** Scenes *)
+
+(** A scene: planes and corners; the index is the id. *)
+Definition Scene := list (Plane * list Point).
+
+Definition scene_ok (scene : Scene) : Prop :=
+  Forall (fun p => polygon_ok (fst p) (snd p)) scene.
+
+Fixpoint polygons_from (id : Z) (scene : Scene) : list Fragment :=
+  match scene with
+  | [] => []
+  | (plane, corners) :: rest =>
+    whole id plane corners :: polygons_from (id + 1) rest
+  end.
+
+Definition polygons_of (scene : Scene) : list Fragment :=
+  polygons_from 0 scene.
+
+Lemma polygons_valid : forall scene, scene_ok scene ->
+  Forall valid (polygons_of scene).
+Proof.
+  unfold polygons_of; generalize 0%Z; intros id scene O; revert id.
+  induction O as [|[plane corners] scene P _ IH]; intros id; simpl; auto.
+  constructor; [now apply whole_valid | apply IH].
+Qed.

@@ -5,7 +5,8 @@
     rests on what a split does, which is given with each section, and which
     [Scene.v] shows of polygons in space. *)
 
-From Coq Require Import ZArith QArith Lqa Lia List.
+From Coq Require Import ZArith QArith Lqa Lia List Bool Permutation.
+From Coq Require Import Relations Sorted.
 From Halfspace Require Import Base.
 Import ListNotations.
 Open Scope list_scope.
@@ -240,7 +241,8 @@ Proof.
   - intros E _; injection E as <- <- <-; auto.
   - destruct (distribute l h) as [[c' p'] n'] eqn:D.
     intros E V F; inversion V as [|? ? V1 V2]; subst.
-    inversion F as [|? ? H1 H2]; subst; destruct (IH h c' p' n' D V2 H2) as (A & B & C).
+    inversion F as [|? ? H1 H2]; subst.
+    destruct (IH h c' p' n' D V2 H2) as (A & B & C).
     destruct (relation f h) eqn:R; injection E as <- <- <-; auto.
     destruct (K f h V1 H1 R); auto.
 Qed.
@@ -371,6 +373,257 @@ Proof.
     Exists has (fragments t) <-> Exists has l)); auto; [reflexivity|].
   clear l V; intros l root c p n place m _ _ _ D _ _ _ P N; simpl.
   rewrite !Exists_app, P, N, (distribute_has has W _ _ _ _ _ D); tauto.
+Qed.
+
+(** ** HEUR's Theorem 3: what no plane cuts in a circle is never cut *)
+
+(** S3.3: whether the plane of [p] cuts [f]: an edge of HEUR's graph G(I). *)
+Definition cuts (p f : Fragment) : bool :=
+  match relation f (plane_of p) with rSpanning => true | _ => false end.
+
+(** S3.3: out(P). *)
+Definition out (l : list Fragment) (p : Fragment) : nat :=
+  length (filter (cuts p) l).
+
+(** One may not come back to where one began, from fragment to fragment of the
+    list, each cut by the plane of the one before. *)
+Definition no_cycle (l : list Fragment) : Prop :=
+  forall f, ~ clos_trans Fragment
+    (fun p g => In p l /\ In g l /\ cuts p g = true) f f.
+
+(** No two fragments of the list are coplanar. *)
+Definition no_coplanar (l : list Fragment) : Prop :=
+  NoDup l /\ forall p f, In p l -> In f l ->
+  relation f (plane_of p) = rCoincident -> f = p.
+
+(** S3.3: [kFewestCuts], [kH1] and [kH3] choose so. *)
+Definition least_out : Prop :=
+  forall place l first p, In first l -> In p l ->
+  (out l (nth (choose_root place l) l first) <= out l p)%nat.
+
+Lemma trans_mono : forall (A : Type) (R S : A -> A -> Prop),
+  (forall x y, R x y -> clos_trans A S x y) ->
+  forall x y, clos_trans A R x y -> clos_trans A S x y.
+Proof.
+  intros A R S H x y T; induction T as [x y E | x y z _ IH1 _ IH2]; auto.
+  now apply t_trans with y.
+Qed.
+
+(** A graph without cycles has a member that leads nowhere. *)
+Lemma an_end : forall (A : Type) (l : list A) (leads : A -> A -> bool),
+  (forall x, ~ clos_trans A
+     (fun p f => In p l /\ In f l /\ leads p f = true) x x) ->
+  l <> [] -> exists p, In p l /\ forall f, In f l -> leads p f = false.
+Proof.
+  intros A; induction l as [|a l IH]; intros leads C N; [easy|].
+  assert (leads a a = false) as Aa.
+  { destruct (leads a a) eqn:E; [exfalso | reflexivity].
+    apply (C a), t_step; simpl; auto. }
+  destruct l as [|b l']; [exists a; simpl; split; auto; intros f [<- | []];
+    exact Aa|].
+  set (l := b :: l') in *.
+  destruct (IH (fun x y => leads x y || leads x a && leads a y))
+    as (p & P & H); [|easy|].
+  - intros x T; apply (C x); revert T; apply trans_mono.
+    intros y z (Y & Z & E); apply orb_true_iff in E; destruct E as [E | E].
+    + apply t_step; simpl; auto.
+    + apply andb_true_iff in E; destruct E as [E F].
+      apply t_trans with a; apply t_step; simpl; auto.
+  - destruct (leads p a) eqn:E.
+    + exists a; split; [now left|]; intros f [<- | F]; [exact Aa|].
+      specialize (H f F); simpl in H; apply orb_false_iff in H.
+      destruct H as [_ H]; exact H.
+    + exists p; split; [now right|]; intros f [<- | F]; [exact E|].
+      specialize (H f F); simpl in H; apply orb_false_iff in H; tauto.
+Qed.
+
+Lemma distribute_uncut : forall l h c p n,
+  distribute l h = (c, p, n) ->
+  (forall f, In f l -> relation f h <> rSpanning) ->
+  Permutation (c ++ p ++ n) l.
+Proof.
+  induction l as [|f l IH]; intros h c p n; simpl.
+  - intros E _; injection E as <- <- <-; constructor.
+  - destruct (distribute l h) as [[c' p'] n'] eqn:D.
+    intros E U; assert (relation f h <> rSpanning) as Uf by (apply U; auto).
+    specialize (IH h c' p' n' D (fun g G => U g (or_intror G))).
+    destruct (relation f h); injection E as <- <- <-; try easy; rewrite <- IH;
+      simpl.
+    + symmetry; apply Permutation_middle.
+    + rewrite !app_assoc; symmetry; apply Permutation_middle.
+    + reflexivity.
+Qed.
+
+Lemma no_cycle_incl : forall l m, incl m l -> no_cycle l -> no_cycle m.
+Proof.
+  intros l m I C f T; apply (C f); revert T; apply trans_mono.
+  intros x y (X & Y & E); apply t_step; auto.
+Qed.
+
+Lemma no_repeats_app : forall l m : list Fragment,
+  NoDup (l ++ m) -> NoDup l /\ NoDup m.
+Proof.
+  induction l as [|f l IH]; intros m N; simpl in *.
+  - split; [constructor | exact N].
+  - inversion N as [|? ? X Y]; subst; destruct (IH m Y); split; auto.
+    constructor; auto; intros F; apply X, in_or_app; auto.
+Qed.
+
+(** S3.L9: then the tree has the polygons themselves, each in its own node. *)
+Theorem acyclic_tree_has_n_nodes : least_out ->
+  forall l, Forall valid l -> no_cycle l -> no_coplanar l ->
+  Permutation (fragments (build l)) l /\ nodes (build l) = length l.
+Proof.
+  intros L l V; unfold build.
+  apply (build_induction (fun l t => no_cycle l -> no_coplanar l ->
+    Permutation (fragments t) l /\ nodes t = length l)); auto.
+  clear l V; intros l root c p n place m V I E D C _ _ P N G [U W].
+  assert (forall f, In f l -> relation f (plane_of root) <> rSpanning) as Z.
+  { destruct (an_end Fragment l cuts G) as (q & Q & H);
+      [intros ->; destruct I|].
+    assert (out l q = 0)%nat as O.
+    { unfold out; clear - H; induction l as [|f l IH]; [reflexivity|]; simpl.
+      rewrite H by (simpl; auto); apply IH; intros; apply H; simpl; auto. }
+    pose proof (L place l root q I Q) as O'; rewrite <- E, O in O'.
+    intros f F S; unfold out in O'.
+    assert (In f (filter (cuts root) l)) as J.
+    { apply filter_In; split; [exact F|]; unfold cuts; now rewrite S. }
+    destruct (filter (cuts root) l); [destruct J | simpl in O'; lia]. }
+  pose proof (distribute_uncut _ _ _ _ _ D Z) as R.
+  assert (c = [root]) as ->.
+  { assert (NoDup (c ++ p ++ n)) as B.
+    { apply (Permutation_NoDup (Permutation_sym R) U). }
+    assert (forall f, In f c -> f = root) as A.
+    { intros f F; apply (distribute_coincident _ _ _ _ _ f D) in F.
+      apply W; tauto. }
+    destruct c as [|f [|g c]]; [destruct C | rewrite (A f); simpl; auto |].
+    exfalso; inversion B as [|? ? X _]; apply X; left.
+    rewrite (A f), (A g); simpl; auto. }
+  assert (forall k, incl k ([root] ++ p ++ n) -> NoDup k ->
+          no_cycle k /\ no_coplanar k) as K.
+  { intros k J B; assert (incl k l) as J'.
+    { intros f F; apply (Permutation_in f R), J, F. }
+    split; [now apply (no_cycle_incl l)|]; split; [exact B|].
+    intros q f Q F; apply W; auto. }
+  assert (NoDup ([root] ++ p ++ n)) as B.
+  { apply (Permutation_NoDup (Permutation_sym R) U). }
+  apply NoDup_cons_iff in B; destruct B as [_ B].
+  destruct (K p) as [Kp1 Kp2].
+  { intros f F; apply in_or_app; right; apply in_or_app; auto. }
+  { apply (no_repeats_app _ _ B). }
+  destruct (K n) as [Kn1 Kn2].
+  { intros f F; apply in_or_app; right; apply in_or_app; auto. }
+  { apply (no_repeats_app _ _ B). }
+  destruct (P Kp1 Kp2) as [Pp Np], (N Kn1 Kn2) as [Pn Nn]; simpl.
+  split.
+  - rewrite Pp, Pn; exact R.
+  - rewrite Np, Nn, <- (Permutation_length R); simpl; now rewrite app_length.
+Qed.
+
+(** ** Insertion in order is building with the first as root *)
+
+(** Insertion into a node takes each polygon where [distribute] puts it. *)
+Lemma insert_all_node : forall l h c p n lc lp ln,
+  distribute l h = (lc, lp, ln) ->
+  insert_all l (Node h c p n) =
+  Node h (fold_left (fun c f => put f c) lc c) (insert_all lp p)
+    (insert_all ln n).
+Proof.
+  unfold insert_all; induction l as [|f l IH]; intros h c p n lc lp ln; simpl.
+  - intros E; injection E as <- <- <-; reflexivity.
+  - destruct (distribute l h) as [[c' p'] n'] eqn:D.
+    destruct (relation f h); intros E; injection E as <- <- <-;
+      now rewrite (IH h _ _ _ c' p' n' D).
+Qed.
+
+Lemma put_last : forall f l,
+  Forall (fun g => (source g <= source f)%Z) l -> put f l = l ++ [f].
+Proof.
+  intros f; induction l as [|g l IH]; intros A; [reflexivity|]; simpl.
+  inversion A as [|? ? A1 A2]; subst.
+  destruct (Z.ltb_spec (source f) (source g)); [lia | now rewrite IH].
+Qed.
+
+Lemma put_all : forall l c,
+  StronglySorted (fun f g => (source f <= source g)%Z) (c ++ l) ->
+  fold_left (fun c f => put f c) l c = c ++ l.
+Proof.
+  induction l as [|f l IH]; intros c S; simpl; [now rewrite app_nil_r|].
+  change (f :: l) with ([f] ++ l) in *; rewrite app_assoc in *.
+  rewrite put_last; [now apply IH|].
+  clear IH; induction c as [|g c IH]; [constructor|]; simpl in S.
+  inversion S as [|? ? S1 S2]; subst; constructor; [|now apply IH].
+  rewrite Forall_forall in S2; apply S2; apply in_or_app; left.
+  apply in_or_app; right; now left.
+Qed.
+
+Lemma distribute_sorted : forall l h c p n, distribute l h = (c, p, n) ->
+  StronglySorted (fun f g => (source f <= source g)%Z) l ->
+  Forall valid l -> (forall f h, source (fst (split f h)) = source f /\
+                                 source (snd (split f h)) = source f) ->
+  StronglySorted (fun f g => (source f <= source g)%Z) c /\
+  StronglySorted (fun f g => (source f <= source g)%Z) p /\
+  StronglySorted (fun f g => (source f <= source g)%Z) n.
+Proof.
+  intros l h c p n D S V K; revert c p n D.
+  induction S as [|f l S IH A]; intros c p n; simpl.
+  - intros E; injection E as <- <- <-; repeat split; constructor.
+  - inversion V as [|? ? V1 V2]; subst.
+    destruct (distribute l h) as [[c' p'] n'] eqn:D.
+    intros E; destruct (IH V2 c' p' n' eq_refl) as (B1 & B2 & B3).
+    destruct (distribute_forall (fun g => (source f <= source g)%Z))
+      with (l := l) (h := h) (c := c') (p := p') (n := n')
+      as (C1 & C2 & C3); auto.
+    { intros g k _ G _; destruct (K g k) as [-> ->]; auto. }
+    destruct (K f h) as [K1 K2].
+    destruct (relation f h); injection E as <- <- <-; repeat split; auto;
+      constructor; rewrite ?K1, ?K2; auto.
+Qed.
+
+(** S3.L10: inserting polygons one by one gives the tree that is built with
+    the first of each list as root. *)
+Theorem insertion_is_building_with_the_first :
+  (forall place l, choose_root place l = 0%nat) ->
+  (forall f h, source (fst (split f h)) = source f /\
+               source (snd (split f h)) = source f) ->
+  forall l, Forall valid l ->
+  StronglySorted (fun f g => (source f <= source g)%Z) l ->
+  insert_all l Nothing = build l.
+Proof.
+  intros First K l V; unfold build.
+  apply (build_induction (fun l t =>
+    StronglySorted (fun f g => (source f <= source g)%Z) l ->
+    insert_all l Nothing = t)); auto.
+  clear l V; intros l root c p n place m V I E D _ _ _ P N S.
+  destruct (distribute_sorted _ _ _ _ _ D S V K) as (S1 & S2 & S3).
+  rewrite First in E; destruct l as [|f l]; [destruct I|].
+  simpl in E; subst f; simpl in D.
+  destruct (distribute l (plane_of root)) as [[c' p'] n'] eqn:D'.
+  rewrite own_plane in D by now inversion V.
+  injection D as <- <- <-; unfold insert_all in *; simpl.
+  change (fold_left (fun t polygon => insert polygon t) l
+    (Node (plane_of root) [root] Nothing Nothing))
+    with (insert_all l (Node (plane_of root) [root] Nothing Nothing)).
+  rewrite (insert_all_node _ _ _ _ _ _ _ _ D'), put_all by exact S1.
+  unfold insert_all; now rewrite P, N.
+Qed.
+
+(** In any order it gives as many nodes. *)
+Theorem insertion_nodes : (forall place l, choose_root place l = 0%nat) ->
+  forall l, Forall valid l -> nodes (insert_all l Nothing) = nodes (build l).
+Proof.
+  intros First l V; unfold build.
+  apply (build_induction (fun l t => nodes (insert_all l Nothing) = nodes t));
+    auto.
+  clear l V; intros l root c p n place m V I E D _ _ _ P N.
+  rewrite First in E; destruct l as [|f l]; [destruct I|].
+  simpl in E; subst f; simpl in D.
+  destruct (distribute l (plane_of root)) as [[c' p'] n'] eqn:D'.
+  rewrite own_plane in D by now inversion V.
+  injection D as <- <- <-.
+  change (insert_all (root :: l) Nothing)
+    with (insert_all l (Node (plane_of root) [root] Nothing Nothing)).
+  rewrite (insert_all_node _ _ _ _ _ _ _ _ D'); simpl; now rewrite P, N.
 Qed.
 
 (** What holds of the list and of all parts, holds of a built tree. *)
