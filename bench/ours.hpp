@@ -20,24 +20,34 @@ class Ours {
   Ours(const Scene& scene, const fast::BspTree& tree, const Camera& camera)
       : scene_(scene), tree_(tree), camera_(camera) {}
 
-  /// Draws one frame from front to back, ids and colours.
-  void draw(Shading shading, int threads = 1) {
-    fast::RenderOptions options;
-    options.threads = threads;
-    fast::render(scene_, tree_, camera_, look(shading), options, frame_);
+  /// Draws one frame from front to back: colours, as everyone else does.
+  void draw(Shading shading, int threads = 1) { draw(shading, threads, false); }
+
+  /// Draws one frame with its item image.
+  void draw_all(Shading shading, int threads = 1) {
+    draw(shading, threads, true);
   }
 
-  /// Draws one frame from back to front.
+  /// Draws one frame from back to front: colours.
   /// Requires: a tree by rule.
   void paint(Shading shading) {
     // Into the same memory as draw(), which would else have less to do.
-    fast::paint(scene_, tree_, camera_, look(shading), {}, frame_);
+    fast::RenderOptions options;
+    options.items = false;
+    fast::paint(scene_, tree_, camera_, look(shading), options, frame_);
   }
 
   /// The frame that was drawn last.
   const fast::Rendering& frame() const { return frame_; }
 
  private:
+  void draw(Shading shading, int threads, bool items) {
+    fast::RenderOptions options;
+    options.threads = threads;
+    options.items = items;
+    fast::render(scene_, tree_, camera_, look(shading), options, frame_);
+  }
+
   static ImageOptions look(Shading shading) {
     ImageOptions options;
     options.shading = shading;
