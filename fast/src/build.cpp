@@ -281,6 +281,9 @@ BspTree build(const Scene& scene, const BuildOptions& options,
   BspTree tree;
   if (!Autopartition(scene, options, tree, stats, progress).run()) return {};
   drop_unused_corners(tree);
+  tree.nodes.shrink_to_fit();
+  tree.fragments.shrink_to_fit();
+  tree.cut_vertices.shrink_to_fit();
   add_boxes(tree, scene);
   return tree;
 }

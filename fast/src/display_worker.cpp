@@ -8,10 +8,6 @@ namespace {
 /// A worker gathers so much before it tells of it.
 constexpr double kGatheredShare = 1.0 / 1024;
 
-/// A plane across an axis that costs more than this share of its list is
-/// compared with planes of polygons.
-constexpr double kPoorCost = 0.95;
-
 /// The image that trees are made for. Units: pixels.
 constexpr double kImagePixels = 1500.0 * 1500.0;
 
@@ -163,8 +159,9 @@ std::optional<DisplayWorker::Partition> DisplayWorker::make_node(
   const double undivided = static_cast<double>(task.count) + contended;
   const AxisSplit axis = best_axis_split(list, task.box, options.cut_weight);
   OwnSplit own;
+  // Where a plane across an axis cuts nothing, no other can cut less.
   if (options.own_planes > 0 &&
-      (is_short || !(axis.cost.cost < kPoorCost * undivided))) {
+      (is_short || !(axis.cost.cuts < 1) || !(axis.cost.cost < undivided))) {
     own = best_own_split({work_.scene, job_.tree, job_.parts}, list, task.box,
                          to_doubles(work_.origin), options.own_planes,
                          options.cut_weight);

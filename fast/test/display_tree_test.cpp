@@ -127,6 +127,29 @@ TEST(DisplayTree, PolygonsInAFreePlaneAreItsNodes) {
   EXPECT_GT(in_nodes, 200u);
 }
 
+/// Triangles in slanted planes, all of them parallel: planes across an axis
+/// would cut, their own part them without.
+TEST(DisplayTree, ParallelPolygonsAreNotCut) {
+  std::mt19937_64 random(3);
+  SceneData data;
+  for (std::int64_t k = 0; k < 3000; ++k) {
+    const auto coordinate = [&random] {
+      return static_cast<std::int64_t>(random() % 1'000'000);
+    };
+    // In the plane x + 2 y + 3 z = 6 h.
+    const std::int64_t h = coordinate();
+    const auto at = [h](std::int64_t u, std::int64_t v) {
+      return GridPoint{6 * h - 2 * u - 3 * v, u, v};
+    };
+    const std::int64_t u = coordinate();
+    const std::int64_t v = coordinate();
+    add_triangle(data, {at(u, v), at(u + 300'000, v), at(u, v + 300'000)});
+  }
+  const BspTree tree = build_display_tree(made(std::move(data)));
+  EXPECT_EQ(tree.fragments.size(), 3000u);
+  EXPECT_GT(tree.nodes.size(), 1000u);
+}
+
 TEST(DisplayTree, GrowsLittleWhereTrianglesAreSmall) {
   const Scene scene = strewn(50000, 1 << 19, 26);
   const BspTree tree = build_display_tree(scene);
