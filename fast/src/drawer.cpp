@@ -166,10 +166,11 @@ void Drawer<kBits>::draw(const TreeFragment& fragment, int eye_sign) {
 
 /// The way the outline turns, or 0 where its area is too small to tell.
 ///
-/// With D the largest difference to the first corner, d the corners' error:
-/// each of a triangle's two products is off by 2D (2d + 2uD) + (2d)^2 and
-/// rounding, 3u D^2 for both and their difference: 16 (D + d)(d + u D) bounds
-/// that, for each of the fan's triangles and its sum.
+/// With D the largest difference to the first corner, d the corners' error: a
+/// difference is off by 2d + u D, so each of the fan's triangles, two products,
+/// by 8 (D + d) d + 4u D^2, and by 4u D^2 for its own rounding; the fan's sums,
+/// for at most 30 triangles, add 58u D^2 for each. 9 (D + d)(d + 8u D) bounds
+/// that.
 template <int kBits>
 int Drawer<kBits>::turn(std::size_t count) const {
   double area = 0;
@@ -185,8 +186,8 @@ int Drawer<kBits>::turn(std::size_t count) const {
     x = next_x;
     y = next_y;
   }
-  const double doubt = static_cast<double>(count) * 16 * (extent + error_) *
-                       (error_ + 4 * kRounding * extent);
+  const double doubt = static_cast<double>(count - 2) * 9 * (extent + error_) *
+                       (error_ + 8 * kRounding * extent);
   return (area > doubt) - (area < -doubt);
 }
 

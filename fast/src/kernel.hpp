@@ -143,8 +143,8 @@ struct Kernel {
                              SmallPolygons& polygons, const Decider& decider);
   /// Whether a tile that meets the rectangle is open.
   bool (*any_open)(const Canvas& canvas, PixelRange columns, PixelRange lines);
-  /// Paints every unlit pixel.
-  void (*fill_rest)(Canvas& canvas, const Ink& ink);
+  /// Paints every unlit pixel. Returns how many there were.
+  std::int64_t (*fill_rest)(Canvas& canvas, const Ink& ink);
 };
 
 extern const Kernel kPlainKernel;  ///< runs everywhere

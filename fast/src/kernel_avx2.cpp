@@ -13,6 +13,8 @@ namespace {
 //
 #include "kernel_shade.inc"
 //
+#include "kernel_edges.inc"
+//
 #include "kernel.inc"
 //
 #include "kernel_lanes.inc"

@@ -201,6 +201,8 @@ inline std::uint32_t shade_eight(std::uint8_t* colors, std::int64_t at,
 
 #include "kernel_shade.inc"
 //
+#include "kernel_edges.inc"
+//
 #include "kernel.inc"
 
 /// Leaves them all.

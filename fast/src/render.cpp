@@ -78,12 +78,14 @@ BandResult render_band(const Frame& frame, Screen& screen) {
   };
   walk_front_to_back(tree, eye_side, enter, show);
   draw_waiting();
-  const auto painted = static_cast<std::size_t>(screen.count_lit());
   const Rgb background = frame.image.background;
-  frame.kernel.fill_rest(
+  const std::int64_t unlit = frame.kernel.fill_rest(
       canvas, {kBackground, {background.r, background.g, background.b}});
+  const std::int64_t all =
+      std::int64_t{canvas.columns.end - canvas.columns.first} *
+      (canvas.lines.end - canvas.lines.first);
   stats.add(drawer.stats());
-  return {painted, drawer.fragments(), stats};
+  return {static_cast<std::size_t>(all - unlit), drawer.fragments(), stats};
 }
 
 template <int kBits>

@@ -1,7 +1,5 @@
 #include "screen.hpp"
 
-#include <bit>
-
 namespace halfspace::fast {
 namespace {
 
@@ -80,14 +78,6 @@ Screen::Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
                                                             kTileHeight);
     canvas_.slots = slots_.get();
   }
-}
-
-std::int64_t Screen::count_lit() const {
-  std::int64_t unlit = 0;
-  for (const std::uint32_t line : lit_) unlit += std::popcount(~line);
-  return std::int64_t{canvas_.lines.end - canvas_.lines.first} *
-             (canvas_.columns.end - canvas_.columns.first) -
-         unlit;
 }
 
 void Screen::enter_leaf() {

@@ -21,9 +21,6 @@ class Screen {
 
   Canvas& canvas() { return canvas_; }
 
-  /// How many of the pixels asked for are lit.
-  std::int64_t count_lit() const;
-
   /// From here to leave_leaf() fragments may hide each other in any order.
   void enter_leaf();
   void leave_leaf();
