@@ -1,0 +1,318 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "kernel.hpp"
+#include "screen.hpp"
+#include "view.hpp"
+
+/// The kernels are given outlines with errors so large that it matters: moved
+/// by them, corners change what is covered. Where they do, a kernel must ask;
+/// where it does not ask, no such move may change what it drew.
+namespace halfspace::fast {
+namespace {
+
+constexpr std::int32_t kWidth = 100;
+constexpr std::int32_t kHeight = 60;
+
+struct Point {
+  double x;
+  double y;
+};
+using Polygon = std::vector<Point>;
+
+/// The first pixel whose centre is not below `v`.
+std::int32_t first_centre_from(double v) {
+  return static_cast<std::int32_t>(std::ceil(v - 0.5));
+}
+
+/// What a convex polygon covers of a line, within the image.
+PixelRange covered(const Polygon& p, std::int32_t j) {
+  const double y = j + 0.5;
+  double left = 1e9;
+  double right = -1e9;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const Point& a = p[k];
+    const Point& b = p[(k + 1) % p.size()];
+    if ((a.y > y) == (b.y > y)) continue;
+    const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+    left = std::min(left, x);
+    right = std::max(right, x);
+  }
+  if (left > right) return {0, 0};
+  const std::int32_t first = std::clamp(first_centre_from(left), 0, kWidth);
+  const std::int32_t end = std::clamp(first_centre_from(right), 0, kWidth);
+  return first < end ? PixelRange{first, end} : PixelRange{0, 0};
+}
+
+double turn_at(const Polygon& p, std::size_t k) {
+  const Point& a = p[k];
+  const Point& b = p[(k + 1) % p.size()];
+  const Point& c = p[(k + 2) % p.size()];
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool is_convex(const Polygon& p) {
+  for (std::size_t k = 1; k < p.size(); ++k) {
+    if ((turn_at(p, k) > 0) != (turn_at(p, 0) > 0)) return false;
+  }
+  return true;
+}
+
+/// In how many ways a polygon is moved.
+int ways(const Polygon& p) { return 1 << (2 * p.size()); }
+
+/// The polygon with each corner moved to a corner of the square around it.
+Polygon moved(Polygon p, double by, int way) {
+  for (Point& corner : p) {
+    corner.x += (way & 1) != 0 ? by : -by;
+    corner.y += (way & 2) != 0 ? by : -by;
+    way >>= 2;
+  }
+  return p;
+}
+
+/// What a kernel asked for.
+struct Asked {
+  std::vector<bool> lines = std::vector<bool>(kHeight);
+  Ink ink;
+};
+
+Decider decider_of(Asked& asked) {
+  Decider decider{};
+  decider.begin = [](void* context, std::int32_t, std::int32_t) {
+    return static_cast<Asked*>(context)->ink;
+  };
+  decider.exact_line = [](void* context, std::int32_t j, PixelRange) {
+    static_cast<Asked*>(context)->lines[static_cast<std::size_t>(j)] = true;
+    return PixelRange{0, 0};
+  };
+  decider.context = &asked;
+  return decider;
+}
+
+/// A blank image with its screen.
+struct Paper {
+  Paper() {
+    result.items = ItemImage(kWidth, kHeight, kBackground);
+    screen.emplace(Rectangle{0, 0, kWidth, kHeight}, PixelRange{0, kHeight},
+                   result, false);
+  }
+  Canvas& canvas() { return screen->canvas(); }
+  Rendering result;
+  std::optional<Screen> screen;
+};
+
+/// What the polygon may be in truth: its corners are off, but it is convex.
+std::vector<Polygon> truths(const Polygon& p, double error) {
+  std::vector<Polygon> result;
+  for (int way = 0; way < ways(p); ++way) {
+    const Polygon other = moved(p, 0.99 * error, way);
+    if (is_convex(other)) result.push_back(other);
+  }
+  return result;
+}
+
+/// Compares an image, but for lines that were asked for, with all of these.
+void expect_told(const std::vector<Polygon>& truths, const Asked& asked,
+                 const ItemImage& items, std::size_t& changed) {
+  for (std::int32_t j = 0; j < kHeight; ++j) {
+    const PixelRange here = covered(truths[0], j);
+    bool may_change = false;
+    for (const Polygon& truth : truths) {
+      const PixelRange there = covered(truth, j);
+      may_change =
+          may_change || there.first != here.first || there.end != here.end;
+    }
+    changed += may_change ? 1 : 0;
+    if (asked.lines[static_cast<std::size_t>(j)]) continue;
+    ASSERT_FALSE(may_change) << "line " << j;
+    for (std::int32_t i = 0; i < kWidth; ++i) {
+      ASSERT_EQ(items.at(i, j) != kBackground, here.first <= i && i < here.end)
+          << i << ", " << j;
+    }
+  }
+}
+
+class Random {
+ public:
+  double from_to(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  Point point() { return {from_to(-5, kWidth + 5), from_to(-5, kHeight + 5)}; }
+  /// Corners around a common point; one in three with a flat edge, one with an
+  /// edge that passes closely by a pixel's centre.
+  Polygon triangle(double size, double error) {
+    const Point middle = point();
+    Polygon p(3);
+    for (Point& corner : p) {
+      corner = {middle.x + from_to(-size, size),
+                middle.y + from_to(-size, size)};
+    }
+    const double kind = from_to(0, 3);
+    if (kind < 1) {
+      p[1].y = p[0].y + from_to(-0.02, 0.02);
+    } else if (kind < 2) {
+      const Point centre = {std::floor(middle.x) + 0.5,
+                            std::floor(middle.y) + 0.5};
+      const double t = from_to(-3, 3);
+      p[2].x = centre.x + t * (centre.x - p[1].x) + from_to(-2, 2) * error;
+      p[2].y = centre.y + t * (centre.y - p[1].y);
+    }
+    return p;
+  }
+  /// A short edge that a long one goes on, nearly straight: the line of the
+  /// short one is known badly where the long one bounds. As its corners are off
+  /// it need not be convex.
+  Polygon quadrangle(double size, double error) {
+    while (true) {
+      const Point a = point();
+      const Point d = {a.x + from_to(-size, size), a.y + from_to(-size, size)};
+      const double share = from_to(0.004, 0.1);
+      const Point b = {a.x + share * (d.x - a.x), a.y + share * (d.y - a.y)};
+      // Across, by as much as the errors of the short edge may seem to bend it.
+      const double bend =
+          from_to(-2, 2) * error / share / std::hypot(d.x - a.x, d.y - a.y);
+      const Polygon p = {a,
+                         b,
+                         {d.x + bend * (d.y - a.y), d.y - bend * (d.x - a.x)},
+                         {a.x + from_to(-size, size), from_to(a.y, d.y)}};
+      if (std::abs(turn_at(p, 2)) > size) return p;
+    }
+  }
+
+ private:
+  std::mt19937_64 engine_{7};
+};
+
+const Kernel* const kKernels[] = {&kPlainKernel, &best_kernel()};
+
+TEST(KernelBounds, OutlinesAskWhereTheirErrorMatters) {
+  for (const Kernel* kernel : kKernels) {
+    Random random;
+    std::size_t changed = 0;
+    for (int round = 0; round < 4000; ++round) {
+      const double error = random.from_to(0x1p-11, 0x1p-10);
+      const Polygon p = round % 4 == 0 ? random.triangle(40, error)
+                                       : random.quadrangle(40, error);
+      const std::vector<Polygon> all = truths(p, error);
+      const double turn = turn_at(p, p.size() - 2);
+      if (all.empty() || std::abs(turn) < 1) continue;
+      std::array<double, 4> x{};
+      std::array<double, 4> y{};
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        x[k] = p[k].x;
+        y[k] = p[k].y;
+      }
+      Asked asked;
+      Paper paper;
+      kernel->draw(paper.canvas(),
+                   {x.data(), y.data(), static_cast<std::int32_t>(p.size()),
+                    error, turn > 0 ? 1 : -1},
+                   asked.ink, decider_of(asked));
+      expect_told(all, asked, paper.result.items, changed);
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(changed, 300u);
+  }
+}
+
+/// A view of points as they are, off by `error`.
+View plain_view(double error) {
+  View view;
+  view.perspective = false;
+  view.x.a = view.y.b = view.t.c = 1;
+  view.near = -std::numeric_limits<double>::infinity();
+  view.xy_error = error;
+  return view;
+}
+
+/// What came of drawing one polygon together with others.
+struct Small {
+  Asked asked;
+  Paper paper;
+  bool is_left = false;
+  std::int64_t displayed = 0;
+};
+
+std::unique_ptr<Small> draw_small(const Polygon& p, double error, bool cull) {
+  SmallPolygons polygons;
+  for (std::size_t k = 0; k < 8; ++k) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      polygons.x[c][k] = p[c % p.size()].x;
+      polygons.y[c][k] = p[c % p.size()].y;
+      polygons.z[c][k] = 0;
+    }
+    polygons.error[k] = 0;
+  }
+  polygons.corners = static_cast<std::int32_t>(p.size());
+  polygons.count = 1;
+  auto result = std::make_unique<Small>();
+  result->displayed =
+      best_kernel().draw_small(result->paper.canvas(), plain_view(error), cull,
+                               polygons, decider_of(result->asked));
+  result->is_left = polygons.left_count > 0;
+  return result;
+}
+
+TEST(KernelBounds, SmallPolygonsAskWhereTheirErrorMatters) {
+  Random random;
+  std::size_t changed = 0;
+  std::size_t drawn = 0;
+  for (int round = 0; round < 8000; ++round) {
+    const double error = random.from_to(0x1p-11, 0x1p-10);
+    const Polygon p = round % 4 == 0 ? random.triangle(25, error)
+                                     : random.quadrangle(30, error);
+    const auto found = draw_small(p, error, false);
+    // What it leaves undone is done by others; a part may be drawn by then.
+    if (found->is_left) continue;
+    const std::vector<Polygon> all = truths(p, error);
+    if (all.empty()) continue;
+    ++drawn;
+    expect_told(all, found->asked, found->paper.result.items, changed);
+    if (HasFatalFailure()) return;
+  }
+  if (&best_kernel() != &kPlainKernel) {
+    EXPECT_GT(drawn, 2000u);
+  }
+}
+
+/// Triangles so thin that their corners' errors turn them over.
+TEST(KernelBounds, SmallPolygonsTurnForSureOrAreLeft) {
+  Random random;
+  std::size_t told = 0;
+  for (int round = 0; round < 8000; ++round) {
+    const double error = random.from_to(0x1p-12, 0x1p-10);
+    Polygon p = random.triangle(20, error);
+    // The third corner moves to the line through the others, nearly.
+    const double t = random.from_to(-0.5, 1.5);
+    p[2] = {p[0].x + t * (p[1].x - p[0].x) + random.from_to(-24, 24) * error,
+            p[0].y + t * (p[1].y - p[0].y) + random.from_to(-24, 24) * error};
+    bool positive = false;
+    bool negative = false;
+    for (int way = 0; way < ways(p); ++way) {
+      const double turn = turn_at(moved(p, 0.99 * error, way), 0);
+      positive = positive || turn > 0;
+      negative = negative || turn < 0;
+    }
+    // Of those that are told, culling keeps the ones that turn negatively.
+    const auto found = draw_small(p, error, true);
+    if (found->is_left) continue;
+    ASSERT_FALSE(positive && negative);
+    ASSERT_EQ(found->displayed, negative ? 1 : 0);
+    ++told;
+  }
+  if (&best_kernel() != &kPlainKernel) {
+    EXPECT_GT(told, 500u);
+  }
+}
+
+}  // namespace
+}  // namespace halfspace::fast

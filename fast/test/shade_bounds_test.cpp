@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "kernel.hpp"
+#include "screen.hpp"
+
+/// Colours that the kernels do not ask about are the right ones, however their
+/// gradients are off within their doubt.
+namespace halfspace::fast {
+namespace {
+
+constexpr std::int32_t kWidth = 75;
+constexpr std::int32_t kHeight = 19;
+
+/// Gradients, and what was asked.
+struct Asked {
+  Gradient gradient{};
+  std::vector<bool> pixels = std::vector<bool>(kWidth * kHeight);
+};
+
+Decider decider_of(Asked& asked) {
+  Decider decider{};
+  decider.gradient = [](void* context) -> const Gradient& {
+    return static_cast<Asked*>(context)->gradient;
+  };
+  decider.shade = [](void* context, std::int32_t x, std::int32_t y,
+                     std::uint32_t bits) {
+    for (std::int32_t k = 0; k < 32; ++k) {
+      if (((bits >> k) & 1u) == 0) continue;
+      static_cast<Asked*>(context)
+          ->pixels[static_cast<std::size_t>(y * kWidth + x + k)] = true;
+    }
+  };
+  decider.context = &asked;
+  return decider;
+}
+
+class Random {
+ public:
+  double from_to(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  /// Totals of about `size`, levels from 0 to 255 at the image's corners, and
+  /// so everywhere.
+  Gradient gradient(double size) {
+    Gradient g{};
+    const auto enter = [&g](std::size_t f, double at, double right,
+                            double down) {
+      g.a[f] = (right - at) / kWidth;
+      g.b[f] = (down - at) / kHeight;
+      g.c[f] = at;
+    };
+    const double steep = from_to(0, 0.45);
+    std::array<double, 3> total;
+    for (double& t : total) t = size * (1 + from_to(-steep, steep));
+    enter(3, total[0], total[1], total[2]);
+    for (std::size_t f = 0; f < 3; ++f) {
+      while (true) {
+        std::array<double, 3> level;
+        for (double& l : level) l = from_to(0, 255);
+        enter(f, level[0] * total[0], level[1] * total[1], level[2] * total[2]);
+        const double last =
+            (level[1] * total[1] + level[2] * total[2] - level[0] * total[0]) /
+            (total[1] + total[2] - total[0]);
+        if (last >= 0 && last <= 255) break;
+      }
+    }
+    return g;
+  }
+
+ private:
+  std::mt19937_64 engine_{11};
+};
+
+/// Draws a gradient all over an image and compares what was not asked about.
+void expect_told(const Kernel& kernel, const Gradient& gradient,
+                 std::size_t& told, std::size_t& doubtful) {
+  Asked asked{gradient};
+  Rendering result;
+  result.colors = ColorImage(kWidth, kHeight, Rgb{});
+  Screen screen({0, 0, kWidth, kHeight}, {0, kHeight}, result, false);
+  const double x[4] = {-9, kWidth + 9, kWidth + 9, -9};
+  const double y[4] = {-9, -9, kHeight + 9, kHeight + 9};
+  Ink ink;
+  ink.smooth = true;
+  kernel.draw(screen.canvas(), {x, y, 4, 0, 1}, ink, decider_of(asked));
+  const Gradient& g = gradient;
+  for (std::int32_t j = 0; j < kHeight; ++j) {
+    for (std::int32_t i = 0; i < kWidth; ++i) {
+      const auto at = [&](std::size_t f) {
+        return g.a[f] * i + g.b[f] * j + g.c[f];
+      };
+      const double doubt = g.doubt / at(3);
+      const Rgb& drawn = result.colors.at(i, j);
+      const std::array<int, 3> levels = {drawn.r, drawn.g, drawn.b};
+      bool may_change = false;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double half_up = at(c) / at(3) + 0.5;
+        may_change = may_change ||
+                     std::floor(half_up - doubt) != std::floor(half_up + doubt);
+      }
+      doubtful += may_change ? 1 : 0;
+      if (asked.pixels[static_cast<std::size_t>(j * kWidth + i)]) continue;
+      ASSERT_FALSE(may_change) << i << ", " << j;
+      ++told;
+      for (std::size_t c = 0; c < 3; ++c) {
+        ASSERT_EQ(levels[c], std::floor(at(c) / at(3) + 0.5))
+            << i << ", " << j << ", channel " << c;
+      }
+    }
+  }
+}
+
+TEST(ShadeBounds, ColorsAskWhereTheirDoubtMatters) {
+  for (const Kernel* kernel : {&kPlainKernel, &best_kernel()}) {
+    Random random;
+    std::size_t told = 0;
+    std::size_t doubtful = 0;
+    for (int round = 0; round < 300; ++round) {
+      const double size = std::ldexp(1.0, 3 * round);
+      Gradient gradient = random.gradient(size);
+      gradient.doubt = random.from_to(0, 0.01) * size;
+      expect_told(*kernel, gradient, told, doubtful);
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(told, 300'000u);
+    EXPECT_GT(doubtful, 1000u);
+  }
+}
+
+/// What floats are off alone.
+TEST(ShadeBounds, ColorsAskWhereRoundingMatters) {
+  for (const Kernel* kernel : {&kPlainKernel, &best_kernel()}) {
+    Random random;
+    std::size_t told = 0;
+    std::size_t doubtful = 0;
+    for (int round = 0; round < 1500; ++round) {
+      expect_told(*kernel, random.gradient(1), told, doubtful);
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(told, 2'000'000u);
+    EXPECT_EQ(doubtful, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace halfspace::fast
