@@ -5,12 +5,6 @@
 namespace halfspace::fast {
 namespace {
 
-/// Of two planes through a line, one that is not `plane`.
-std::int32_t other_than(std::int32_t plane,
-                        const std::array<std::int32_t, 2>& planes) {
-  return planes[0] != plane ? planes[0] : planes[1];
-}
-
 std::int64_t bucket_of(std::size_t o, std::int32_t face, bool flipped) {
   return (static_cast<std::int64_t>(o) << 40) + 2 * std::int64_t{face} +
          (flipped ? 1 : 0);
@@ -18,12 +12,12 @@ std::int64_t bucket_of(std::size_t o, std::int32_t face, bool flipped) {
 
 }  // namespace
 
-Engine::Wing Engine::wing_of(std::size_t o, std::int32_t f, int turn) const {
+Wing Engine::wing_of(std::size_t o, std::int32_t f, int turn) const {
   const Face& face = operands_[o].face(f);
   return {static_cast<std::int32_t>(o), f, face.plane, turn, face.turned};
 }
 
-Engine::Segment Engine::segment_of(const LineEdge& edge) const {
+Segment Engine::segment_of(const LineEdge& edge) const {
   return {edge.low, edge.high, edge.axis, {edge.plane, edge.other}};
 }
 
@@ -111,42 +105,6 @@ void Engine::emit_traces() {
   }
 }
 
-/// Sorts the wings by their angle round the axis, from the first one on.
-///
-/// With unit vector d along the segment and normals m, n, wings point along
-/// m x d and n x d, times their turns. Their cross product is d det(m, n, d),
-/// and m x n is parallel to d: one component tells its sign.
-void Engine::sort_wings(int axis) {
-  const auto cross = [&](const Wing& w, const Wing& v) {
-    return w.plane == v.plane
-               ? 0
-               : w.turn * v.turn * space_.cross_sign(axis, w.plane, v.plane);
-  };
-  // 0: as the first one; 1: within half a turn; 2: opposite; 3: beyond.
-  const Wing first = wings_.front();
-  const auto part = [&](const Wing& w) {
-    const int sign = cross(first, w);
-    if (sign == 0) return w.turn == first.turn ? 0 : 2;
-    return sign > 0 ? 1 : 3;
-  };
-  std::stable_sort(wings_.begin(), wings_.end(),
-                   [&](const Wing& w, const Wing& v) {
-                     const int p = part(w);
-                     const int q = part(v);
-                     return p != q ? p < q : cross(w, v) > 0;
-                   });
-}
-
-/// Whether wing `i` stands where the one before it does.
-bool Engine::as_last(std::size_t i) const {
-  return i > 0 && wings_[i].plane == wings_[i - 1].plane &&
-         wings_[i].turn == wings_[i - 1].turn;
-}
-
-/// What a wing adds to being inside its operand, round the segment: what
-/// leaves the operand was inside of it.
-int Engine::change(const Wing& w) { return (w.turn > 0) != w.turned ? -1 : 1; }
-
 /// How often the wedge before the first wing is inside the operand.
 int Engine::level_before(std::size_t o, bool member) const {
   int least = 0, most = 0, sum = 0;
@@ -156,7 +114,7 @@ int Engine::level_before(std::size_t o, bool member) const {
       sum += change(wings_[i]);
       any = true;
     }
-    if (i + 1 < wings_.size() && as_last(i + 1)) continue;
+    if (i + 1 < wings_.size() && as_last(wings_, i + 1)) continue;
     least = std::min(least, sum);
     most = std::max(most, sum);
   }
@@ -168,7 +126,7 @@ int Engine::level_before(std::size_t o, bool member) const {
 /// Of the wings from `first` to before `last`, which stand in one place, the
 /// one that the result's face is a part of: the first operand's (S6.4), if
 /// possible one that need not be turned over.
-const Engine::Wing& Engine::source_of(std::size_t first, std::size_t last,
+const Wing& Engine::source_of(std::size_t first, std::size_t last,
                                       bool turned) const {
   const Wing* source = nullptr;
   for (const std::int32_t o : {1, 0}) {
@@ -186,7 +144,7 @@ const Engine::Wing& Engine::source_of(std::size_t first, std::size_t last,
 /// are. `member`: whether it is inside an operand that has no wing there.
 void Engine::emit(const Segment& segment, const std::array<bool, 2>& member) {
   // Step 1: the wings counter-clockwise round the segment.
-  sort_wings(segment.axis);
+  sort_wings(wings_, segment.axis, space_);
   // Step 2: inside which operands the wedge before the first wing is.
   std::array<int, 2> level{level_before(0, member[0]),
                            level_before(1, member[1])};
@@ -198,7 +156,7 @@ void Engine::emit(const Segment& segment, const std::array<bool, 2>& member) {
     do {
       level[static_cast<std::size_t>(wings_[j].operand)] += change(wings_[j]);
       ++j;
-    } while (j < wings_.size() && as_last(j));
+    } while (j < wings_.size() && as_last(wings_, j));
     const bool after = truth_(level[0] > 0, level[1] > 0);
     if (before != after) {
       // Outwards is on from here where the result ends, else back.

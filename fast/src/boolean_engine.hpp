@@ -9,6 +9,7 @@
 #include "boolean_parts.hpp"
 #include "boolean_result.hpp"
 #include "boolean_truth.hpp"
+#include "boolean_wings.hpp"
 
 namespace halfspace::fast {
 
@@ -34,22 +35,6 @@ class Engine {
   Solid run();
 
  private:
-  /// A face at a segment: on the left of it (turn 1), as seen against its
-  /// plane's normal, or on the right (-1).
-  struct Wing {
-    std::int32_t operand;
-    std::int32_t face;
-    std::int32_t plane;
-    int turn;
-    bool turned;
-  };
-  /// A segment, from low to high along the axis, in two planes.
-  struct Segment {
-    std::int32_t low;
-    std::int32_t high;
-    std::int32_t axis;
-    std::array<std::int32_t, 2> planes;
-  };
   /// Of what is joined, in the other operand.
   enum Member : std::uint8_t { kUnknown, kOutside, kInside };
 
@@ -64,9 +49,6 @@ class Engine {
   void emit_parts(std::size_t o, std::int32_t edge);
   void emit_traces();
   void emit(const Segment& segment, const std::array<bool, 2>& member);
-  void sort_wings(int axis);
-  bool as_last(std::size_t wing) const;
-  static int change(const Wing& wing);
   int level_before(std::size_t o, bool member) const;
   const Wing& source_of(std::size_t first, std::size_t last, bool turned) const;
   void begin_face(std::size_t o, std::int32_t face, bool flipped,

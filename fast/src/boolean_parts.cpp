@@ -145,7 +145,7 @@ Locator::Locator(const Operand& operand, const Space& space)
   index_ = &own_;
 }
 
-bool Locator::is_inside(std::int32_t vertex, std::int32_t towards) const {
+int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
   // A ray along the first axis. All signs are those at the vertex, or where
   // they are zero at `towards`: as they are right beside it.
   Box ray = kEmptyBox;
@@ -169,7 +169,7 @@ bool Locator::is_inside(std::int32_t vertex, std::int32_t towards) const {
     if (side * along >= 0 || !is_above(face, vertex, towards)) return;
     winding += (along > 0) != face.turned ? 1 : -1;
   });
-  return winding > 0;
+  return winding;
 }
 
 bool Locator::is_above(const Face& face, std::int32_t vertex,

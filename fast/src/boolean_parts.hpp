@@ -140,7 +140,13 @@ std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
 class Locator {
  public:
   Locator(const Operand& operand, const Space& space);
-  bool is_inside(std::int32_t vertex, std::int32_t towards) const;
+  bool is_inside(std::int32_t vertex, std::int32_t towards) const {
+    return winding(vertex, towards) > 0;
+  }
+  /// How often the surface winds round the point. On the surface: round one
+  /// right beside it, along the first axis, by far less along the last, and by
+  /// far less still along the second.
+  int winding(std::int32_t vertex, std::int32_t towards) const;
 
  private:
   bool is_above(const Face& face, std::int32_t vertex,

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "boolean_contact.hpp"
+#include "self_contacts.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -29,24 +30,29 @@ void add_overlaps(const Operand& a, std::vector<Crossing>& found) {
 
 }  // namespace
 
-std::vector<Crossing> crossings(const Solid& solid) {
-  Operand a, b;
+SelfContacts self_contacts(const Solid& solid) {
+  SelfContacts result;
+  Operand& a = result.operand;
+  Operand b;
   a.solid = b.solid = &solid;
   prepare(a, b, *solid.space);
   const auto pairs = near_pairs(a, b);
   add_edges(a, *solid.space);
   add_edges(b, *solid.space);
-  std::vector<Trace> traces;
-  Contact contact(a, b, *solid.space, traces);
+  Contact contact(a, b, *solid.space, result.traces);
   for (const auto& [f, g] : pairs) {
     if (f != g) contact.meet(f, g);
   }
+  return result;
+}
+
+std::vector<Crossing> crossings_of(const SelfContacts& contacts) {
   std::vector<Crossing> found;
-  for (const Trace& trace : traces) {
+  for (const Trace& trace : contacts.traces) {
     if (trace.first < trace.second)
       found.push_back({trace.first, trace.second, trace.low, false});
   }
-  add_overlaps(a, found);
+  add_overlaps(contacts.operand, found);
   const auto key = [](const Crossing& c) {
     return std::tuple(c.first, c.second, c.in_plane);
   };
@@ -59,6 +65,10 @@ std::vector<Crossing> crossings(const Solid& solid) {
                           }),
               found.end());
   return found;
+}
+
+std::vector<Crossing> crossings(const Solid& solid) {
+  return crossings_of(self_contacts(solid));
 }
 
 }  // namespace halfspace::fast

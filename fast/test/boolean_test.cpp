@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <string>
 
-#include "halfspace/fast/crossings.hpp"
 #include "halfspace/fast/export.hpp"
 #include "lattice.hpp"
 
@@ -120,55 +119,6 @@ TEST(FastBoolean, SolidsOfCubesAreCombinedCubeByCube) {
                        combined(then, c, cubes)));
     }
   }
-}
-
-/// The surfaces of two heaps of cubes, each in as few faces as possible, as if
-/// they were one solid's.
-Solid both_surfaces(const Cubes& a, const Cubes& b) {
-  Solid both = merged(to_solid(lattice::surface(a)), Merge::kPlane);
-  const Solid more = merged(to_solid(lattice::surface(b), both), Merge::kPlane);
-  const auto edges = static_cast<std::uint32_t>(both.edges.size());
-  both.edges.insert(both.edges.end(), more.edges.begin(), more.edges.end());
-  for (Face face : more.faces) {
-    face.first_edge += edges;
-    both.faces.push_back(face);
-  }
-  return both;
-}
-
-Cubes block(int first, int last, int up_to) {
-  Cubes cubes;
-  for (int i = first; i < last; ++i) {
-    for (int j = first; j < last; ++j) {
-      for (int k = first; k < up_to; ++k)
-        cubes.full[static_cast<std::size_t>(
-            (i * lattice::kSize + j) * lattice::kSize + k)] = true;
-    }
-  }
-  return cubes;
-}
-
-TEST(FastBoolean, SurfacesThatCrossThemselvesAreFound) {
-  std::uint64_t state = 5;
-  for (int i = 0; i < 20; ++i) {
-    const Cubes cubes = lattice::random_cubes(1 + i % 3, state);
-    const Solid solid = to_solid(lattice::surface(cubes));
-    EXPECT_TRUE(crossings(solid).empty());
-    EXPECT_TRUE(crossings(merged(solid, Merge::kPlane)).empty());
-  }
-  // One block within another, beside it, through it, and flush with it.
-  const auto found = [](const Cubes& a, const Cubes& b) {
-    return crossings(both_surfaces(a, b));
-  };
-  EXPECT_TRUE(found(block(0, 6, 6), block(1, 4, 4)).empty());
-  EXPECT_TRUE(found(block(0, 2, 2), block(4, 6, 6)).empty());
-  const auto through = found(block(0, 4, 4), block(1, 3, 7));
-  ASSERT_EQ(through.size(), 4u);
-  for (const Crossing& crossing : through) EXPECT_FALSE(crossing.in_plane);
-  const auto flush = found(block(0, 4, 4), block(1, 3, 4));
-  ASSERT_EQ(flush.size(), 1u);
-  EXPECT_TRUE(flush[0].in_plane);
-  EXPECT_EQ(found(block(0, 4, 4), block(0, 4, 4)).size(), 6u);
 }
 
 }  // namespace

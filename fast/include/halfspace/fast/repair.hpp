@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "halfspace/fast/crossings.hpp"
+#include "halfspace/fast/solid.hpp"
+
+namespace halfspace::fast {
+
+/// What repair() did.
+struct Repaired {
+  Solid solid;
+  /// What was resolved: where faces crossed or overlapped.
+  std::vector<Crossing> crossings;
+  std::size_t faces_cut = 0;      ///< of which parts are left
+  std::size_t faces_dropped = 0;  ///< of which nothing is left
+};
+
+/// The surface of the points that the solid's surface winds round at least
+/// once (S6.2), which does not cross itself. A solid that needs no repair comes
+/// out as it is.
+///
+/// Requires: bounded, and closed: bad_edges(solid) is empty.
+/// Shape:    as of boolean(): closed, and faces are parts of the solid's.
+/// Exact:    yes.
+Repaired repair(const Solid& solid);
+
+}  // namespace halfspace::fast

@@ -1,0 +1,183 @@
+#include "halfspace/fast/repair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "halfspace/bsp_tree.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/chain.hpp"
+#include "halfspace/fast/export.hpp"
+#include "lattice.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+using lattice::Cubes;
+
+/// The surfaces of two heaps of cubes, each in as few faces as possible, as if
+/// they were one solid's.
+Solid both_surfaces(const Cubes& a, const Cubes& b) {
+  Solid both = merged(to_solid(lattice::surface(a)), Merge::kPlane);
+  const Solid more = merged(to_solid(lattice::surface(b), both), Merge::kPlane);
+  const auto edges = static_cast<std::uint32_t>(both.edges.size());
+  both.edges.insert(both.edges.end(), more.edges.begin(), more.edges.end());
+  for (Face face : more.faces) {
+    face.first_edge += edges;
+    both.faces.push_back(face);
+  }
+  return both;
+}
+
+Cubes block(int first, int last, int up_to) {
+  Cubes cubes;
+  for (int i = first; i < last; ++i) {
+    for (int j = first; j < last; ++j) {
+      for (int k = first; k < up_to; ++k)
+        cubes.full[static_cast<std::size_t>(
+            (i * lattice::kSize + j) * lattice::kSize + k)] = true;
+    }
+  }
+  return cubes;
+}
+
+TEST(FastRepair, SurfacesThatCrossThemselvesAreFound) {
+  std::uint64_t state = 5;
+  for (int i = 0; i < 20; ++i) {
+    const Cubes cubes = lattice::random_cubes(1 + i % 3, state);
+    const Solid solid = to_solid(lattice::surface(cubes));
+    EXPECT_TRUE(crossings(solid).empty());
+    EXPECT_TRUE(crossings(merged(solid, Merge::kPlane)).empty());
+  }
+  // One block within another, beside it, through it, and flush with it.
+  const auto found = [](const Cubes& a, const Cubes& b) {
+    return crossings(both_surfaces(a, b));
+  };
+  EXPECT_TRUE(found(block(0, 6, 6), block(1, 4, 4)).empty());
+  EXPECT_TRUE(found(block(0, 2, 2), block(4, 6, 6)).empty());
+  const auto through = found(block(0, 4, 4), block(1, 3, 7));
+  ASSERT_EQ(through.size(), 4u);
+  for (const Crossing& crossing : through) EXPECT_FALSE(crossing.in_plane);
+  const auto flush = found(block(0, 4, 4), block(1, 3, 4));
+  ASSERT_EQ(flush.size(), 1u);
+  EXPECT_TRUE(flush[0].in_plane);
+  EXPECT_EQ(found(block(0, 4, 4), block(0, 4, 4)).size(), 6u);
+}
+
+/// Adds the surface of some cubes to a solid's, turned inside out if asked for.
+void add_surface(const Cubes& cubes, bool turned, bool in_least_faces,
+                 Solid& solid) {
+  Solid more = to_solid(lattice::surface(cubes), solid);
+  if (in_least_faces) more = merged(more, Merge::kPlane);
+  if (turned) more = complement(std::move(more));
+  const auto edges = static_cast<std::uint32_t>(solid.edges.size());
+  solid.edges.insert(solid.edges.end(), more.edges.begin(), more.edges.end());
+  for (Face face : more.faces) {
+    face.first_edge += edges;
+    solid.faces.push_back(face);
+  }
+}
+
+TEST(FastRepair, WhatIsWoundRoundIsKept) {
+  std::uint64_t state = 3;
+  std::size_t crossed = 0;
+  for (int row = 0; row < 24; ++row) {
+    SCOPED_TRACE("row " + std::to_string(row));
+    Solid solid = to_solid(lattice::surface(Cubes{}));
+    std::array<int, lattice::kSize * lattice::kSize * lattice::kSize> winding{};
+    for (int shell = 0; shell < 2 + row % 3; ++shell) {
+      const Cubes cubes = lattice::random_cubes(row % 2 == 0 ? 4 : 2, state);
+      const bool turned = (row + shell) % 4 == 3;
+      add_surface(cubes, turned, (row + shell) % 3 != 0, solid);
+      for (std::size_t i = 0; i < winding.size(); ++i)
+        winding[i] += cubes.full[i] ? (turned ? -1 : 1) : 0;
+    }
+    Cubes expected;
+    for (std::size_t i = 0; i < winding.size(); ++i)
+      expected.full[i] = winding[i] > 0;
+    ASSERT_TRUE(bad_edges(solid).empty());
+    const Repaired repaired = repair(solid);
+    crossed += repaired.crossings.size();
+    ASSERT_TRUE(bad_edges(repaired.solid).empty());
+    bool whole = false;
+    ASSERT_TRUE(lattice::outline(repaired.solid, whole) ==
+                lattice::outline(expected));
+    ASSERT_TRUE(whole);
+    EXPECT_TRUE(crossings(repaired.solid).empty());
+    // Nothing is left to do.
+    const Repaired again = repair(repaired.solid);
+    EXPECT_TRUE(again.crossings.empty());
+    EXPECT_EQ(again.faces_cut + again.faces_dropped, 0u);
+    EXPECT_EQ(again.solid.edges, repaired.solid.edges);
+  }
+  EXPECT_GT(crossed, 100u);
+}
+
+/// A tetrahedron whose corners are anywhere, as long as it has a volume.
+halfspace::Solid tetrahedron(std::uint64_t& state) {
+  SceneData data;
+  while (true) {
+    data.vertices.clear();
+    std::array<std::array<std::int64_t, 3>, 4> p;
+    for (auto& corner : p) {
+      for (std::int64_t& c : corner) {
+        c = static_cast<std::int64_t>(mix(++state) % 41);
+      }
+      data.vertices.push_back({corner[0], corner[1], corner[2]});
+    }
+    const auto d = [&](std::size_t i, std::size_t k) {
+      return p[i][k] - p[0][k];
+    };
+    const std::int64_t volume6 =
+        d(1, 0) * (d(2, 1) * d(3, 2) - d(2, 2) * d(3, 1)) +
+        d(1, 1) * (d(2, 2) * d(3, 0) - d(2, 0) * d(3, 2)) +
+        d(1, 2) * (d(2, 0) * d(3, 1) - d(2, 1) * d(3, 0));
+    if (volume6 > 0) break;
+  }
+  data.corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  data.first_corner = {0, 3, 6, 9, 12};
+  data.colors.resize(4);
+  auto scene = make_scene(std::move(data));
+  EXPECT_TRUE(scene.has_value());
+  auto solid = make_solid(*std::move(scene));
+  EXPECT_TRUE(solid.has_value());
+  return *std::move(solid);
+}
+
+TEST(FastRepair, SolidsThroughEachOtherBecomeTheirUnion) {
+  std::uint64_t state = 8;
+  const auto least = [](const Solid& solid) {
+    return exported(merged(solid, Merge::kPlane), {.triangles = true});
+  };
+  std::size_t crossed = 0;
+  for (int row = 0; row < 30; ++row) {
+    SCOPED_TRACE("row " + std::to_string(row));
+    std::vector<Solid> solids{to_solid(tetrahedron(state))};
+    Solid all = solids[0];
+    for (int i = 0; i < 2 + row % 3; ++i) {
+      solids.push_back(to_solid(tetrahedron(state), all));
+      const auto edges = static_cast<std::uint32_t>(all.edges.size());
+      for (Face face : solids.back().faces) {
+        face.first_edge += edges;
+        all.faces.push_back(face);
+      }
+      all.edges.insert(all.edges.end(), solids.back().edges.begin(),
+                       solids.back().edges.end());
+    }
+    const Repaired repaired = repair(all);
+    crossed += repaired.crossings.size();
+    ASSERT_TRUE(bad_edges(repaired.solid).empty());
+    const ExportedMesh mesh = least(repaired.solid);
+    const ExportedMesh expected = least(combined(BooleanOp::kUnion, solids));
+    ASSERT_TRUE(mesh.vertices == expected.vertices &&
+                mesh.corners == expected.corners);
+    EXPECT_TRUE(repair(repaired.solid).crossings.empty());
+  }
+  EXPECT_GT(crossed, 100u);
+}
+
+}  // namespace
+}  // namespace halfspace::fast
