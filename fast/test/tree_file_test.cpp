@@ -114,9 +114,10 @@ TEST(TreeFile, SaysWhatIsWrong) {
 
 /// What a checksum cannot find: a file written with bad indices.
 TEST(TreeFile, IndicesThatLeadNowhereAreFound) {
-  const Scene scene = walls(4, 0);
+  const Scene scene = walls(6, 0);
   const BspTree good = tree_of(scene);
   ASSERT_NE(good.nodes[0].positive, kNoNode);
+  ASSERT_FALSE(good.free_planes.empty());
   const auto code_with = [&](auto&& spoil) {
     BspTree tree = good;
     spoil(tree);
