@@ -85,7 +85,7 @@ int run(Request request) {
   }
   std::printf(
       "seed %llu, view %s, %d x %d pixels, one thread, processor time "
-      "in ms, median of up to %d\n\n",
+      "in ms, least of up to %d\n\n",
       static_cast<unsigned long long>(request.seed), request.view.c_str(),
       request.plan.size_px, request.plan.size_px, request.plan.repeats.most);
   print("Time per frame", cost_table(rows));

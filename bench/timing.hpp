@@ -12,7 +12,7 @@ double wall_ms();
 
 /// How often something is timed.
 struct Repeats {
-  int most = 5;             ///< never more than this
+  int most = 25;            ///< never more than this
   double budget_ms = 1500;  ///< stop when this much time is spent
 };
 

@@ -28,7 +28,7 @@ class Bench {
 
  private:
   double time(Peer& peer, Look look) const {
-    return processor_time([&] { peer.draw(look); }, repeats_).median;
+    return processor_time([&] { peer.draw(look); }, repeats_).least;
   }
 
   void check(Peer& peer, const std::string& name, bool exact) {

@@ -37,7 +37,7 @@ void measure_painter(const Scene& scene, const Camera& camera, const Plan& plan,
   const Built built = build_by_rule(scene, {});
   Ours ours(scene, built.tree, camera);
   const auto time = [&](Shading shading) {
-    return processor_time([&] { ours.paint(shading); }, plan.repeats).median;
+    return processor_time([&] { ours.paint(shading); }, plan.repeats).least;
   };
   costs.painter_flat = time(Shading::kFlat);
   if (ours.frame().colors != flat.colors) {
@@ -63,11 +63,11 @@ OurCosts measure_ours(const Scene& scene, const Camera& camera,
   Ours ours(scene, built.tree, camera);
   const auto flat = [&] { ours.draw(Shading::kFlat); };
   const auto smooth = [&] { ours.draw(Shading::kGouraud); };
-  costs.smooth = processor_time(smooth, plan.repeats).median;
+  costs.smooth = processor_time(smooth, plan.repeats).least;
   const ColorImage smooth_colors = ours.frame().colors;
   ours.draw_all(Shading::kGouraud);
   const fast::Rendering smooth_frame = ours.frame();
-  costs.flat = processor_time(flat, plan.repeats).median;
+  costs.flat = processor_time(flat, plan.repeats).least;
   const ColorImage flat_colors = ours.frame().colors;
   ours.draw_all(Shading::kFlat);
   const fast::Rendering flat_frame = ours.frame();
@@ -76,9 +76,9 @@ OurCosts measure_ours(const Scene& scene, const Camera& camera,
     complaints.push_back({"ours, colours alone", 0});
   }
   items = flat_frame.items.pixels;
-  costs.elapsed_one = elapsed_time(flat, plan.repeats).median;
+  costs.elapsed_one = elapsed_time(flat, plan.repeats).least;
   costs.elapsed_two =
-      elapsed_time([&] { ours.draw(Shading::kFlat, 2); }, plan.repeats).median;
+      elapsed_time([&] { ours.draw(Shading::kFlat, 2); }, plan.repeats).least;
   if (ours.frame().colors != flat_frame.colors) {
     complaints.push_back({"ours, two threads", 0});
   }
