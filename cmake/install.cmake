@@ -1,16 +1,18 @@
 # Installs the libraries so that find_package(halfspace) gives halfspace::spec,
-# halfspace::ref, halfspace::fast and halfspace::io.
+# halfspace::ref, halfspace::fast, halfspace::shadow and halfspace::io.
 include(CMakePackageConfigHelpers)
 
 set(HALFSPACE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/halfspace)
 
 install(TARGETS halfspace_spec halfspace_ref halfspace_fast halfspace_io
+                halfspace_shadow
         EXPORT halfspaceTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/spec/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/ref/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/fast/include/
+                  ${CMAKE_CURRENT_SOURCE_DIR}/shadow/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/io/include/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT halfspaceTargets

@@ -6,12 +6,13 @@ halfspace_target(halfspace_agree_scenes)
 target_link_libraries(halfspace_agree_scenes PUBLIC halfspace::spec)
 
 foreach(stem IN ITEMS agree_blend agree_boolean agree_display_tree agree_image
-                agree_tree)
+                agree_shadow agree_tree)
   add_executable(${stem}_test
     ${CMAKE_CURRENT_LIST_DIR}/${stem}_test.cpp)
   halfspace_target(${stem}_test)
   target_link_libraries(${stem}_test PRIVATE halfspace_agree_scenes
-                        halfspace::fast halfspace::ref GTest::gtest_main)
+                        halfspace::fast halfspace::ref halfspace::shadow
+                        GTest::gtest_main)
   gtest_discover_tests(${stem}_test PROPERTIES LABELS agree)
 endforeach()
 

@@ -185,6 +185,23 @@ bool is_before(const Hit& a, const Hit& b) {
   return sign(a.depth * b.weight - b.depth * a.weight) < 0;
 }
 
+/// Whether the ray hits the polygon before `first`, which then is that hit.
+bool hits_first(const Ray& ray, const Polygon& polygon, const Camera& camera,
+                std::optional<Hit>& first) {
+  std::optional<Hit> hit = meet(ray, polygon);
+  if (!hit || !is_seen(*hit, camera)) return false;
+  if (first && !is_before(*hit, *first)) return false;
+  if (!is_inside(*hit, polygon)) return false;
+  first = std::move(hit);
+  return true;
+}
+
+/// Whether an eye in its plane, or culling, leaves the polygon to be seen.
+bool can_be_seen(const Polygon& polygon, const ImageOptions& options) {
+  const int side = sign(polygon.at_eye);
+  return side != 0 && !(options.cull && side < 0);
+}
+
 /// The plane of the eye and of a line of the image, positive to the right of
 /// a column's boundary or below a row's.
 struct Boundary {
@@ -244,8 +261,7 @@ Rendering raycast(const Scene& scene, const Camera& camera,
   Rendering image;
   for (PolygonId id = 0; id < std::ssize(polygons); ++id) {
     Polygon polygon = polygon_of(scene, id, camera);
-    const int side = sign(polygon.at_eye);
-    if (side == 0 || (options.cull && side < 0)) continue;
+    if (!can_be_seen(polygon, options)) continue;
     ++image.fragments_displayed;
     const std::vector<bool> touched = strips_of(polygon, rows);
     for (std::size_t j = 0; j < touched.size(); ++j) {
@@ -263,12 +279,7 @@ Rendering raycast(const Scene& scene, const Camera& camera,
       for (const PolygonId id : in_row[static_cast<std::size_t>(j)]) {
         const auto index = static_cast<std::size_t>(id);
         if (!columns_of[index][static_cast<std::size_t>(i)]) continue;
-        const Polygon& polygon = polygons[index];
-        std::optional<Hit> hit = meet(ray, polygon);
-        if (!hit || !is_seen(*hit, camera)) continue;
-        if (first && !is_before(*hit, *first)) continue;
-        if (!is_inside(*hit, polygon)) continue;
-        first = std::move(hit);
+        if (!hits_first(ray, polygons[index], camera, first)) continue;
         image.items.at(i, j) = id;
         ++image.pixels_painted;
       }
@@ -277,6 +288,20 @@ Rendering raycast(const Scene& scene, const Camera& camera,
 
   image.colors = colors_of(scene, camera, image.items, options);
   return image;
+}
+
+PolygonId raycast_at(const Scene& scene, const Camera& camera,
+                     const ImageOptions& options, std::int32_t i,
+                     std::int32_t j, std::span<const PolygonId> ids) {
+  const Ray ray = ray_through(camera, i, j);
+  PolygonId seen = kBackground;
+  std::optional<Hit> first;
+  for (const PolygonId id : ids) {
+    const Polygon polygon = polygon_of(scene, id, camera);
+    if (!can_be_seen(polygon, options)) continue;
+    if (hits_first(ray, polygon, camera, first)) seen = id;
+  }
+  return seen;
 }
 
 }  // namespace halfspace::ref

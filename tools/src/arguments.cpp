@@ -152,6 +152,7 @@ std::string spelt_out(const std::string& form) {
     return "a whole number of at least 1";
   }
   if (form == "A") return "a whole number from 0 to 255";
+  if (form == "SHARE") return "a number above 0 and at most 1";
   if (form == "A:B") return "A:B, A: or :B, from A up to but not including B";
   if (form == "DEG" || form == "LENGTH") return "a finite number";
   return form;

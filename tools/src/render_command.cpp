@@ -1,5 +1,6 @@
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "long_work.hpp"
 #include "measuring.hpp"
 #include "rendering.hpp"
+#include "shadowing.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -18,14 +20,18 @@ namespace {
 /// Says what was done, and writes that to --stats.
 Status conclude(const Loaded& loaded, const BuildMeasure& tree,
                 const Frame& frame, std::int64_t frames, double max_move,
-                const RenderArguments& arguments) {
+                const Shadow& shadow, const RenderArguments& arguments) {
   const std::optional<std::string>& file = arguments.build.stats_file;
-  if (file != "-") print_summary(loaded, tree, frame, frames, arguments);
-  if (!file) return Status::kFine;
+  if (file != "-") {
+    print_summary(loaded, tree, frame, frames, arguments);
+    if (arguments.shadow) std::printf("%s\n", shadow.sentence().c_str());
+  }
+  if (!file) return shadow.status();
   nlohmann::json stats = stats_of(loaded, tree, frame, frames, arguments);
   stats["camera_max_move"] = max_move;
+  shadow.add_to(stats);
   const Result<Done> written = write_stats(*file, stats);
-  return written ? Status::kFine : fail(*file, written.error());
+  return written ? shadow.status() : fail(*file, written.error());
 }
 
 Status run_still(Engine& engine, const Loaded& loaded,
@@ -42,7 +48,10 @@ Status run_still(Engine& engine, const Loaded& loaded,
   const Status written =
       write_frame(*frame, {arguments.picture_file, arguments.ids_file});
   if (written != Status::kFine) return written;
-  return conclude(loaded, tree, *frame, 1, chosen->max_move, arguments);
+  Shadow shadow(arguments);
+  const Status checked = shadow.check(loaded, chosen->camera, *frame);
+  if (checked != Status::kFine) return checked;
+  return conclude(loaded, tree, *frame, 1, chosen->max_move, shadow, arguments);
 }
 
 /// The frames asked for, if the path has them.
@@ -86,6 +95,7 @@ Status run_film(Engine& engine, const Loaded& loaded,
   std::vector<double> times_ms;
   double max_move = 0;
   Frame last;
+  Shadow shadow(arguments);
   LongWork work("frames");
   for (std::int64_t k = 0; k < count; ++k) {
     const std::string name = "frame " + std::to_string(first + k);
@@ -99,12 +109,14 @@ Status run_film(Engine& engine, const Loaded& loaded,
     const Status written =
         write_frame(*frame, outputs_of(arguments, first + k));
     if (written != Status::kFine) return written;
+    const Status checked = shadow.check(loaded, chosen->camera, *frame);
+    if (checked != Status::kFine) return checked;
     times_ms.push_back(frame->frame_ms);
     max_move = std::max(max_move, chosen->max_move);
     last = *std::move(frame);
   }
   last.frame_ms = median(std::move(times_ms));
-  return conclude(loaded, tree, last, count, max_move, arguments);
+  return conclude(loaded, tree, last, count, max_move, shadow, arguments);
 }
 
 Status run(const RenderArguments& arguments) {
@@ -147,6 +159,20 @@ void add_tree_options(CLI::App& app, RenderArguments& arguments) {
       ->group("Tree");
 }
 
+void add_shadow_options(CLI::App& app, RenderArguments& arguments) {
+  const std::string group = "Assurance";
+  add_parsed(app, "--shadow", "SHARE", arguments.shadow, parse_share,
+             "Check this share of the pixels against the reference; exit "
+             "status 1, and a scene that shows it, if one is wrong")
+      ->envname("HALFSPACE_SHADOW")
+      ->group(group);
+  app.add_option("--shadow-scene", arguments.shadow_file, "That scene")
+      ->envname("HALFSPACE_SHADOW_SCENE")
+      ->type_name("FILE.scene")
+      ->capture_default_str()
+      ->group(group);
+}
+
 }  // namespace
 
 void add_render(CLI::App& program, Status& status) {
@@ -175,6 +201,7 @@ void add_render(CLI::App& program, Status& status) {
   add_parsed(*app, "--repeat", "N", arguments->repeat, parse_count,
              "Make the image N times; frame_ms is the median")
       ->group("Measurement");
+  add_shadow_options(*app, *arguments);
   app->footer(
       "Examples:\n"
       "  halfspace render part.stl -o part.png\n"

@@ -91,6 +91,9 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.alpha && method != Method::kPainter) {
     return "--alpha: only --method painter blends, not " + word_of(method);
   }
+  if (arguments.alpha && arguments.shadow) {
+    return "--shadow: checks opaque images, none with --alpha";
+  }
   const std::string film = film_complaint(arguments);
   return film.empty() ? tree_complaint(arguments, engine) : film;
 }

@@ -28,6 +28,8 @@ struct RenderArguments {
   std::optional<std::size_t> method;
   std::optional<std::uint32_t> repeat;
   std::optional<int> grid_bits;
+  std::optional<double> shadow;  ///< the share of the pixels to be checked
+  std::string shadow_file = "halfspace-shadow.scene";
   ViewArguments view;
   BuildArguments build;
 };

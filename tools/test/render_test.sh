@@ -68,5 +68,22 @@ for method in span zbuffer; do
     [ -n "$(number a.json $name)" ] || wrong "$method: no $name in --stats"
   done
 done
+# A share of the pixels, or all, checked against the reference.
+expect 0 'shadow: 1728 pixels checked, .*, 0 mismatches' render pinwheel.off \
+  "${size[@]}" -o a.png --shadow 1
+expect 0 'shadow: 18 pixels checked' render sphere.scene "${size[@]}" \
+  -o a.png --shade gouraud --shadow 0.01 --stats a.json
+[ "$(number a.json shadow_pixels)" = 18 ] || wrong "shadow_pixels is not 18"
+[ "$(number a.json shadow_mismatches)" = 0 ] || wrong "a mismatch"
+expect 0 'shadow: 96 pixels checked' render cube.off "${size[@]}" -o a.png \
+  --rows 5:9 --shadow 0.5
+export HALFSPACE_SHADOW=0.5
+expect 0 'shadow: 864 pixels checked' render cube.off "${size[@]}" -o a.png
+expect 2 'checks opaque images' render cube.off "${size[@]}" -o a.png --alpha 9
+unset HALFSPACE_SHADOW
+expect 2 '--shadow: must be a number above 0 and at most 1' render cube.off \
+  -o a.png --shadow 1.5
+[ -e halfspace-shadow.scene ] && wrong "a scene for no mismatch"
+
 expect 0 '"polygons": 24' render pinwheel.off "${size[@]}" --stats -
 finish

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "halfspace/ref/render.hpp"
 
 namespace halfspace::ref {
@@ -16,5 +19,16 @@ namespace halfspace::ref {
 /// Cost:  every polygon meets every ray of the rows and columns it touches.
 Rendering raycast(const Scene& scene, const Camera& camera,
                   const ImageOptions& options);
+
+/// What the sample of pixel (i, j) sees of the polygons `ids`: one of them, or
+/// kBackground. One ray of raycast(), without the image around it.
+///
+/// Requires: the pixel in the image; ids ascending.
+/// Exact:    yes.
+/// Ties:     as above.
+/// Cost:     every polygon of `ids` meets the ray.
+PolygonId raycast_at(const Scene& scene, const Camera& camera,
+                     const ImageOptions& options, std::int32_t i,
+                     std::int32_t j, std::span<const PolygonId> ids);
 
 }  // namespace halfspace::ref

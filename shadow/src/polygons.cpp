@@ -1,0 +1,234 @@
+#include "polygons.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halfspace::shadow {
+namespace {
+
+using Vector = std::array<Bounded, 3>;
+
+Vector bounded(const LatticeVector& v) {
+  return {shadow::bounded(v.x), shadow::bounded(v.y), shadow::bounded(v.z)};
+}
+
+Vector cross(const Vector& u, const Vector& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+          u[0] * v[1] - u[1] * v[0]};
+}
+
+Bounded dot(const Bounded (&u)[3], const Vector& v) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+/// Which side of the line from p to q the image point is on: the determinant
+/// of (x, y, 1) and the two.
+Affine line_through(const Projected& p, const Projected& q) {
+  return {p.x * q.y - p.y * q.x, p.y * q.w - p.w * q.y, p.w * q.x - p.x * q.w};
+}
+
+/// The determinant of three points.
+Bounded volume(const Affine& line, const Projected& p) {
+  return p.x * line.dx + p.y * line.dy + p.w * line.c;
+}
+
+Affine operator-(const Affine& f) { return {-f.c, -f.dx, -f.dy}; }
+
+Affine operator+(const Affine& f, const Affine& g) {
+  return {f.c + g.c, f.dx + g.dx, f.dy + g.dy};
+}
+
+Affine operator*(const Bounded& a, const Affine& f) {
+  return {a * f.c, a * f.dx, a * f.dy};
+}
+
+double centre(std::int32_t pixel) { return pixel + 0.5; }
+
+/// A pixel number from a coordinate, clamped to just outside of the image.
+std::int32_t pixel(double value, std::int32_t size) {
+  return static_cast<std::int32_t>(
+      std::clamp(std::floor(value), -1.0, static_cast<double>(size)));
+}
+
+}  // namespace
+
+Polygons::Polygons(const Scene& scene, const Camera& camera,
+                   const ImageOptions& options)
+    : scene_(scene),
+      camera_(camera),
+      cull_(options.cull),
+      origin_(camera->perspective ? camera->eye : camera->s0) {
+  const LatticeVector& s0 = camera->s0;
+  const LatticeVector& eye = camera->eye;
+  const Vector depth =
+      bounded(camera->perspective
+                  ? LatticeVector{s0.x - eye.x, s0.y - eye.y, s0.z - eye.z}
+                  : LatticeVector{-eye.x, -eye.y, -eye.z});
+  const Vector sx = bounded(camera->sx);
+  const Vector sy = bounded(camera->sy);
+  // Cramer's rule for X sx + Y sy + T depth = p - origin.
+  const Vector rows[3] = {cross(sy, depth), cross(depth, sx), cross(sx, sy)};
+  volume_ =
+      rows[2][0] * depth[0] + rows[2][1] * depth[1] + rows[2][2] * depth[2];
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t k = 0; k < 3; ++k) rows_[r][k] = rows[r][k] / volume_;
+  }
+  vertices_.reserve(scene.data().vertices.size());
+  for (const GridPoint& p : scene.data().vertices)
+    vertices_.push_back(project(p));
+}
+
+Projected Polygons::project(const GridPoint& p) const {
+  const Int128 scale = Int128{1} << kLatticeBits;
+  const Vector v =
+      bounded(LatticeVector{p.x * scale - origin_.x, p.y * scale - origin_.y,
+                            p.z * scale - origin_.z});
+  Projected place;
+  place.x = dot(rows_[0], v);
+  place.y = dot(rows_[1], v);
+  place.t = dot(rows_[2], v);
+  place.w = camera_->perspective ? place.t : exactly(1);
+  if (!is_positive(place.w)) return place;
+  const Bounded column = place.x / place.w;
+  const Bounded row = place.y / place.w;
+  place.column = column.value;
+  place.row = row.value;
+  // Not so for what is no number.
+  place.is_placed = column.error < 1 && row.error < 1;
+  return place;
+}
+
+Bounds Polygons::bounds_of(PolygonId polygon) const {
+  const std::int32_t width = camera_->width_px;
+  const std::int32_t height = camera_->height_px;
+  const Bounds all{0, width - 1, 0, height - 1};
+  double left = HUGE_VAL, right = -HUGE_VAL, top = HUGE_VAL, bottom = -HUGE_VAL;
+  bool all_behind = true;
+  bool all_placed = true;
+  for (const VertexId vertex : scene_.corners(polygon)) {
+    const Projected& p = vertices_[static_cast<std::size_t>(vertex)];
+    all_behind = all_behind && is_negative(p.w);
+    all_placed = all_placed && p.is_placed;
+    left = std::min(left, p.column);
+    right = std::max(right, p.column);
+    top = std::min(top, p.row);
+    bottom = std::max(bottom, p.row);
+  }
+  if (all_behind) return {};
+  if (!all_placed) return all;
+  return {std::max(pixel(left - 1, width), 0),
+          std::min(pixel(right + 1, width), width - 1),
+          std::max(pixel(top - 1, height), 0),
+          std::min(pixel(bottom + 1, height), height - 1)};
+}
+
+Prepared Polygons::prepare(PolygonId polygon) {
+  Prepared prepared;
+  const auto corners = scene_.corners(polygon);
+  const std::size_t count = corners.size();
+  const auto corner = [&](std::size_t k) -> const Projected& {
+    return vertices_[static_cast<std::size_t>(corners[k % count])];
+  };
+  const std::size_t first = insides_.size();
+  prepared.first = static_cast<std::uint32_t>(first);
+  prepared.count = static_cast<std::uint32_t>(count);
+  for (std::size_t k = 0; k < count; ++k)
+    insides_.push_back(line_through(corner(k), corner(k + 1)));
+
+  // Three corners in a row span the plane, best where their volume is greatest;
+  // a triangle's is always the same.
+  const bool is_triangle = count == 3;
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < (is_triangle ? 1 : count); ++k) {
+    const Bounded here = volume(insides_[first + k], corner(k + 2));
+    if (k > 0 && !(std::abs(here.value) > std::abs(prepared.scale.value)))
+      continue;
+    prepared.scale = here;
+    at = k;
+  }
+  const bool turned = is_negative(prepared.scale);
+  if (!turned && !is_positive(prepared.scale)) return prepared;
+  // P(e) is -scale * volume_, as it stands before it is turned.
+  if (cull_) {
+    if (is_positive(prepared.scale * volume_)) {
+      insides_[first] = {exactly(-1), {}, {}};
+      prepared.count = 1;
+      prepared.certain = true;
+      return prepared;
+    }
+    if (!is_negative(prepared.scale * volume_)) return prepared;
+  }
+
+  // d = (x, y, 1) is a sum of the three, with these as weights over `scale`.
+  const Affine ab = insides_[first + at];
+  const Affine bc = insides_[first + (at + 1) % count];
+  const Affine ca = is_triangle ? insides_[first + 2]
+                                : line_through(corner(at + 2), corner(at));
+  prepared.nearness = camera_->perspective
+                          ? ab + bc + ca
+                          : -(corner(at).t * bc + corner(at + 1).t * ca +
+                              corner(at + 2).t * ab);
+  if (turned) {
+    for (std::size_t k = 0; k < count; ++k)
+      insides_[first + k] = -insides_[first + k];
+    prepared.nearness = -prepared.nearness;
+    prepared.scale = -prepared.scale;
+  }
+  if (camera_->near && (*camera_->near != 0 || !camera_->perspective)) {
+    // T > near / 2^16, with T = scale / nearness, or -nearness / scale.
+    const Bounded unit = exactly(1 << kNearBits);
+    const Bounded near = exactly(static_cast<double>(*camera_->near));
+    const Affine scale{prepared.scale, {}, {}};
+    ++prepared.count;
+    insides_.push_back(camera_->perspective
+                           ? unit * scale + -(near * prepared.nearness)
+                           : -(unit * prepared.nearness) + -(near * scale));
+  }
+  prepared.certain = true;
+  return prepared;
+}
+
+Verdict Polygons::covers(const Prepared& polygon, std::int32_t i,
+                         std::int32_t j) const {
+  if (!polygon.certain) return Verdict::kUnknown;
+  Verdict verdict = Verdict::kYes;
+  for (std::uint32_t k = 0; k < polygon.count; ++k) {
+    const Bounded value = insides_[polygon.first + k].at(centre(i), centre(j));
+    if (is_negative(value)) return Verdict::kNo;
+    if (!is_positive(value)) verdict = Verdict::kUnknown;
+  }
+  return verdict;
+}
+
+bool Polygons::is_nearer(const Prepared& one, const Prepared& other,
+                         std::int32_t i, std::int32_t j) {
+  if (!one.certain || !other.certain) return false;
+  const double x = centre(i);
+  const double y = centre(j);
+  return is_positive(one.nearness.at(x, y) * other.scale -
+                     other.nearness.at(x, y) * one.scale);
+}
+
+bool Polygons::has_color(PolygonId polygon, const Prepared& prepared,
+                         std::int32_t i, std::int32_t j, Rgb color) const {
+  if (!prepared.certain || prepared.count < 3) return false;
+  const auto corners = scene_.corner_colors(polygon);
+  // The edge that leaves corner k lies opposite corner k + 2.
+  std::array<Bounded, 3> weight;
+  for (std::size_t k = 0; k < 3; ++k)
+    weight[(k + 2) % 3] = insides_[prepared.first + k].at(centre(i), centre(j));
+  const Bounded all = weight[0] + weight[1] + weight[2];
+  if (!is_positive(all)) return false;
+  const auto is_right = [&](std::uint8_t Rgb::*of) {
+    Bounded twice;
+    for (std::size_t k = 0; k < 3; ++k)
+      twice = twice + exactly(2.0 * (corners[k].*of)) * weight[k];
+    // color - 1/2 < value < color + 1/2.
+    return is_positive(twice - exactly(2.0 * (color.*of) - 1) * all) &&
+           is_positive(exactly(2.0 * (color.*of) + 1) * all - twice);
+  };
+  return is_right(&Rgb::r) && is_right(&Rgb::g) && is_right(&Rgb::b);
+}
+
+}  // namespace halfspace::shadow
