@@ -6,6 +6,7 @@
 #include "law.hpp"
 #include "scenes.hpp"
 #include "shapes.hpp"
+#include "turned_over.hpp"
 
 namespace halfspace {
 namespace {
@@ -127,7 +128,10 @@ void for_all_small_pairs(const Visit& visit) {
 TYPED_TEST(S2Split, L1TheRelationIsWhatTheSidesOfTheVerticesSay) {
   std::set<Relation> met;
   const auto check = [&](const Scene& scene) {
-    const Scene turned = reversed(scene);
+    // One at a time: a fragment's names are those of its source as it is.
+    std::vector<Scene> turned;
+    for (const PolygonId q : ids_of(scene))
+      turned.push_back(turned_over(scene, q));
     for (const auto& fragment : fragments_of<TypeParam>(scene)) {
       const auto points =
           definition::points_of(scene, TypeParam::name_of(fragment));
@@ -139,7 +143,10 @@ TYPED_TEST(S2Split, L1TheRelationIsWhatTheSidesOfTheVerticesSay) {
             expected == Relation::kPositive   ? Relation::kNegative
             : expected == Relation::kNegative ? Relation::kPositive
                                               : expected;
-        HALFSPACE_LAW(TypeParam::relation(turned, fragment, q) == exchanged);
+        if (TypeParam::name_of(fragment).source != q) {
+          HALFSPACE_LAW(TypeParam::relation(turned[static_cast<std::size_t>(q)],
+                                            fragment, q) == exchanged);
+        }
         met.insert(expected);
       }
     }

@@ -81,12 +81,11 @@ void for_all_lines(const Check& check) {
     }
   }
   law::check(500, [&] {
-    const auto objects = *rc::gen::arbitrary<Mask>();
+    const generate::Line line = *generate::lines();
     const auto more = *rc::gen::arbitrary<Mask>();
-    const auto unlit = *rc::gen::arbitrary<Mask>();
-    check(spans_of(objects), spans_of(unlit));
-    check(spans_of(objects & more), spans_of(unlit | ~more));
-    check(spans_of(objects | more), cut_up(spans_of(unlit & more)));
+    check(spans_of(line.objects), spans_of(line.unlit));
+    check(spans_of(line.objects & more), spans_of(line.unlit | ~more));
+    check(spans_of(line.objects | more), cut_up(spans_of(line.unlit & more)));
   });
 }
 

@@ -5,6 +5,7 @@
 #include "both.hpp"
 #include "definition.hpp"
 #include "law.hpp"
+#include "pictures.hpp"
 #include "scenes.hpp"
 
 namespace halfspace {
@@ -13,26 +14,6 @@ namespace {
 template <class Impl>
 class S5Image : public ::testing::Test {};
 TYPED_TEST_SUITE(S5Image, Implementations);
-
-/// The picture of a view by the tree of these options.
-template <class Impl>
-Image picture(const SceneFile& view, const BuildOptions& options = {}) {
-  return Impl::render(view.scene, Impl::build(view.scene, options),
-                      *view.camera, view.options);
-}
-
-/// The same view with something changed.
-SceneFile with_camera(const SceneFile& view, const CameraData& camera) {
-  SceneFile changed = view;
-  changed.camera = *make_camera(camera, view.scene.grid_bits());
-  return changed;
-}
-
-SceneFile with_scene(const SceneFile& view, Scene scene) {
-  SceneFile changed = view;
-  changed.scene = std::move(scene);
-  return changed;
-}
 
 std::size_t pixels_with_polygons(const ItemImage& items) {
   return static_cast<std::size_t>(

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "both_fast.hpp"
+#include "both_solid.hpp"
 #include "definition.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/bsp_tree.hpp"
@@ -20,23 +22,12 @@
 #include "halfspace/ref/traverse.hpp"
 #include "halfspace/ref/zbuffer.hpp"
 #include "halfspace/scene.hpp"
+#include "picture.hpp"
+#include "scenes.hpp"
 
 /// The implementations, as the laws see them: each function under its own name,
 /// planes by the polygons they come from, answers in the words of spec/.
 namespace halfspace {
-
-/// What one scan line of a fragment is, whoever found it.
-struct LineSpan {
-  std::int32_t line = 0;
-  Span span;
-};
-
-/// An image, and how many pixels were set for it.
-struct Image {
-  ItemImage items;
-  ColorImage colors;
-  std::size_t pixels_painted = 0;
-};
 
 /// A part of a solid's polygon, and its class against another solid.
 struct ClassifiedPart {
@@ -138,6 +129,10 @@ struct Ref {
   static Solid to_solid(const halfspace::Solid& solid) {
     return ref::to_solid(solid);
   }
+  /// What is outside of a solid that is not empty: polygons turned over.
+  static Solid complement_of(const halfspace::Solid& solid) {
+    return ref::to_solid(*make_solid(reversed(solid.scene())));
+  }
   static Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
                        const BuildOptions& options = {}) {
     return ref::boolean(operation, a, b, options);
@@ -226,6 +221,12 @@ inline Image raycast(const Scene& scene, const Camera& camera,
 
 }  // namespace oracle
 
-using Implementations = ::testing::Types<Ref>;
+using Implementations = ::testing::Types<Ref, Fast>;
+
+/// Those of booleans (S6).
+using BooleanImplementations = ::testing::Types<Ref, FastSolids>;
+
+/// Those that show their trees and classes, too.
+using ClassifyImplementations = ::testing::Types<Ref>;
 
 }  // namespace halfspace

@@ -148,6 +148,16 @@ Views touching_solids() {
   return views_of(kinds);
 }
 
+Views cyclic_overlaps() {
+  Kinds kinds;
+  kinds.count = 1;
+  kinds.shapes = {kPinwheel, kPinwheel, kRings};
+  kinds.eyes = {EyeKind::kFree};
+  kinds.aims = {AimKind::kTarget};
+  kinds.nears = {NearKind::kNone};
+  return views_of(kinds);
+}
+
 Views grid_extremes() {
   Kinds kinds;
   kinds.stretches = {Stretch::k26, Stretch::k40, Stretch::k54};
@@ -156,7 +166,7 @@ Views grid_extremes() {
 
 Views eye_on_splitter() {
   Kinds kinds;
-  kinds.eyes = {EyeKind::kOnSplitter};
+  kinds.eyes = {EyeKind::kOnSplitter, EyeKind::kInPolygon};
   return views_of(kinds);
 }
 
@@ -210,33 +220,11 @@ Views near_through_polygon() {
 
 Views views() {
   return gen::oneOf(coincident_polygons(), shared_edges(), slivers(),
-                    nested_solids(), touching_solids(), grid_extremes(),
-                    eye_on_splitter(), eye_on_edge(), eye_at_vertex(),
-                    eye_inside(), vertex_on_pixel_centre(),
+                    nested_solids(), touching_solids(), cyclic_overlaps(),
+                    grid_extremes(), eye_on_splitter(), eye_on_edge(),
+                    eye_at_vertex(), eye_inside(), vertex_on_pixel_centre(),
                     edge_through_pixel_centres(), polygons_behind_the_eye(),
                     near_through_polygon());
-}
-
-std::vector<Span> spans_of(std::uint64_t mask) {
-  std::vector<Span> spans;
-  for (std::int32_t i = 0; i < 64; ++i) {
-    if ((mask >> i & 1u) == 0) continue;
-    if (!spans.empty() && spans.back().last == i - 1) {
-      spans.back().last = i;
-    } else {
-      spans.push_back({i, i});
-    }
-  }
-  return spans;
-}
-
-std::uint64_t mask_of(const std::vector<Span>& spans) {
-  std::uint64_t mask = 0;
-  for (const Span& span : spans) {
-    for (std::int32_t i = span.first; i <= span.last; ++i)
-      mask |= std::uint64_t{1} << i;
-  }
-  return mask;
 }
 
 }  // namespace generate

@@ -31,6 +31,7 @@ Views shared_edges();         ///< meeting along whole edges and parts of them
 Views slivers();              ///< very long and thin
 Views nested_solids();        ///< boxes within boxes
 Views touching_solids();      ///< cubes with common faces, edges and corners
+Views cyclic_overlaps();      ///< pinwheels of bars and interlocked rings
 Views grid_extremes();        ///< at the limits of the grids of 26, 40, 54 bits
 
 /// Scenes in which the camera makes the trouble.
@@ -74,6 +75,22 @@ rc::Gen<SolidPair> solid_pairs();
 /// Sorted runs of pixels without overlap, as a mask: bit i is pixel i.
 std::vector<Span> spans_of(std::uint64_t mask);
 std::uint64_t mask_of(const std::vector<Span>& spans);
+
+/// Object and unlit pixels of a line of 64.
+struct Line {
+  std::uint64_t objects = 0;
+  std::uint64_t unlit = 0;
+};
+void showValue(const Line& line, std::ostream& out);
+
+/// Lines in whose merges each of the eight cases is at least a twentieth of
+/// the steps, whatever the size.
+rc::Gen<Line> dense_lines();    ///< three pixels of four
+rc::Gen<Line> lines_of_runs();  ///< runs of 1 to 6 pixels with gaps of one
+rc::Gen<Line> lines_with_common_ends();  ///< ends are shared by both
+
+/// All of the above in turn.
+rc::Gen<Line> lines();
 
 }  // namespace generate
 }  // namespace halfspace

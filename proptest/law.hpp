@@ -11,7 +11,12 @@
 #include "generate.hpp"
 
 /// How laws are checked: on saved scenes, then on generated ones, with a fixed
-/// seed unless RC_PARAMS gives another.
+/// seed unless RC_PARAMS gives another. The environment may ask for more:
+///
+///   HALFSPACE_PROPTEST_RUNS     a factor for the number of generated ones
+///   HALFSPACE_COUNTEREXAMPLES   the folder for counterexamples
+///   HALFSPACE_REPLAY            a scene file: the laws on that one alone
+///   HALFSPACE_REPORT            a file for counts, written while tests run
 namespace halfspace::law {
 
 /// A law that does not hold.
@@ -38,6 +43,13 @@ int runs(int count);
 
 /// How many cases properties have been tried on since this was last asked.
 std::uint64_t take_case_count();
+
+/// Notes that the current test met a case called `name`, for the report that
+/// HALFSPACE_REPORT asks for; else nothing.
+void note(const std::string& name, std::uint64_t count = 1);
+
+/// Whether a report is asked for: then what takes time may be noted, too.
+bool is_reporting();
 
 /// The name of the current test's law, for files: "s4-l3".
 std::string law_name();

@@ -31,6 +31,25 @@ std::vector<definition::Facet> facets_of(const typename Impl::Solid& solid) {
   return facets_of(Impl::polygons_of(solid));
 }
 
+template <class Impl>
+definition::Fraction volume(const typename Impl::Solid& solid) {
+  return definition::volume6(Impl::polygons_of(solid));
+}
+
+template <class Impl>
+bool is_empty(const typename Impl::Solid& solid) {
+  return Impl::polygons_of(solid).empty();
+}
+
+/// Whether the solids are the same point set: neither has what the other
+/// has not.
+template <class Impl>
+bool same_points(const typename Impl::Solid& a, const typename Impl::Solid& b) {
+  return volume<Impl>(a) == volume<Impl>(b) &&
+         is_empty<Impl>(Impl::boolean(BooleanOp::kDifference, a, b)) &&
+         is_empty<Impl>(Impl::boolean(BooleanOp::kDifference, b, a));
+}
+
 /// How two solids may lie against each other.
 inline const std::set<std::string> kSituations = {
     "a polygon of the first spans the second's planes",

@@ -1,3 +1,4 @@
+
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -229,6 +230,96 @@ bool at_limit(const Case& c, int bits) {
              });
 }
 
+/// A vertex of one polygon strictly inside an edge of another.
+bool t_junction(const Case& c) {
+  return any_pair(c, [&](std::size_t p, std::size_t q) {
+    const auto& edges = c.facets[q].edges;
+    const auto& ends = c.points[q];
+    return std::any_of(
+        c.points[p].begin(), c.points[p].end(), [&](const Point& v) {
+          if (definition::side_of(c.facets[q].support, v) != 0) return false;
+          int zero = 0;
+          for (const Plane& edge : edges) {
+            const int side = definition::side_of(edge, v);
+            if (side < 0) return false;
+            zero += side == 0 ? 1 : 0;
+          }
+          return zero > 0 &&
+                 std::find(ends.begin(), ends.end(), v) == ends.end();
+        });
+  });
+}
+
+/// The eye strictly inside a polygon.
+bool eye_in_polygon(const Case& c) {
+  if (!c.view.camera.value()->perspective) return false;
+  const Point eye = eye_of(*c.view.camera);
+  return std::any_of(
+      c.facets.begin(), c.facets.end(), [&](const definition::Facet& facet) {
+        return definition::side_of(facet.support, eye) == 0 &&
+               std::all_of(facet.edges.begin(), facet.edges.end(),
+                           [&](const Plane& edge) {
+                             return definition::side_of(edge, eye) > 0;
+                           });
+      });
+}
+
+/// A polygon that covers samples above a line and below it, but none on it.
+bool thinner_than_a_pixel(const Case& c) {
+  return std::any_of(
+      c.facets.begin(), c.facets.end(), [&](const definition::Facet& facet) {
+        const auto mask = definition::coverage(facet, *c.view.camera, false);
+        int runs = 0;
+        bool before = false;
+        for (std::int32_t j = 0; j < mask.height_px; ++j) {
+          bool some = false;
+          for (std::int32_t i = 0; i < mask.width_px; ++i)
+            some = some || mask.at(i, j) != 0;
+          runs += some && !before ? 1 : 0;
+          before = some;
+        }
+        return runs > 1;
+      });
+}
+
+/// Polygons that hide each other in a circle: no order of whole polygons
+/// paints them right.
+bool cyclic_overlap(const Case& c) {
+  const std::size_t count = c.seen.size();
+  std::vector<std::vector<bool>> before(count, std::vector<bool>(count));
+  const CameraData& camera = c.view.camera->data();
+  for (std::int32_t j = 0; j < camera.height_px; ++j) {
+    for (std::int32_t i = 0; i < camera.width_px; ++i) {
+      std::vector<std::size_t> here;
+      for (std::size_t p = 0; p < count; ++p) {
+        if (!c.seen[p].nothing && definition::covers(c.seen[p], i, j))
+          here.push_back(p);
+      }
+      for (const std::size_t p : here) {
+        for (const std::size_t q : here) {
+          if (p == q || before[p][q]) continue;
+          before[p][q] =
+              definition::compare_depth(c.seen[p], c.seen[q], i, j) < 0;
+        }
+      }
+    }
+  }
+  // Whatever has nothing before it is painted last; what is left is cyclic.
+  std::vector<bool> gone(count);
+  for (std::size_t left = count; left > 0; --left) {
+    std::size_t next = count;
+    for (std::size_t p = 0; p < count && next == count; ++p) {
+      bool is_free = !gone[p];
+      for (std::size_t q = 0; q < count; ++q)
+        is_free = is_free && (gone[q] || !before[q][p]);
+      if (is_free) next = p;
+    }
+    if (next == count) return true;
+    gone[next] = true;
+  }
+  return false;
+}
+
 using Question = std::function<bool(const Case&)>;
 
 const std::map<std::string, Question>& questions() {
@@ -238,11 +329,15 @@ const std::map<std::string, Question>& questions() {
       {"opposite polygons", [](const Case& c) { return coincident(c, false); }},
       {"spanning polygons", spanning},
       {"shared edges", shared_edge},
+      {"T-junctions", t_junction},
+      {"cyclic overlap", cyclic_overlap},
       {"slivers", sliver},
+      {"thinner than a pixel", thinner_than_a_pixel},
       {"eye on splitter", eye_on_plane},
       {"eye on edge", eye_on_line},
       {"eye at vertex", eye_on_vertex},
       {"eye inside", eye_within},
+      {"eye in a polygon", eye_in_polygon},
       {"vertex on pixel centre",
        [](const Case& c) { return touches_of(c).edges_at_a_centre > 1; }},
       {"edge through pixel centres",
