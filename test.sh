@@ -56,7 +56,7 @@ step "build, with sanitizers" build asan \
 step "unit tests and fuzz corpus, with sanitizers" \
   ctest --preset asan --no-tests=error -L 'unit|fuzz'
 for script in tools/check_laws.py tools/check_mirror.py \
-  tools/test/check_traceability_test.py \
+  tools/test/check_traceability_test.py tools/test/verify_test.py \
   tools/test/check_proofs_test.py tools/check_proofs.py \
   tools/check_oracle.py tools/test/check_oracle_test.py; do
   step "$script" python3 "$script"
