@@ -314,5 +314,43 @@ TEST(KernelBounds, SmallPolygonsTurnForSureOrAreLeft) {
   }
 }
 
+/// Rectangles against screens with few open tiles, several words wide.
+TEST(KernelBounds, ARectangleIsOpenWhereATileOfItIs) {
+  constexpr std::int32_t kTiles = 250;
+  constexpr std::int32_t kRows = 4;
+  std::mt19937_64 engine(13);
+  const auto below = [&engine](std::int32_t end) {
+    return static_cast<std::int32_t>(engine() %
+                                     static_cast<std::uint64_t>(end));
+  };
+  std::size_t found = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    std::vector<std::uint64_t> open(4 * kRows);
+    Canvas canvas;
+    canvas.first_row = 3;
+    canvas.words_across = 4;
+    canvas.open = open.data();
+    const std::int32_t tile = below(kTiles);
+    const std::int32_t row = below(kRows);
+    open[static_cast<std::size_t>(4 * row + tile / 64)] |= std::uint64_t{1}
+                                                           << (tile % 64);
+    const std::int32_t left = below(kTiles * kTileWidth);
+    const std::int32_t right = left + 1 + below(kTiles * kTileWidth - left);
+    const std::int32_t first = 3 * kTileHeight;
+    const std::int32_t top = below(kRows * kTileHeight);
+    const std::int32_t bottom = top + 1 + below(kRows * kTileHeight - top);
+    const bool expected =
+        left / kTileWidth <= tile && tile <= (right - 1) / kTileWidth &&
+        top / kTileHeight <= row && row <= (bottom - 1) / kTileHeight;
+    for (const Kernel* kernel : kKernels) {
+      ASSERT_EQ(kernel->any_open(canvas, {left, right},
+                                 {first + top, first + bottom}),
+                expected);
+    }
+    found += expected ? 1 : 0;
+  }
+  EXPECT_GT(found, 1000u);
+}
+
 }  // namespace
 }  // namespace halfspace::fast
