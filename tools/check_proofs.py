@@ -18,6 +18,7 @@ Assumptions" of a theorem is not "Closed under the global context"; or if
 coqchk, which checks the compiled files without trusting coqc, is not content.
 """
 
+import concurrent.futures
 import pathlib
 import re
 import subprocess
@@ -172,8 +173,12 @@ def check(folder):
     built = run(["make", "--no-print-directory", "-j2"], folder)
     if built.returncode != 0:
         return len(theorems), faults + ["make: " + built.stdout[-4000:]]
-    faults += assumptions(folder, theorems)
-    faults += independent_check(folder, [path.stem for path in theories])
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        # Either takes most of a minute.
+        asked = pool.submit(assumptions, folder, theorems)
+        checked = pool.submit(independent_check, folder,
+                              [path.stem for path in theories])
+        faults += asked.result() + checked.result()
     return len(theorems), faults
 
 
