@@ -56,6 +56,8 @@ int run(const Request& request) {
     if (!wanted) continue;
     std::optional<Outcome> first;
     for (const Contestant& contestant : contestants()) {
+      const bool is_peer = contestant.name.rfind("Halfspace", 0) != 0;
+      if (is_peer && !task.for_peers) continue;
       // Two operands are at once whatever the order.
       if (first && task.operands.size() == 2 &&
           contestant.name == ours_at_once().name)

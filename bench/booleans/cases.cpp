@@ -29,6 +29,7 @@ BooleanCase menger(int level) {
   result.operands.insert(result.operands.begin(),
                          block({0, 0, 0}, {size, size, size}));
   if (level == 3) result.least = 21456;
+  result.for_peers = level < 4;
   return result;
 }
 

@@ -16,6 +16,8 @@ struct BooleanCase {
   std::vector<Triangles> operands;
   /// How many triangles the least surface has; 0: not known.
   std::size_t least = 0;
+  /// Whether others finish within minutes.
+  bool for_peers = true;
 };
 
 /// Two spheres of about `triangles` each in general position, one apart by

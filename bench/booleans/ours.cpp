@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "booleans/contestant.hpp"
 #include "halfspace/fast/boolean.hpp"
@@ -22,6 +24,17 @@ double volume6_of(const fast::ExportedMesh& mesh) {
   return sum;
 }
 
+/// The solid with triangles in one plane put together, where there are any to
+/// speak of.
+fast::Solid lean(fast::Solid solid) {
+  std::vector<std::int32_t> planes;
+  for (const fast::Face& face : solid.faces) planes.push_back(face.plane);
+  std::sort(planes.begin(), planes.end());
+  const auto count = std::unique(planes.begin(), planes.end()) - planes.begin();
+  if (4 * static_cast<std::size_t>(count) > 3 * planes.size()) return solid;
+  return fast::merged(solid, fast::Merge::kColor);
+}
+
 template <class Evaluate>
 std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
   Outcome outcome;
@@ -30,8 +43,9 @@ std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
   for (const Triangles& operand : task.operands) {
     const Solid solid = solid_of(operand);
     const auto part = static_cast<std::int32_t>(solids.size());
-    solids.push_back(solids.empty() ? fast::to_solid(solid)
-                                    : fast::to_solid(solid, solids[0], part));
+    solids.push_back(lean(solids.empty()
+                              ? fast::to_solid(solid)
+                              : fast::to_solid(solid, solids[0], part)));
   }
   const double imported = process_ms();
   const fast::Solid result = evaluate(std::move(solids));

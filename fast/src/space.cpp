@@ -103,7 +103,10 @@ std::int32_t Space::add_point(const GridPoint& point) {
   });
   if (known >= 0) return known;
   const auto v = static_cast<std::int32_t>(vertices_.size());
-  vertices_.push_back({to_vertex(point), point});
+  SpaceVertex vertex_of_grid;
+  vertex_of_grid.approximate = to_vertex(point);
+  vertex_of_grid.point = point;
+  vertices_.push_back(vertex_of_grid);
   vertex_index_.enter(hash, v);
   return v;
 }
@@ -187,7 +190,7 @@ std::int32_t Space::add_meet(const std::array<std::int32_t, 3>& planes) {
                        [&](std::int32_t p) { return side(p, other) == 0; });
   });
   if (known >= 0) {
-    exact_.resize(vertices_.back().exact);
+    if (!vertices_.back().is_grid()) exact_.resize(vertices_.back().exact);
     vertices_.pop_back();
     return known;
   }
@@ -224,16 +227,42 @@ void Space::make_exact(const std::array<std::int32_t, 3>& planes) {
   }
   SpaceVertex v;
   v.planes = planes;
-  v.exact = static_cast<std::uint32_t>(exact_.size());
-  for (const Big& value : c)
-    exact_.insert(exact_.end(), value.words.begin(), value.words.end());
   // Each of the two is off by 2^-52 of its size, and the quotient rounds once
   // more: 2^-50 of the size is more than that.
   const double w = to_double(c[3]);
   Vertex& a = v.approximate;
   a = {to_double(c[0]) / w, to_double(c[1]) / w, to_double(c[2]) / w, 0};
   a.error = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}) * 0x1p-50;
+  if (!put_on_grid<kBits>(v, c)) {
+    v.exact = static_cast<std::uint32_t>(exact_.size());
+    for (const Big& value : c)
+      exact_.insert(exact_.end(), value.words.begin(), value.words.end());
+  }
   vertices_.push_back(v);
+}
+
+/// Whether the point with these coordinates, the last one their divisor, is on
+/// the grid; then it is noted as a point of the grid.
+template <int kBits>
+bool Space::put_on_grid(
+    SpaceVertex& v,
+    const std::array<typename Grid<kBits>::Determinant, 4>& c) const {
+  constexpr std::size_t kWords = Grid<kBits>::kWords;
+  const double at[3] = {v.approximate.x, v.approximate.y, v.approximate.z};
+  std::int64_t whole[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double near = std::nearbyint(at[i]);
+    if (std::abs(near) >= std::ldexp(1.0, grid_bits_ - 1) ||
+        std::abs(at[i] - near) > v.approximate.error)
+      return false;
+    whole[i] = static_cast<std::int64_t>(near);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(multiply<kWords>(Int128{whole[i]}, c[3]) == c[i])) return false;
+  }
+  v.point = {whole[0], whole[1], whole[2]};
+  v.approximate = to_vertex(v.point);
+  return true;
 }
 
 template <int kBits>

@@ -52,11 +52,14 @@ struct SpacePlane {
 
 /// A point: one of the grid, or the meet of three planes.
 struct SpaceVertex {
+  static constexpr std::uint32_t kOnGrid = 0xffffffff;
+
   Vertex approximate;
-  GridPoint point;  ///< of the grid, where there are no planes
-  std::array<std::int32_t, 3> planes{-1, -1, -1};
-  std::uint32_t exact = 0;  ///< where its exact coordinates begin
-  bool is_grid() const { return planes[0] < 0; }
+  GridPoint point;                                 ///< where it is on the grid
+  std::array<std::int32_t, 3> planes{-1, -1, -1};  ///< where it was met
+  /// Where its exact coordinates begin, if it is not on the grid.
+  std::uint32_t exact = kOnGrid;
+  bool is_grid() const { return exact == kOnGrid; }
 };
 
 /// A plane with an orientation: `turned` if against the table's.
@@ -142,6 +145,10 @@ class Space {
   template <int kBits>
   std::array<typename Grid<kBits>::Determinant, 4> exact(
       std::int32_t vertex) const;
+  template <int kBits>
+  bool put_on_grid(
+      SpaceVertex& v,
+      const std::array<typename Grid<kBits>::Determinant, 4>& c) const;
   std::int32_t add_meet(const std::array<std::int32_t, 3>& planes);
 
   int grid_bits_;
