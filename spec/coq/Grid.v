@@ -5,7 +5,7 @@
     roots are chosen, the tree has [n (n + 4) / 4] nodes. *)
 
 From Coq Require Import QArith Lqa Lia List Bool Permutation.
-From Halfspace Require Import Base Tree Scene.
+From Halfspace Require Import Base Convex Tree Scene.
 Import ListNotations.
 Open Scope Q_scope.
 
@@ -59,13 +59,14 @@ Qed.
 
 (** Bars against planes of their own direction stay whole. *)
 Lemma bar_beside : forall z k low high f s k' h, bar z k low high f ->
-  ~ s == 0 -> (forall v, value_at h v == s * (coordinate z v - k')) ->
+  ~ s == 0 -> (forall v, value_at (plane h) v == s * (coordinate z v - k')) ->
   (k == k' -> relation f h = rCoincident) /\
   (0 < s * (k - k') -> relation f h = rPositive) /\
   (s * (k - k') < 0 -> relation f h = rNegative).
 Proof.
   intros z k low high f s k' h (_ & A & (u & U & _) & _) N H.
-  assert (forall v, In v (vertices f) -> value_at h v == s * (k - k')) as V.
+  assert (forall v, In v (vertices f) -> value_at (plane h) v == s * (k - k'))
+    as V.
   { intros v I; rewrite H; destruct (A v I) as [-> _]; reflexivity. }
   pose proof (relation_vertices f h) as R; split; [|split]; intros K;
     destruct (relation f h); try reflexivity; exfalso.
@@ -82,7 +83,8 @@ Qed.
 
 (** Bars that a plane of the other direction passes are cut. *)
 Lemma bar_across : forall z k low high f s k' h, bar z k low high f ->
-  ~ s == 0 -> (forall v, value_at h v == s * (coordinate (negb z) v - k')) ->
+  ~ s == 0 ->
+  (forall v, value_at (plane h) v == s * (coordinate (negb z) v - k')) ->
   low < k' < high -> relation f h = rSpanning.
 Proof.
   intros z k low high f s k' h (_ & _ & (u & U & Lu) & (w & W & Lw)) N H K.
@@ -109,31 +111,34 @@ Proof.
 Qed.
 
 (** The part on the side of a plane with [0 < s], and with [s < 0]. *)
-Lemma bar_part : forall z k low high f s k' h, bar z k low high f ->
-  ~ s == 0 -> (forall v, value_at h v == s * (coordinate (negb z) v - k')) ->
-  low < k' < high -> valid f ->
-  (0 < s -> bar z k k' high (part f h)) /\
-  (s < 0 -> bar z k low k' (part f h)).
+Lemma bar_part : forall side z k low high f s k' h, bar z k low high f ->
+  side <> kOn -> ~ s == 0 -> (forall v,
+    value_at (toward side (plane h)) v == s * (coordinate (negb z) v - k')) ->
+  relation f h = rSpanning -> low < k' < high -> valid f ->
+  (0 < s -> bar z k k' high (part side f h)) /\
+  (s < 0 -> bar z k low k' (part side f h)).
 Proof.
-  intros z k low high f s k' h B N H K V.
-  pose proof (bar_across z k low high f s k' h B N H K) as R.
-  destruct (part_is_cut f h V R) as (c & C & Hc).
+  intros side z k low high f s k' h B O N H R K V.
+  destruct (part_is_cut side f h V O R) as (c & C & Hc).
   destruct B as (L & A & (u & U & Lu) & (w & W & Lw)).
-  assert (coordinate (negb z) c == k') as Kc.
-  { rewrite H in Hc; apply level_sign in Hc; auto; lra. }
-  assert (forall v, In v (vertices (part f h)) -> coordinate z v == k /\
+  assert (forall v, value_at (plane h) v == 0 ->
+          coordinate (negb z) v == k') as On.
+  { intros v Z; assert (value_at (toward side (plane h)) v == 0) as Z'.
+    { destruct side; simpl; rewrite ?value_at_reversed, Z; reflexivity. }
+    rewrite H in Z'; apply level_sign in Z'; auto; lra. }
+  assert (forall v, In v (vertices (part side f h)) -> coordinate z v == k /\
           low <= coordinate (negb z) v <= high /\
           0 <= s * (coordinate (negb z) v - k')) as P.
-  { intros v I; destruct (part_vertex f h v V I) as
-      (S & [F | (O & p & q & t & Ip & Iq & X & Y & Z)]);
-      rewrite H in S.
-    - destruct (A v F) as [D E]; auto.
-    - destruct (A p Ip) as [Dp Ep], (A q Iq) as [Dq Eq]; split; [|split].
-      + apply (coordinate_between z p q v t k); auto.
-      + rewrite H in O; apply level_sign in O; auto; lra.
-      + exact S. }
-  assert (forall v, In v (vertices f) -> 0 <= s * (coordinate (negb z) v - k')
-          -> In v (vertices (part f h))) as Q.
+  { intros v I; destruct (part_vertex side f h v V O R I) as
+      (S & p & q & t & E & T & (X & Y & Z) & F).
+    rewrite H in S; destruct (round_ends _ _ _ E) as [Ip Iq].
+    destruct (A p Ip) as [Dp Ep], (A q Iq) as [Dq Eq]; split; [|split].
+    - apply (coordinate_between z p q v t k); auto.
+    - destruct F as [F | F]; [now apply A|].
+      rewrite H in F; apply level_sign in F; auto; lra.
+    - exact S. }
+  assert (forall v, In v (vertices f) -> 0 < s * (coordinate (negb z) v - k')
+          -> In v (vertices (part side f h))) as Q.
   { intros v I S; apply part_keeps; auto; now rewrite H. }
   split; intros S; (split; [exact L | split; [|split]]).
   - intros v I; destruct (P v I) as (D & E & G); split; [exact D|].
@@ -193,9 +198,10 @@ Qed.
 (** How the plane of a bar divides a cell: each side has its part of the cell,
     and every bar of the other direction. *)
 Lemma cell_distribute : forall z k h s, ~ s == 0 ->
-  (forall v, value_at h v == s * (coordinate z v - k)) ->
+  (forall v, value_at (plane h) v == s * (coordinate z v - k)) ->
   forall cell l c p n, lows cell z < k < highs cell z -> Forall valid l ->
-  cell_of cell l -> distribute Fragment Plane relation split l h = (c, p, n) ->
+  cell_of cell l ->
+  distribute Fragment Splitter relation split l h = (c, p, n) ->
   let up := if Qlt_le_dec 0 s then above cell z k else below cell z k in
   let down := if Qlt_le_dec 0 s then below cell z k else above cell z k in
   cell_of up p /\ cell_of down n /\
@@ -208,14 +214,14 @@ Proof.
     intros c p n K V [F D] E up down.
   - injection E as <- <- <-; repeat split; constructor.
   - simpl in E.
-    destruct (distribute Fragment Plane relation split l h) as [[c' p'] n']
+    destruct (distribute Fragment Splitter relation split l h) as [[c' p'] n']
       eqn:G.
     inversion V as [|? ? V1 V2]; subst; inversion F as [|? ? F1 F2]; subst.
     inversion D as [|? ? D1 D2]; subst.
     destruct (IH c' p' n' K V2 (conj F2 D2) eq_refl)
       as ([Fp Dp] & [Fn Dn] & C1 & C2 & C3 & C4).
     fold up in Fp; fold down in Fn.
-    destruct (distribute_forall Fragment Plane relation split valid
+    destruct (distribute_forall Fragment Splitter relation split valid
                 (fun g => apart (support f) (support g))) with (l := l)
       (h := h) (c := c') (p := p') (n := n') as (Ac & Ap & An); auto.
     destruct F1 as (a & x & X & B); pose proof (bar_is _ _ _ _ _ B) as A.
@@ -262,17 +268,18 @@ Proof.
       { intros g m W; unfold count; simpl; unfold is_across_z in *.
         rewrite W, A; now destruct a. }
       destruct (S3 f l eq_refl) as [S1 S2].
-      destruct (S3 (part f h) p' eq_refl) as [T1 T2].
-      destruct (S3 (part f (reversed h)) n' eq_refl) as [U1 U2].
+      destruct (S3 (part kPositive f h) p' eq_refl) as [T1 T2].
+      destruct (S3 (part kNegative f h) n' eq_refl) as [U1 U2].
       rewrite S1, S2, T1, T2, U1, U2, C1, C3, C4.
-      assert (fits up (part f h) /\ fits down (part f (reversed h)))
+      assert (fits up (part kPositive f h) /\ fits down (part kNegative f h))
         as [Fu Fd].
-      { destruct (bar_part a x _ _ f s k h B N H K V1) as [P1 P2].
-        assert (forall v, value_at (reversed h) v ==
+      { destruct (bar_part kPositive a x _ _ f s k h B ltac:(discriminate) N H
+                    R K V1) as [P1 P2].
+        assert (forall v, value_at (reversed (plane h)) v ==
                 (- s) * (coordinate (negb a) v - k)) as H'.
         { intros v; rewrite value_at_reversed, H; ring. }
-        destruct (bar_part a x _ _ f (- s) k (reversed h) B ltac:(lra) H' K V1)
-          as [Q1 Q2].
+        destruct (bar_part kNegative a x _ _ f (- s) k h B ltac:(discriminate)
+                    ltac:(lra) H' R K V1) as [Q1 Q2].
         assert (Bool.eqb a (negb a) = false) as Ea by now destruct a.
         unfold up, down, above, below.
         destruct (Qlt_le_dec 0 s); split; exists a, x; cbn [lows highs];
@@ -288,12 +295,12 @@ Qed.
 Lemma cell_nodes : forall choose_root at_most place l,
   Forall valid l -> (length l <= at_most)%nat ->
   (exists cell, cell_of cell l) ->
-  nodes (build_at Fragment Plane support relation split choose_root at_most
-           place l) =
+  nodes (build_at Fragment Splitter splitter_of relation split choose_root
+           at_most place l) =
   (count true l + count false l + count true l * count false l)%nat.
 Proof.
   intros choose_root.
-  apply (build_induction Fragment Plane source support relation split
+  apply (build_induction Fragment Splitter source splitter_of relation split
     choose_root valid own_plane split_valid (fun l t =>
       (exists cell, cell_of cell l) -> nodes t =
       (count true l + count false l + count true l * count false l)%nat)).
@@ -302,18 +309,19 @@ Proof.
     destruct G as [F A]; pose proof F as F'; rewrite Forall_forall in F'.
     destruct (F' root I) as (z & k & K & B).
     destruct B as ((s & N & H) & B).
-    destruct (cell_distribute z k (support root) s N H cell l c p n K V
+    destruct (cell_distribute z k (splitter_of root) s N H cell l c p n K V
                 (conj F A) D) as (Gp & Gn & C1 & C2 & C3 & C4).
     specialize (P (ex_intro (fun b => cell_of b p) _ Gp)).
     specialize (Q (ex_intro (fun b => cell_of b n) _ Gn)).
     assert (count z c = 1%nat) as C5.
     { assert (forall f, In f c -> level z k (support f)) as L.
       { intros f J.
-        apply (distribute_coincident Fragment Plane source relation split _ _
+        apply (distribute_coincident Fragment Splitter source relation split _ _
                  _ _ _ f D) in J.
         destruct J as [J R]; destruct (F' f J) as (a & x & X & M).
         destruct (Bool.bool_dec a z) as [-> | O].
-        - destruct (bar_beside z x _ _ f s k _ M N H) as (R1 & R2 & R3).
+        - destruct (bar_beside z x _ _ f s k (splitter_of root) M N H)
+            as (R1 & R2 & R3).
           destruct (Q_dec (s * (x - k)) 0) as [[Y | Y] | Y].
           + rewrite (R3 Y) in R; discriminate.
           + rewrite (R2 Y) in R; discriminate.
@@ -321,20 +329,21 @@ Proof.
             destruct M as [(t & T & M) _]; exists t; split; [exact T|].
             intros v; rewrite M; assert (x == k) as -> by lra; reflexivity.
         - assert (z = negb a) as -> by (destruct a, z; simpl; congruence).
-          rewrite (bar_across a x _ _ f s k _ M N H K) in R; discriminate. }
+          rewrite (bar_across a x _ _ f s k (splitter_of root) M N H K) in R.
+          discriminate. }
       assert (ForallOrdPairs (fun f g => apart (support f) (support g)) c)
         as A'.
-      { clear - D A; revert c p n D; generalize (support root); intros h.
+      { clear - D A; revert c p n D; generalize (splitter_of root); intros h.
         induction l as [|f l IH]; intros c p n D; simpl in D.
         - injection D as <- <- <-; constructor.
         - inversion A as [|? ? A1 A2]; subst.
-          destruct (distribute Fragment Plane relation split l h)
+          destruct (distribute Fragment Splitter relation split l h)
             as [[c' p'] n'] eqn:E.
           specialize (IH A2 c' p' n' eq_refl).
           destruct (relation f h); injection D as <- <- <-; auto.
           constructor; [|exact IH]; rewrite Forall_forall in *; intros g J.
-          apply A1; apply (distribute_coincident Fragment Plane source relation
-            split _ _ _ _ _ g E) in J; tauto. }
+          apply A1; apply (distribute_coincident Fragment Splitter source
+            relation split _ _ _ _ _ g E) in J; tauto. }
       assert (count z c = length c) as ->.
       { clear - C2; unfold count in *; induction c as [|f c IH];
           [reflexivity|].
@@ -355,24 +364,30 @@ Lemma across_valid : forall m i, (0 <= m)%Z ->
 Proof.
   intros m i M; assert (0 <= inject_Z m) as Q.
   { change 0 with (inject_Z 0); now rewrite <- Zle_Qle. }
-  unfold polygon_ok, across_z, across_y; revert Q.
+  unfold across_z, across_y; revert Q.
   generalize (inject_Z m) (inject_Z i); intros r x Q.
   assert (0 < r + 2) as Y by lra; assert (0 < r + 1) as Z by lra.
   revert Y Z; generalize (r + 2) (r + 1) (x + 1); clear; intros y z k Y Z.
   assert (0 < y * y) as YY by nra; assert (0 < z * z) as ZZ by nra.
-  unfold edges_of, point; simpl; unfold value_at, edge_plane, cross, dot,
-    difference, normal; simpl.
-  split; (split; [|split]).
-  - intros v [<- | [<- | [<- | [<- | []]]]]; simpl; ring.
-  - intros e v [<- | [<- | [<- | [<- | []]]]];
-      intros [<- | [<- | [<- | [<- | []]]]]; simpl; ring_simplify; nra.
-  - eexists; eexists; split; [left; reflexivity|]; simpl.
-    split; [right; right; left; reflexivity|]; simpl; ring_simplify; nra.
-  - intros v [<- | [<- | [<- | [<- | []]]]]; simpl; ring.
-  - intros e v [<- | [<- | [<- | [<- | []]]]];
-      intros [<- | [<- | [<- | [<- | []]]]]; simpl; ring_simplify; nra.
-  - eexists; eexists; split; [left; reflexivity|]; simpl.
-    split; [right; right; left; reflexivity|]; simpl; ring_simplify; nra.
+  split; constructor; unfold round, point; simpl.
+  - intros v [<- | [<- | [<- | [<- | []]]]]; unfold value_at; simpl; ring.
+  - intros p q v [E | [E | [E | [E | []]]]]; injection E as <- <-;
+      intros [<- | [<- | [<- | [<- | []]]]]; unfold value_at, edge_plane, cross,
+      dot, difference, normal; simpl; ring_simplify; nra.
+  - intros p q [E | [E | [E | [E | []]]]]; injection E as <- <-;
+      intros (A & B & C); simpl in *; lra.
+  - eexists; eexists; eexists; split; [left; reflexivity|]; simpl.
+    split; [right; right; left; reflexivity|]; unfold value_at, edge_plane,
+      cross, dot, difference, normal; simpl; ring_simplify; nra.
+  - intros v [<- | [<- | [<- | [<- | []]]]]; unfold value_at; simpl; ring.
+  - intros p q v [E | [E | [E | [E | []]]]]; injection E as <- <-;
+      intros [<- | [<- | [<- | [<- | []]]]]; unfold value_at, edge_plane, cross,
+      dot, difference, normal; simpl; ring_simplify; nra.
+  - intros p q [E | [E | [E | [E | []]]]]; injection E as <- <-;
+      intros (A & B & C); simpl in *; lra.
+  - eexists; eexists; eexists; split; [left; reflexivity|]; simpl.
+    split; [right; right; left; reflexivity|]; unfold value_at, edge_plane,
+      cross, dot, difference, normal; simpl; ring_simplify; nra.
 Qed.
 
 Lemma level_of_across_z : forall m i z k, (0 <= m)%Z ->
@@ -553,8 +568,8 @@ Lemma pairs_permuted : forall (A : Type) (R : A -> A -> Prop),
   (forall x y, R x y -> R y x) -> forall l m, Permutation l m ->
   ForallOrdPairs R l -> ForallOrdPairs R m.
 Proof.
-  intros A R S l m P; induction P as [|x l m P IH | x y l | l m k P1 IH1 P2 IH2];
-    intros H; auto.
+  intros A R S l m P;
+    induction P as [|x l m P IH | x y l | l m k P1 IH1 P2 IH2]; intros H; auto.
   - inversion H as [|? ? X Y]; subst; constructor; auto.
     apply Forall_forall; intros z Z; rewrite Forall_forall in X; apply X.
     now apply (Permutation_in z (Permutation_sym P)).
@@ -566,7 +581,7 @@ Qed.
 Theorem grid_nodes : forall choose_root m,
   let n := length (polygons_of (grid_scene m)) in
   n = (2 * m)%nat /\
-  nodes (build Fragment Plane support relation split choose_root
+  nodes (build Fragment Splitter splitter_of relation split choose_root
            (polygons_of (grid_scene m))) = (n * (n + 4) / 4)%nat.
 Proof.
   intros choose_root m n.
@@ -590,7 +605,7 @@ Qed.
 Theorem grid_nodes_by_insertion : forall m polygons,
   Permutation polygons (polygons_of (grid_scene m)) ->
   let n := length polygons in
-  nodes (insert_all Fragment Plane source support relation split polygons
+  nodes (insert_all Fragment Splitter source splitter_of relation split polygons
            Nothing) = (n * (n + 4) / 4)%nat.
 Proof.
   intros m polygons P n.
@@ -606,7 +621,7 @@ Proof.
     pose proof (polygons_valid _ (grid_scene_ok m)) as V.
     rewrite Forall_forall in V; apply V; now apply (Permutation_in f P). }
   destruct (grid_cell m) as [F A].
-  rewrite (insertion_nodes Fragment Plane source support relation split
+  rewrite (insertion_nodes Fragment Splitter source splitter_of relation split
              (fun _ _ => 0%nat) valid own_plane split_valid
              (fun _ _ => eq_refl) polygons V).
   unfold build; rewrite cell_nodes; auto.

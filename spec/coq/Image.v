@@ -4,7 +4,7 @@
     [View.v]: nothing is left to be assumed. *)
 
 From Coq Require Import QArith Lia List Permutation.
-From Halfspace Require Import Base Tree Order Scene View.
+From Halfspace Require Import Base Convex Tree Order Scene View.
 Import ListNotations.
 
 Section Image.
@@ -15,30 +15,32 @@ Variable options : Options.
 (** The pixel. *)
 Variables i j : Z.
 
-Local Notation eye_side := (View.eye_side camera).
+Local Notation eye_side := (fun s => View.eye_side camera (plane s)).
 Local Notation covers := (View.covers camera options i j).
-Local Notation side_at := (View.side_at camera i j).
+Local Notation side_at := (fun f s => View.side_at camera i j f (plane s)).
+Local Notation plane_ok := (fun s => not_zero (plane s)).
 Local Notation is_nearer := (View.is_nearer camera i j).
 
-Definition Tree := BspTree Fragment Plane.
+Definition Tree := BspTree Fragment Splitter.
 
 (** S3.5, S3.6, with this file's fragments. *)
 Definition build_scene (choose_root : list Side -> list Fragment -> nat)
   (scene : Scene) : Tree :=
-  Tree.build Fragment Plane support relation split choose_root
+  Tree.build Fragment Splitter splitter_of relation split choose_root
     (polygons_of scene).
 
 Definition insert_scene (polygons : list Fragment) : Tree :=
-  Tree.insert_all Fragment Plane source support relation split polygons Nothing.
+  Tree.insert_all Fragment Splitter source splitter_of relation split polygons
+    Nothing.
 
 (** S5.5: what the four programs show at the pixel. *)
 Definition render (tree : Tree) : option Z :=
   render_pixel Fragment source covers
-    (front_to_back Fragment Plane eye_side tree).
+    (front_to_back Fragment Splitter eye_side tree).
 
 Definition paint (tree : Tree) : option Z :=
   paint_pixel Fragment source covers
-    (back_to_front Fragment Plane eye_side tree).
+    (back_to_front Fragment Splitter eye_side tree).
 
 Definition zbuffer (polygons : list Fragment) : option Z :=
   zbuffer_pixel Fragment source covers is_nearer polygons.
@@ -51,7 +53,7 @@ Definition seen (polygons : list Fragment) (pixel : option Z) : Prop :=
   item Fragment source covers is_nearer polygons pixel.
 
 Definition tree_of_scene (polygons : list Fragment) (tree : Tree) : Prop :=
-  tree_of Fragment Plane source valid not_zero covers side_at is_nearer
+  tree_of Fragment Splitter source valid plane_ok covers side_at is_nearer
     polygons tree.
 
 Lemma polygons_in_order : forall scene,
@@ -62,30 +64,25 @@ Proof.
           Forall (fun f => (least <= source f)%Z) (polygons_from id scene))
     as L.
   { clear; induction scene as [|[plane corners] scene IH]; intros id least H;
-      simpl; constructor; simpl; auto; apply IH; lia. }
-  induction scene as [|[plane corners] scene IH]; intros id; simpl;
-    constructor; auto; apply L; simpl; lia.
+      [constructor|].
+    constructor; [exact H | apply IH; lia]. }
+  induction scene as [|[plane corners] scene IH]; intros id; [constructor|].
+  constructor; [apply IH|].
+  apply (L scene (id + 1)%Z (source (whole id plane corners))).
+  change (id <= id + 1)%Z; lia.
 Qed.
 
-Lemma plane_of_ok : forall f, valid f -> not_zero (support f).
-Proof. intros f V; apply (valid_normal f V). Qed.
+Lemma splitter_ok : forall f, valid f -> not_zero (plane (splitter_of f)).
+Proof. exact valid_normal. Qed.
 
 Lemma split_source : forall f h,
   source (fst (split f h)) = source f /\ source (snd (split f h)) = source f.
 Proof. split; reflexivity. Qed.
 
-Lemma split_support : forall f h,
-  support (fst (split f h)) = support f /\
-  support (snd (split f h)) = support f.
-Proof. split; reflexivity. Qed.
-
 Lemma split_side_at : forall f h k,
   side_at (fst (split f h)) k = side_at f k /\
   side_at (snd (split f h)) k = side_at f k.
-Proof.
-  intros f h k; unfold View.side_at; destruct (split_support f h) as [-> ->].
-  auto.
-Qed.
+Proof. intros; split; apply side_at_part. Qed.
 
 Lemma split_nearer : forall f h g,
   is_nearer (fst (split f h)) g = is_nearer f g /\
@@ -93,8 +90,7 @@ Lemma split_nearer : forall f h g,
   is_nearer g (fst (split f h)) = is_nearer g f /\
   is_nearer g (snd (split f h)) = is_nearer g f.
 Proof.
-  intros f h g; unfold View.is_nearer.
-  destruct (split_support f h) as [-> ->]; auto.
+  intros f s g; unfold View.is_nearer, split; cbn [fst snd part support]; auto.
 Qed.
 
 (** S3.5: a built tree is one of its scene, however roots are chosen. *)
@@ -102,8 +98,8 @@ Theorem build_scene_tree : forall choose_root scene, scene_ok scene ->
   tree_of_scene (polygons_of scene) (build_scene choose_root scene).
 Proof.
   intros choose_root scene O.
-  apply (build_tree_of Fragment Plane source support relation split valid
-    not_zero covers side_at is_nearer own_plane plane_of_ok split_valid
+  apply (build_tree_of Fragment Splitter source splitter_of relation split valid
+    plane_ok covers side_at is_nearer own_plane splitter_ok split_valid
     split_source split_side_at
     (View.split_covers camera ok options i j)
     (View.relation_side_at camera ok options i j) split_nearer).
@@ -117,8 +113,9 @@ Theorem insert_scene_tree : forall scene polygons, scene_ok scene ->
   tree_of_scene (rev polygons) (insert_scene polygons).
 Proof.
   intros scene polygons O P.
-  apply (insert_all_tree_of Fragment Plane source support relation split valid
-    not_zero covers side_at is_nearer own_plane plane_of_ok split_valid
+  apply (insert_all_tree_of Fragment Splitter source splitter_of relation split
+    valid
+    plane_ok covers side_at is_nearer own_plane splitter_ok split_valid
     split_source split_side_at
     (View.split_covers camera ok options i j)
     (View.relation_side_at camera ok options i j) split_nearer).
@@ -132,11 +129,12 @@ Lemma trees_agree : forall polygons others tree,
   render tree = paint tree /\ render tree = zbuffer others.
 Proof.
   intros polygons others tree T P.
-  destruct (algorithms_agree Fragment Plane source eye_side valid not_zero
+  destruct (algorithms_agree Fragment Splitter source eye_side valid plane_ok
     covers side_at is_nearer
-    (fun f g h _ _ => nearer_side camera options i j f g h)
-    (fun f g h _ _ => both_on camera options i j f g h)
-    (fun f g h _ _ => eye_on_plane camera ok options i j f g h) (nearer_asymmetric camera i j)
+    (fun f g s _ _ => nearer_side camera options i j f g (plane s))
+    (fun f g s _ _ => both_on camera options i j f g (plane s))
+    (fun f g s _ _ => eye_on_plane camera ok options i j f g (plane s))
+    (nearer_asymmetric camera i j)
     (not_nearer_transitive camera i j) polygons others tree T P) as (A & B & _).
   split; assumption.
 Qed.
@@ -186,15 +184,15 @@ Qed.
 (** S3.7: front to back no fragment is hidden by a later one. *)
 Theorem scene_front_to_back : forall choose_root scene, scene_ok scene ->
   ForallOrdPairs (not_hidden Fragment source covers is_nearer)
-    (front_to_back Fragment Plane eye_side (build_scene choose_root scene)).
+    (front_to_back Fragment Splitter eye_side (build_scene choose_root scene)).
 Proof.
   intros choose_root scene O.
   destruct (build_scene_tree choose_root scene O) as (S & V & _).
-  apply (front_to_back_order Fragment Plane source eye_side valid not_zero
+  apply (front_to_back_order Fragment Splitter source eye_side valid plane_ok
     covers side_at is_nearer
-    (fun f g h _ _ => nearer_side camera options i j f g h)
-    (fun f g h _ _ => both_on camera options i j f g h)
-    (fun f g h _ _ => eye_on_plane camera ok options i j f g h) _ S V).
+    (fun f g s _ _ => nearer_side camera options i j f g (plane s))
+    (fun f g s _ _ => both_on camera options i j f g (plane s))
+    (fun f g s _ _ => eye_on_plane camera ok options i j f g (plane s)) _ S V).
 Qed.
 
 End Image.

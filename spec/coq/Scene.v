@@ -1,30 +1,14 @@
-(** * S1.3, S2: polygons in space, and what a plane makes of them.
+(** * S1.3, S2, S4.5: polygons in space, and what a plane makes of them.
 
-    A fragment is its source, its plane, the planes of its edges, and points
-    whose sides say how it lies against a plane: its corners, to which a split
-    adds where lines between them cross the splitter. (Of these the ones between
-    neighbours are the new corners; the others lie between them and change no
-    side.) [View.v] shows such fragments to a camera. *)
+    The relation and the split are those of [Split.v], whose parts [Convex.v]
+    shows to be convex polygons; here they are put on the planes of a scene, as
+    [Tree.v] asks. [View.v] shows such fragments to a camera. *)
 
-From Coq Require Import QArith Qminmax Lqa Lia List Bool Permutation.
-From Halfspace Require Import Base.
+From Coq Require Import QArith Lqa Lia List Bool.
+From Halfspace Require Import Base Convex.
+From Halfspace Require Split.
 Import ListNotations.
 Open Scope Q_scope.
-
-(** ** Vectors and homogeneous points *)
-
-Definition difference (p q : Point) : Point :=
-  {| px := px p - px q; py := py p - py q; pz := pz p - pz q |}.
-
-Definition dot (u v : Point) : Q := px u * px v + py u * py v + pz u * pz v.
-
-Definition cross (u v : Point) : Point :=
-  {| px := py u * pz v - pz u * py v;
-     py := pz u * px v - px u * pz v;
-     pz := px u * py v - py u * px v |}.
-
-Definition normal (h : Plane) : Point :=
-  {| px := pa h; py := pb h; pz := pc h |}.
 
 (** A plane at the homogeneous point (p, w): a point of space if [w] is 1, a
     direction if it is 0. *)
@@ -34,16 +18,21 @@ Definition value_of (h : Plane) (p : Point) (w : Q) : Q :=
 Lemma value_of_point : forall h p, value_of h p 1 == value_at h p.
 Proof. intros; unfold value_of, value_at, dot; simpl; ring. Qed.
 
-Definition not_zero (h : Plane) : Prop :=
-  ~ (pa h == 0 /\ pb h == 0 /\ pc h == 0).
+(** ** Fragments *)
 
-(** ** Polygons *)
+(** S2.2: what [Split.v] cuts, and the plane of the source. *)
+Record Fragment := { shape : Split.Fragment; support : Plane }.
 
-(** A plane through the edge from [p] to [q] of a polygon in the plane [h],
-    positive on the polygon's side. *)
-Definition edge_plane (h : Plane) (p q : Point) : Plane :=
-  let m := cross (normal h) (difference q p) in
-  {| pa := px m; pb := py m; pc := pz m; pd := - dot m p |}.
+Definition source (f : Fragment) : Z := Split.source (shape f).
+Definition vertices (f : Fragment) : list Point := Split.vertices (shape f).
+
+Definition whole (id : Z) (plane : Plane) (corners : list Point) : Fragment :=
+  {| shape := {|
+       Split.source := id;
+       Split.edges := map (fun k => Split.kSource (Z.of_nat k))
+                        (seq 0 (length corners));
+       Split.vertices := corners |};
+     support := plane |}.
 
 Fixpoint edges_along (h : Plane) (corners : list Point) : list Plane :=
   match corners with
@@ -51,67 +40,39 @@ Fixpoint edges_along (h : Plane) (corners : list Point) : list Plane :=
   | _ => []
   end.
 
-(** All edges, round the polygon and back to the first corner. *)
+(** S4.5: planes through all edges, round the polygon and back to the first
+    corner, positive on the polygon's side. *)
 Definition edges_of (h : Plane) (corners : list Point) : list Plane :=
   match corners with
   | [] => []
   | p :: _ => edges_along h (corners ++ [p])
   end.
 
-(** S2.2. *)
-Record Fragment := {
-  source : Z;
-  support : Plane;
-  edges : list Plane;
-  vertices : list Point
-}.
+Definition edges (f : Fragment) : list Plane :=
+  edges_of (support f) (vertices f).
 
-Definition whole (id : Z) (plane : Plane) (corners : list Point) : Fragment :=
-  {| source := id; support := plane; edges := edges_of plane corners;
-     vertices := corners |}.
+(** S3.1: the plane of a node, by the polygon that gave it. *)
+Record Splitter := { splitter : Z; plane : Plane }.
 
-(** S1.3: the corners are in the plane, every edge has all of them on its side,
-    and not all are on one line. *)
-Definition polygon_ok (plane : Plane) (corners : list Point) : Prop :=
-  (forall v, In v corners -> value_at plane v == 0) /\
-  (forall e v, In e (edges_of plane corners) -> In v corners ->
-   0 <= value_at e v) /\
-  (exists e v, In e (edges_of plane corners) /\ In v corners /\
-   0 < value_at e v).
-
-(** ** Relation and split *)
+Definition splitter_of (f : Fragment) : Splitter :=
+  {| splitter := source f; plane := support f |}.
 
 (** S2.1. *)
-Definition relation (f : Fragment) (h : Plane) : Relation :=
-  let some side := existsb (fun v => side_eqb (side_of h v) side) (vertices f)
-  in
-  if some kPositive then if some kNegative then rSpanning else rPositive
-  else if some kNegative then rNegative else rCoincident.
-
-(** The point in which the line through [p] and [q] meets the plane. *)
-Definition meet (h : Plane) (p q : Point) : Point :=
-  let t := value_at h p / (value_at h p - value_at h q) in
-  {| px := px p + (px q - px p) * t;
-     py := py p + (py q - py p) * t;
-     pz := pz p + (pz q - pz p) * t |}.
-
-Definition crossings (h : Plane) (points : list Point) : list Point :=
-  flat_map (fun p => flat_map (fun q =>
-    match side_of h p, side_of h q with
-    | kPositive, kNegative => [meet h p q]
-    | _, _ => []
-    end) points) points.
-
-(** The part of a fragment on the positive side of a plane. *)
-Definition part (f : Fragment) (h : Plane) : Fragment :=
-  {| source := source f; support := support f; edges := h :: edges f;
-     vertices :=
-       filter (fun v => negb (side_eqb (side_of h v) kNegative)) (vertices f) ++
-       crossings h (vertices f) |}.
+Definition relation (f : Fragment) (s : Splitter) : Relation :=
+  Split.relation (shape f) (plane s).
 
 (** S2.3. *)
-Definition split (f : Fragment) (h : Plane) : Fragment * Fragment :=
-  (part f h, part f (reversed h)).
+Definition part (side : Side) (f : Fragment) (s : Splitter) : Fragment :=
+  {| shape := Split.part_of side (shape f) (plane s) (splitter s);
+     support := support f |}.
+
+Definition split (f : Fragment) (s : Splitter) : Fragment * Fragment :=
+  (part kPositive f s, part kNegative f s).
+
+Lemma split_shapes : forall f s,
+  (shape (fst (split f s)), shape (snd (split f s))) =
+  Split.split (shape f) (plane s) (splitter s).
+Proof. reflexivity. Qed.
 
 (** ** What a fragment is *)
 
@@ -119,19 +80,34 @@ Definition inside (f : Fragment) (q : Point) : Prop :=
   value_at (support f) q == 0 /\
   forall e, In e (edges f) -> 0 < value_at e q.
 
-Record valid (f : Fragment) : Prop := {
-  valid_normal : not_zero (support f);
-  valid_planar : forall v, In v (vertices f) ->
-    value_at (support f) v == 0;
-  (* what is inside lies between the vertices *)
-  valid_hull : forall q h, inside f q ->
-    (forall v, In v (vertices f) -> 0 <= value_at h v) -> 0 <= value_at h q;
-  (* it is bounded: nothing at infinity or beyond is inside *)
-  valid_bounded : forall q w,
-    (forall e, In e (edges f) -> 0 < value_of e q w) -> 0 < w
-}.
+Definition valid (f : Fragment) : Prop :=
+  polygon_ok (support f) (vertices f).
 
-(** *** A polygon is one *)
+Lemma edges_are : forall h l e, In e (edges_of h l) <->
+  exists p q, In (p, q) (round l) /\ e = edge_plane h p q.
+Proof.
+  intros h l e; destruct l as [|x l].
+  - split; [intros [] | intros (p & q & [] & _)].
+  - unfold edges_of, round; generalize ((x :: l) ++ [x]); clear x l.
+    induction l as [|p [|q l] IH].
+    + split; [intros [] | intros (p & q & [] & _)].
+    + split; [intros [] | intros (a & b & [] & _)].
+    + change (edges_along h (p :: q :: l)) with
+        (edge_plane h p q :: edges_along h (q :: l)).
+      change (along (p :: q :: l)) with ((p, q) :: along (q :: l)).
+      simpl In; rewrite IH; split.
+      * intros [E | (a & b & I & E)]; [exists p, q | exists a, b]; auto.
+      * intros (a & b & [E | I] & ->).
+        -- injection E as <- <-; auto.
+        -- right; exists a, b; auto.
+Qed.
+
+Theorem valid_normal : forall f, valid f -> not_zero (support f).
+Proof.
+  intros f V (X & Y & Z); destruct (ok_area _ _ V) as (p & q & v & _ & _ & L).
+  assert (value_at (edge_plane (support f) p q) v == 0); [|lra].
+  unfold value_at, edge_plane, cross, dot, normal; simpl; rewrite X, Y, Z; ring.
+Qed.
 
 Lemma turning : forall n g a b c,
   0 < dot n n -> dot n a == 0 -> dot n b == 0 -> dot n c == 0 ->
@@ -165,20 +141,6 @@ Lemma edge_turns : forall h p r q,
 Proof.
   intros; unfold value_at, edge_plane, dot, cross, difference, normal; simpl.
   ring.
-Qed.
-
-Lemma not_zero_square : forall h, not_zero h -> 0 < dot (normal h) (normal h).
-Proof.
-  intros h N; unfold dot, normal; simpl.
-  destruct (Qeq_dec (pa h) 0) as [A | A].
-  - destruct (Qeq_dec (pb h) 0) as [B | B].
-    + destruct (Qeq_dec (pc h) 0) as [C | C]; [exfalso; apply N; auto|].
-      assert (0 < pc h * pc h) by (destruct (Q_dec (pc h) 0) as [[|]|]; nra).
-      nra.
-    + assert (0 < pb h * pb h) by (destruct (Q_dec (pb h) 0) as [[|]|]; nra).
-      nra.
-  - assert (0 < pa h * pa h) by (destruct (Q_dec (pa h) 0) as [[|]|]; nra).
-    nra.
 Qed.
 
 Section Hull.
@@ -248,7 +210,7 @@ End Hull.
 Definition total_at (q : Point) (w : Q) (l : list Plane) : Q :=
   fold_right (fun e sum => value_of e q w + sum) 0 l.
 
-Definition origin : Point := {| px := 0; py := 0; pz := 0 |}.
+Definition origin : Point := Split.origin.
 
 Lemma total_along : forall h q w l p z,
   total_at q w (edges_along h (p :: l ++ [z])) ==
@@ -299,208 +261,52 @@ Proof.
   apply IH; [intros; apply H; simpl; auto | exists k; auto].
 Qed.
 
-(** S1.3, S2.2: a convex polygon is a fragment. *)
-Theorem whole_valid : forall id plane corners,
-  polygon_ok plane corners -> valid (whole id plane corners).
+(** S2.2: what is inside all edges lies between the vertices. *)
+Theorem valid_hull : forall f q h, valid f -> inside f q ->
+  (forall v, In v (vertices f) -> 0 <= value_at h v) -> 0 <= value_at h q.
 Proof.
-  intros id plane corners (A & B & (e & v & E & V & P)).
-  assert (not_zero plane) as N.
-  { intros (X & Y & Z).
-    assert (value_at e v == 0); [|lra].
-    assert (forall l, In e (edges_along plane l) -> value_at e v == 0) as H.
-    { clear - X Y Z; induction l as [|p [|r l] IH]; simpl in *; try tauto.
-      intros [<- | I]; [|auto].
-      rewrite edge_turns; unfold dot, normal; simpl; rewrite X, Y, Z; ring. }
-    destruct corners as [|p l]; [destruct E | exact (H _ E)]. }
-  constructor; simpl.
-  - exact N.
-  - exact A.
-  - intros q h [Q I] H; simpl in Q, I.
-    destruct (Qlt_le_dec (value_at h q) 0) as [L | L]; [exfalso | exact L].
-    apply (no_way_round plane h q N Q L corners).
-    + apply Forall_forall; intros u U; split; auto.
-    + intros ->; destruct V.
-    + now apply Forall_forall.
-  - intros q w H.
-    assert (0 < total_at q w (edges_of plane corners)) as T.
-    { apply total_positive; [intros k K; apply Qlt_le_weak; auto|].
-      exists e; auto. }
-    assert (0 < total_at v 1 (edges_of plane corners)) as U.
-    { apply total_positive; [intros k K; rewrite value_of_point; auto|].
-      exists e; rewrite value_of_point; auto. }
-    rewrite total_round in T; rewrite total_round in U.
-    destruct (Qlt_le_dec 0 w) as [L | L]; [exact L | exfalso; nra].
+  intros f q h V [P E] H.
+  destruct (Qlt_le_dec (value_at h q) 0) as [L | L]; [exfalso | exact L].
+  apply (no_way_round (support f) h q (valid_normal f V) P L (vertices f)).
+  - apply Forall_forall; intros u U; split; auto.
+    now apply (ok_planar _ _ V).
+  - intros N; destruct (ok_area _ _ V) as (p & a & v & _ & I & _).
+    rewrite N in I; destruct I.
+  - apply Forall_forall; exact E.
 Qed.
 
-(** *** The parts of a fragment are fragments *)
-
-Lemma meet_value : forall h k p q, 0 < value_at h p -> value_at h q < 0 ->
-  value_at k (meet h p q) * (value_at h p - value_at h q) ==
-  value_at k q * value_at h p - value_at k p * value_at h q.
+(** S4.5, no horizon test: nothing at infinity or beyond is inside. *)
+Theorem valid_bounded : forall f q w, valid f ->
+  (forall e, In e (edges f) -> 0 < value_of e q w) -> 0 < w.
 Proof.
-  intros h k p q P N; set (s := value_at h p) in *.
-  set (r := value_at h q) in *.
-  assert (value_at k (meet h p q) ==
-          value_at k p + (value_at k q - value_at k p) * (s / (s - r))) as E.
-  { unfold meet; fold s r; generalize (s / (s - r)); intros t.
-    unfold value_at; simpl; ring. }
-  rewrite E; field; lra.
+  intros f q w V H; destruct (ok_area _ _ V) as (a & b & v & E & I & P).
+  assert (In (edge_plane (support f) a b) (edges f)) as J.
+  { apply edges_are; exists a, b; auto. }
+  assert (0 < total_at q w (edges f)) as T.
+  { apply total_positive; [intros k K; apply Qlt_le_weak; auto|].
+    exists (edge_plane (support f) a b); auto. }
+  assert (0 < total_at v 1 (edges f)) as U.
+  { apply total_positive.
+    - intros k K; rewrite value_of_point; apply edges_are in K.
+      destruct K as (r & s & K & ->); now apply (ok_convex _ _ V).
+    - exists (edge_plane (support f) a b); rewrite value_of_point; auto. }
+  unfold edges in T, U; rewrite total_round in T; rewrite total_round in U.
+  destruct (Qlt_le_dec 0 w) as [L | L]; [exact L | exfalso; nra].
 Qed.
 
-Lemma crossings_in : forall h points v,
-  In v (crossings h points) <-> exists p q, In p points /\ In q points /\
-  0 < value_at h p /\ value_at h q < 0 /\ v = meet h p q.
+(** S2.L6: the parts of a fragment are fragments. *)
+Theorem split_valid : forall f s, valid f -> relation f s = rSpanning ->
+  valid (fst (split f s)) /\ valid (snd (split f s)).
 Proof.
-  intros h points v; unfold crossings; rewrite in_flat_map; split.
-  - intros (p & P & H); apply in_flat_map in H; destruct H as (q & Q & H).
-    exists p, q; unfold side_of in H.
-    destruct (sign (value_at h p)) eqn:A; try destruct H.
-    destruct (sign (value_at h q)) eqn:B; try destruct H; try easy.
-    apply sign_positive in A; apply sign_negative in B; auto.
-  - intros (p & q & P & Q & A & B & ->); exists p; split; [exact P|].
-    apply in_flat_map; exists q; split; [exact Q|]; unfold side_of.
-    apply sign_positive in A; apply sign_negative in B; rewrite A, B.
-    left; reflexivity.
-Qed.
-
-Lemma part_vertices : forall f h v, In v (vertices (part f h)) <->
-  In v (vertices f) /\ 0 <= value_at h v \/
-  In v (crossings h (vertices f)).
-Proof.
-  intros f h v; simpl; rewrite in_app_iff, filter_In.
-  assert (negb (side_eqb (side_of h v) kNegative) = true <->
-          0 <= value_at h v) as ->; [|tauto].
-  unfold side_of.
-  destruct (sign_cases (value_at h v)) as [[-> H] | [[-> H] | [-> H]]]; simpl;
-    split; try easy; intros; lra.
-Qed.
-
-(** Between lower bounds and upper bounds there is room, if no lower one is
-    above an upper one. *)
-Lemma between_bounds : forall lower upper : list Q,
-  (forall l u, In l lower -> In u upper -> l <= u) ->
-  (forall u, In u upper -> 0 <= u) ->
-  exists m, 0 <= m /\ (forall l, In l lower -> l <= m) /\
-            (forall u, In u upper -> m <= u).
-Proof.
-  induction lower as [|l lower IH]; intros upper H P.
-  - exists 0; split; [lra|]; split; [intros l []| exact P].
-  - destruct (IH upper) as (m & M & L & U); auto.
-    { intros; apply H; simpl; auto. }
-    exists (Qmax l m); pose proof (Q.le_max_l l m); pose proof (Q.le_max_r l m).
-    split; [lra|]; split.
-    + intros k [<- | K]; [lra | specialize (L k K); lra].
-    + intros u K; apply Q.max_lub; [apply H; simpl; auto | auto].
-Qed.
-
-Definition combined (k h : Plane) (m : Q) : Plane :=
-  {| pa := pa k - m * pa h; pb := pb k - m * pb h;
-     pc := pc k - m * pc h; pd := pd k - m * pd h |}.
-
-Lemma combined_value : forall k h m p,
-  value_at (combined k h m) p == value_at k p - m * value_at h p.
-Proof. intros; unfold value_at, combined; simpl; ring. Qed.
-
-Theorem part_valid : forall f h, valid f -> valid (part f h).
-Proof.
-  intros f h [N P H B]; constructor.
-  - exact N.
-  - intros v V; apply part_vertices in V; simpl.
-    destruct V as [[V _] | V]; [auto|].
-    apply crossings_in in V; destruct V as (p & q & A & C & Hp & Hq & ->).
-    pose proof (meet_value h (support f) p q Hp Hq) as E.
-    rewrite (P p A), (P q C) in E.
-    assert (value_at (support f) (meet h p q) *
-            (value_at h p - value_at h q) == 0) as F by lra.
-    apply Qmult_integral in F; destruct F; [assumption | lra].
-  - intros q k [Q I] K; simpl in Q, I.
-    assert (0 < value_at h q) as Hq by auto.
-    set (positive := filter (fun v => side_eqb (side_of h v) kPositive)
-                       (vertices f)).
-    set (negative := filter (fun v => side_eqb (side_of h v) kNegative)
-                       (vertices f)).
-    assert (forall v, In v positive <->
-            In v (vertices f) /\ 0 < value_at h v) as Ip.
-    { intros v; unfold positive, side_of; rewrite filter_In, side_eqb_eq.
-      now rewrite sign_positive. }
-    assert (forall v, In v negative <->
-            In v (vertices f) /\ value_at h v < 0) as In'.
-    { intros v; unfold negative, side_of; rewrite filter_In, side_eqb_eq.
-      now rewrite sign_negative. }
-    destruct (between_bounds
-      (map (fun v => value_at k v / value_at h v) negative)
-      (map (fun v => value_at k v / value_at h v) positive))
-      as (m & M & L & U).
-    + intros l u Hl Hu; apply in_map_iff in Hl, Hu.
-      destruct Hl as (b & <- & Hb), Hu as (a & <- & Ha).
-      apply Ip in Ha; apply In' in Hb; destruct Ha as [Va Ha], Hb as [Vb Hb].
-      pose proof (meet_value h k a b Ha Hb) as E.
-      assert (0 <= value_at k (meet h a b)) as Km.
-      { apply K, part_vertices; right; apply crossings_in; exists a, b; auto. }
-      assert (0 <= value_at k (meet h a b) *
-              (value_at h a - value_at h b)) as F.
-      { apply Qmult_le_0_compat; lra. }
-      setoid_replace (value_at k b / value_at h b)
-        with (- value_at k b / - value_at h b) by (field; lra).
-      apply Qle_shift_div_l; [exact Ha|].
-      setoid_replace (- value_at k b / - value_at h b * value_at h a)
-        with (- value_at k b * value_at h a / - value_at h b) by (field; lra).
-      apply Qle_shift_div_r; lra.
-    + intros u Hu; apply in_map_iff in Hu; destruct Hu as (a & <- & Ha).
-      apply Ip in Ha; destruct Ha as [Va Ha].
-      apply Qle_shift_div_l; [exact Ha|].
-      assert (0 <= value_at k a); [|lra].
-      apply K, part_vertices; left; split; [exact Va | lra].
-    + assert (0 <= value_at (combined k h m) q) as F.
-      { apply H; [split; auto|]; intros v V; rewrite combined_value.
-        destruct (Q_dec (value_at h v) 0) as [[D | D] | D].
-        - specialize (L (value_at k v / value_at h v)).
-          assert (value_at k v / value_at h v <= m) as L'.
-          { apply L, in_map_iff; exists v; split; [reflexivity|].
-            apply In'; auto. }
-          assert (value_at k v == value_at k v / value_at h v * value_at h v)
-            as E by (field; lra).
-          set (r := value_at k v / value_at h v) in *; nra.
-        - specialize (U (value_at k v / value_at h v)).
-          assert (m <= value_at k v / value_at h v) as U'.
-          { apply U, in_map_iff; exists v; split; [reflexivity|].
-            apply Ip; auto. }
-          assert (value_at k v == value_at k v / value_at h v * value_at h v)
-            as E by (field; lra).
-          set (r := value_at k v / value_at h v) in *; nra.
-        - assert (0 <= value_at k v).
-          { apply K, part_vertices; left; split; [exact V | lra]. }
-          rewrite D; lra. }
-      rewrite combined_value in F; nra.
-  - intros q w E; apply (B q w); intros e I; apply E; simpl; auto.
-Qed.
-
-Theorem split_valid : forall f h, valid f -> relation f h = rSpanning ->
-  valid (fst (split f h)) /\ valid (snd (split f h)).
-Proof. intros f h V _; split; now apply part_valid. Qed.
-
-(** ** Sides of a fragment's vertices *)
-
-Lemma some_side : forall f h side,
-  existsb (fun v => side_eqb (side_of h v) side) (vertices f) = true <->
-  exists v, In v (vertices f) /\ side_of h v = side.
-Proof.
-  intros f h side; rewrite existsb_exists.
-  split; intros (v & V & S); exists v; split; auto; now apply side_eqb_eq.
-Qed.
-
-Lemma no_side : forall f h side,
-  existsb (fun v => side_eqb (side_of h v) side) (vertices f) = false ->
-  forall v, In v (vertices f) -> side_of h v <> side.
-Proof.
-  intros f h side E v V S.
-  assert (existsb (fun v => side_eqb (side_of h v) side) (vertices f) = true);
-    [apply some_side; exists v; auto | congruence].
+  intros f s V R; split;
+    apply (parts_are_convex_polygons (support f) (plane s) (shape f)
+             (valid_normal f V) V R); discriminate.
 Qed.
 
 (** S2.1: what the relation says of the vertices. *)
-Theorem relation_vertices : forall f h,
-  match relation f h with
+Theorem relation_vertices : forall f s,
+  let h := plane s in
+  match relation f s with
   | rPositive => (forall v, In v (vertices f) -> 0 <= value_at h v) /\
                  exists v, In v (vertices f) /\ 0 < value_at h v
   | rNegative => (forall v, In v (vertices f) -> value_at h v <= 0) /\
@@ -510,82 +316,111 @@ Theorem relation_vertices : forall f h,
                  exists v, In v (vertices f) /\ value_at h v < 0
   end.
 Proof.
-  intros f h; unfold relation.
-  assert (forall v, side_of h v <> kNegative -> 0 <= value_at h v) as A.
-  { intros v; unfold side_of; rewrite sign_negative; intros; lra. }
-  assert (forall v, side_of h v <> kPositive -> value_at h v <= 0) as B.
-  { intros v; unfold side_of; rewrite sign_positive; intros; lra. }
-  destruct (existsb _ (vertices f)) eqn:P at 1;
-    destruct (existsb (fun v => side_eqb (side_of h v) kNegative) (vertices f))
-      eqn:N.
-  all: try (apply some_side in P; destruct P as (p & P & Sp);
-            apply sign_positive in Sp).
-  all: try (apply some_side in N; destruct N as (q & N & Sn);
-            apply sign_negative in Sn).
-  all: try pose proof (no_side f h kPositive P) as P'.
-  all: try pose proof (no_side f h kNegative N) as N'.
-  - split; [exists p | exists q]; auto.
-  - split; [intros v V; apply A, N', V | exists p; auto].
-  - split; [intros v V; apply B, P', V | exists q; auto].
-  - intros v V; specialize (A v (N' v V)); specialize (B v (P' v V)); lra.
+  intros f s h; unfold relation, Split.relation.
+  destruct (Split.relation_is_the_table (Split.sides_of (shape f) (plane s)))
+    as (P & N & C & S).
+  assert (forall side, In side (Split.sides_of (shape f) (plane s)) <->
+          exists v, In v (vertices f) /\ side_of h v = side) as I.
+  { intros side; unfold Split.sides_of; rewrite in_map_iff.
+    split; intros (v & A & B); exists v; auto. }
+  rewrite !I in *; clear I.
+  assert (forall v, side_of h v = kPositive <-> 0 < value_at h v) as Sp.
+  { intros; apply sign_positive. }
+  assert (forall v, side_of h v = kNegative <-> value_at h v < 0) as Sn.
+  { intros; apply sign_negative. }
+  destruct (Split.relation_of _) eqn:E.
+  - destruct (proj1 P eq_refl) as [A (v & V & L)]; split.
+    + intros u U; destruct (Qlt_le_dec (value_at h u) 0); [|assumption].
+      exfalso; apply A; exists u; split; [exact U | now apply Sn].
+    + exists v; split; [exact V | now apply Sp].
+  - destruct (proj1 N eq_refl) as [A (v & V & L)]; split.
+    + intros u U; destruct (Qlt_le_dec 0 (value_at h u)); [|assumption].
+      exfalso; apply A; exists u; split; [exact U | now apply Sp].
+    + exists v; split; [exact V | now apply Sn].
+  - intros v V; apply sign_on; apply (proj1 C eq_refl).
+    unfold Split.sides_of; apply in_map_iff; exists v; auto.
+  - destruct (proj1 S eq_refl) as [(u & U & L) (v & V & M)]; split.
+    + exists u; split; [exact U | now apply Sp].
+    + exists v; split; [exact V | now apply Sn].
 Qed.
 
 (** A fragment lies in its own plane. *)
-Theorem own_plane : forall f, valid f -> relation f (support f) = rCoincident.
+Theorem own_plane : forall f, valid f ->
+  relation f (splitter_of f) = rCoincident.
 Proof.
-  intros f V; pose proof (relation_vertices f (support f)) as R.
-  pose proof (valid_planar f V) as P.
-  destruct (relation f (support f)); try reflexivity; exfalso.
+  intros f V; pose proof (relation_vertices f (splitter_of f)) as R.
+  pose proof (ok_planar _ _ V) as P; simpl in R.
+  destruct (relation f (splitter_of f)); try reflexivity; exfalso.
   - destruct R as [_ (v & I & H)]; specialize (P v I); lra.
   - destruct R as [_ (v & I & H)]; specialize (P v I); lra.
   - destruct R as [(v & I & H) _]; specialize (P v I); lra.
 Qed.
 
-(** S2.L5: the points of a fragment that are off the splitter are those of its
-    parts. *)
-Theorem part_inside : forall f h q,
-  inside (part f h) q <-> inside f q /\ 0 < value_at h q.
-Proof.
-  intros f h q; unfold inside; simpl; split.
-  - intros [P E]; repeat split; auto.
-  - intros [[P E] H]; split; [exact P|]; intros e [<- | I]; auto.
-Qed.
+(** ** The corners of a part *)
+
+Lemma part_corners_are : forall side f s, side <> kOn ->
+  vertices (part side f s) = corners_of side (plane s) (vertices f).
+Proof. intros; now apply walk_emits. Qed.
+
+Lemma spanning_both : forall side f s, side <> kOn ->
+  relation f s = rSpanning ->
+  (exists v, In v (vertices f) /\ 0 < value_at (toward side (plane s)) v) /\
+  (exists v, In v (vertices f) /\ value_at (toward side (plane s)) v < 0).
+Proof. intros; now apply spans. Qed.
 
 (** Every vertex of a part is on its side, or on the splitter; it is a vertex
     of the fragment, or lies on the splitter between two of them. *)
-Lemma part_vertex : forall f h v, valid f -> In v (vertices (part f h)) ->
-  0 <= value_at h v /\
-  (In v (vertices f) \/ value_at h v == 0 /\ exists p q t,
-     In p (vertices f) /\ In q (vertices f) /\
-     px v == px p + (px q - px p) * t /\ py v == py p + (py q - py p) * t /\
-     pz v == pz p + (pz q - pz p) * t).
+Lemma part_vertex : forall side f s v, valid f -> side <> kOn ->
+  relation f s = rSpanning -> In v (vertices (part side f s)) ->
+  0 <= value_at (toward side (plane s)) v /\ exists p q t,
+  In (p, q) (round (vertices f)) /\ 0 <= t <= 1 /\ at_ t p q v /\
+  (In v (vertices f) \/ value_at (toward side (plane s)) v == 0).
 Proof.
-  intros f h v _ I; apply part_vertices in I; destruct I as [[I P] | I];
-    [auto|].
-  apply crossings_in in I; destruct I as (p & q & Ip & Iq & P & N & ->).
-  pose proof (meet_value h h p q P N) as E.
-  assert (value_at h (meet h p q) == 0) as Z.
-  { apply Qmult_integral_l with (value_at h p - value_at h q); [lra|].
-    rewrite Qmult_comm, E; ring. }
-  split; [rewrite Z; lra|]; right; split; [exact Z|].
-  exists p, q, (value_at h p / (value_at h p - value_at h q)).
-  repeat split; auto; reflexivity.
+  intros side f s v V N R I; rewrite part_corners_are in I by exact N.
+  destruct (spanning_both side f s N R) as [A B].
+  exact (part_corner (toward side (plane s)) (vertices f)
+    (crossing_point (plane s)) (crossing_at side (plane s)) v I).
 Qed.
 
-Lemma part_keeps : forall f h v, In v (vertices f) -> 0 <= value_at h v ->
-  In v (vertices (part f h)).
-Proof. intros; apply part_vertices; auto. Qed.
-
-Lemma part_is_cut : forall f h, valid f -> relation f h = rSpanning ->
-  exists v, In v (vertices (part f h)) /\ value_at h v == 0.
+Lemma part_keeps : forall side f s v, valid f -> side <> kOn ->
+  relation f s = rSpanning -> In v (vertices f) ->
+  0 < value_at (toward side (plane s)) v -> In v (vertices (part side f s)).
 Proof.
-  intros f h _ R; pose proof (relation_vertices f h) as S; rewrite R in S.
-  destruct S as [(p & Ip & P) (q & Iq & N)].
-  exists (meet h p q); split.
-  - apply part_vertices; right; apply crossings_in; exists p, q; auto.
-  - pose proof (meet_value h h p q P N) as E.
-    apply Qmult_integral_l with (value_at h p - value_at h q); [lra|].
-    rewrite Qmult_comm, E; ring.
+  intros side f s v V N R I L; rewrite part_corners_are by exact N.
+  now apply Convex.part_keeps.
+Qed.
+
+Lemma part_is_cut : forall side f s, valid f -> side <> kOn ->
+  relation f s = rSpanning ->
+  exists v, In v (vertices (part side f s)) /\ value_at (plane s) v == 0.
+Proof.
+  intros side f s V N R; rewrite part_corners_are by exact N.
+  destruct (spanning_both side f s N R) as [A B].
+  destruct (part_has_exit (toward side (plane s)) (vertices f) A B
+    (crossing_point (plane s)) (crossing_at side (plane s)))
+    as (x & X & (_ & _ & _ & _ & _ & _ & _ & _ & Z)).
+  exists x; split; [exact X|].
+  destruct side; simpl in Z; rewrite ?value_at_reversed in Z; lra.
+Qed.
+
+(** Every edge of a part is a share of an edge of the fragment or, within its
+    plane, of the splitter. *)
+Lemma part_edge : forall side f s a b, valid f -> side <> kOn ->
+  relation f s = rSpanning -> In (a, b) (round (vertices (part side f s))) ->
+  exists c e, 0 < c /\
+  (In e (edges f) \/ e = toward side (plane s)) /\
+  forall v, value_at (support f) v == 0 ->
+  value_at (edge_plane (support f) a b) v == c * value_at e v.
+Proof.
+  intros side f s a b V N R I; rewrite part_corners_are in I by exact N.
+  destruct (spanning_both side f s N R) as [A B].
+  destruct (Convex.part_edge (support f) (toward side (plane s)) (vertices f)
+    (valid_normal f V) V A B (crossing_point (plane s))
+    (crossing_at side (plane s)) a b I) as (c & C & [(p & q & E & H) | H]).
+  - exists c, (edge_plane (support f) p q); split; [exact C|]; split; [left|].
+    + apply edges_are; exists p, q; auto.
+    + intros v _; apply H.
+  - exists c, (toward side (plane s)); auto.
 Qed.
 
 (** ** Scenes *)
@@ -611,5 +446,4 @@ Lemma polygons_valid : forall scene, scene_ok scene ->
 Proof.
   unfold polygons_of; generalize 0%Z; intros id scene O; revert id.
   induction O as [|[plane corners] scene P _ IH]; intros id; simpl; auto.
-  constructor; [now apply whole_valid | apply IH].
 Qed.

@@ -3,9 +3,13 @@
     What [Order.v] asks of the geometry, for every camera and every pixel. *)
 
 From Coq Require Import QArith Lqa Lia List Bool.
-From Halfspace Require Import Base Sample Scene.
+From Halfspace Require Import Base Sample Convex Scene.
 Import ListNotations.
 Open Scope Q_scope.
+
+(* Coq compares terms by their words before it computes with numbers. *)
+Local Strategy 100 [sign_at_sample at_image Sample.covers value_of value_at
+  edges edges_of edge_plane round Qplus Qmult Qopp Qinv Qcompare].
 
 (** ** Cameras *)
 
@@ -186,6 +190,23 @@ Proof.
   rewrite sign_at_sample_negated; destruct (sign_at_sample f i j); simpl; easy.
 Qed.
 
+(** S4.5, by the sides on which the ray meets the edges. *)
+Lemma covers_edges : forall f, covers f = true <->
+  eye_side (support f) <> kOn /\ not_culled (support f) = true /\
+  beyond_near (support f) = true /\
+  forall e, In e (edges f) -> side_at f e = kPositive.
+Proof.
+  intros f; unfold covers; rewrite !andb_true_iff, negb_true_iff, covers_all.
+  assert (side_eqb (eye_side (support f)) kOn = false <->
+          eye_side (support f) <> kOn) as ->.
+  { destruct (eye_side (support f)); simpl; split; easy. }
+  split.
+  - intros [[[A B] C] D]; repeat split; auto; intros e E.
+    unfold side_at; apply D, in_map_iff; exists e; auto.
+  - intros (A & B & C & D); repeat split; auto; intros k K.
+    apply in_map_iff in K; destruct K as (e & <- & E).
+    unfold side_at in D; exact (D e E).
+Qed.
 
 (** A fragment that covers the sample is met off every plane that does not hold
     all its vertices. *)
@@ -194,12 +215,10 @@ Lemma off_plane : forall f h v, valid f -> covers f = true ->
 Proof.
   intros f h v V C I N S; unfold side_at in S; apply oriented_on in S.
   apply edge_never_on_sample in S; destruct S as (A & B & D & E).
-  unfold covers in C; rewrite !andb_true_iff, negb_true_iff in C.
-  destruct C as [[[C _] _] _].
+  apply covers_edges in C; destruct C as [C _].
   assert (~ at_eye (support f) == 0) as M.
-  { intros M; apply sign_on in M; unfold eye_side in C; rewrite M in C.
-    discriminate. }
-  pose proof (valid_planar f V v I) as P.
+  { intros M; apply C, sign_on, M. }
+  pose proof (ok_planar _ _ V v I) as P.
   assert (at_eye (support f) * value_at h v ==
           at_eye h * value_at (support f) v) as F.
   { revert A B D E; unfold value_at.
@@ -270,48 +289,65 @@ Qed.
 (** The planes of all points, and of the points at infinity. *)
 Definition weight_plane : Plane := {| pa := 0; pb := 0; pc := 0; pd := 1 |}.
 
+(** A ray that sees a fragment meets it in a point inside, which is on the side
+    of every plane that the sample tells, of any number of planes. *)
+Theorem hit_is_a_point : forall f planes, valid f -> covers f = true ->
+  exists p, inside f p /\
+  forall h, In h planes -> side_of h p = side_at f h.
+Proof.
+  intros f planes V C; set (P := support f) in *.
+  unfold covers in C; rewrite !andb_true_iff in C; destruct C as [_ C].
+  rewrite Sample.covers_all in C.
+  destruct (sample_is_a_point
+    (map (fun e => oriented P (cut P e)) (planes ++ edges f)) i j)
+    as (t & T & K).
+  set (X := centre i + t) in *; set (Y := centre j + t * t) in *.
+  set (q := hit_point P X Y); set (w := hit_weight P X Y).
+  assert (forall e, In e (planes ++ edges f) ->
+          sign (value_of e q w) = side_at f e) as S.
+  { intros e I; unfold side_at; fold P.
+    rewrite <- (K (oriented P (cut P e))) by
+      (apply in_map_iff; exists e; auto).
+    apply sign_proper; unfold q, w; apply hit_value. }
+  assert (forall e, In e (edges f) -> 0 < value_of e q w) as E.
+  { intros e I; apply sign_positive; rewrite S by (apply in_or_app; auto).
+    apply C; apply in_map_iff; exists e; auto. }
+  assert (0 < w) as W by exact (valid_bounded f q w V E).
+  set (p := {| px := px q / w; py := py q / w; pz := pz q / w |}).
+  assert (forall k, value_of k q w == w * value_at k p) as R.
+  { intros k; unfold value_of, value_at, dot, normal, p; simpl; field; lra. }
+  exists p; split; [split|].
+  - fold P; assert (value_of P q w == 0) as Z.
+    { unfold q, w; rewrite hit_value.
+      assert (forall X Y, at_image (cut P P) X Y == 0) as Z.
+      { intros; unfold at_image, cut, add, scale; simpl; ring. }
+      unfold oriented; destruct (eye_side P); rewrite ?Z; try reflexivity.
+      assert (at_image (negated (cut P P)) X Y == - at_image (cut P P) X Y)
+        as -> by (unfold at_image, negated, scale; simpl; ring).
+      rewrite Z; ring. }
+    rewrite R in Z; apply Qmult_integral in Z; destruct Z; [lra | assumption].
+  - intros e I; specialize (E e I); rewrite R in E.
+    destruct (Qlt_le_dec 0 (value_at e p)) as [L | L]; [exact L|].
+    exfalso; nra.
+  - intros h I; rewrite <- (S h) by (apply in_or_app; auto).
+    unfold side_of; pose proof (R h) as Rh.
+    destruct (sign_cases (value_at h p)) as [[-> L] | [[-> L] | [-> L]]];
+      symmetry.
+    + apply sign_negative; nra.
+    + apply sign_on; rewrite Rh, L; ring.
+    + apply sign_positive; nra.
+Qed.
+
 (** What is not negative at a fragment's vertices is not negative where a ray
     meets it. *)
 Lemma hit_between_vertices : forall f h, valid f -> covers f = true ->
   (forall v, In v (vertices f) -> 0 <= value_at h v) ->
   side_at f h <> kNegative.
 Proof.
-  intros f h V C H S; set (P := support f) in *.
-  unfold covers in C; rewrite !andb_true_iff in C; destruct C as [_ C].
-  rewrite Sample.covers_all in C.
-  destruct (sample_is_a_point
-    (oriented P (cut P h) :: map (fun e => oriented P (cut P e)) (edges f)) i j)
-    as (t & T & K).
-  set (X := centre i + t) in *; set (Y := centre j + t * t) in *.
-  set (q := hit_point P X Y); set (w := hit_weight P X Y).
-  assert (forall e, In e (edges f) -> 0 < value_of e q w) as E.
-  { intros e I; unfold q, w; rewrite hit_value; apply sign_positive.
-    assert (In (oriented P (cut P e))
-               (map (fun e => oriented P (cut P e)) (edges f))) as M.
-    { apply in_map_iff; exists e; auto. }
-    rewrite <- (C _ M); apply K; right; exact M. }
-  assert (value_of h q w < 0) as N.
-  { unfold q, w; rewrite hit_value; apply sign_negative.
-    rewrite <- S; apply K; left; reflexivity. }
-  assert (0 < w) as W by exact (valid_bounded f V q w E).
-  set (p := {| px := px q / w; py := py q / w; pz := pz q / w |}).
-  assert (forall k, value_of k q w == w * value_at k p) as R.
-  { intros k; unfold value_of, value_at, dot, normal, p; simpl; field; lra. }
-  assert (0 <= value_at h p) as G.
-  { apply (valid_hull f V); [split | exact H].
-    - fold P; assert (value_of P q w == 0) as Z.
-      { unfold q, w; rewrite hit_value.
-        assert (forall X Y, at_image (cut P P) X Y == 0) as Z.
-        { intros; unfold at_image, cut, add, scale; simpl; ring. }
-        unfold oriented; destruct (eye_side P); rewrite ?Z; try reflexivity.
-        assert (at_image (negated (cut P P)) X Y == - at_image (cut P P) X Y)
-          as -> by (unfold at_image, negated, scale; simpl; ring).
-        rewrite Z; ring. }
-      rewrite R in Z; apply Qmult_integral in Z; destruct Z; [lra | assumption].
-    - intros e I; specialize (E e I); rewrite R in E.
-      destruct (Qlt_le_dec 0 (value_at e p)) as [L | L]; [exact L|].
-      exfalso; nra. }
-  rewrite R in N; nra.
+  intros f h V C H S.
+  destruct (hit_is_a_point f [h] V C) as (p & I & K).
+  specialize (K h (or_introl eq_refl)); rewrite S in K.
+  apply sign_negative in K; pose proof (valid_hull f p h V I H); lra.
 Qed.
 
 Lemma side_at_reversed : forall f h,
@@ -327,15 +363,15 @@ Qed.
 
 (** S2.1, S4.5: the relation of a fragment to a plane says on which side of the
     plane every ray meets it. *)
-Theorem relation_side_at : forall f h, valid f -> covers f = true ->
-  match relation f h with
-  | rPositive => side_at f h = kPositive
-  | rNegative => side_at f h = kNegative
-  | rCoincident => side_at f h = kOn
+Theorem relation_side_at : forall f s, valid f -> covers f = true ->
+  match relation f s with
+  | rPositive => side_at f (plane s) = kPositive
+  | rNegative => side_at f (plane s) = kNegative
+  | rCoincident => side_at f (plane s) = kOn
   | rSpanning => True
   end.
 Proof.
-  intros f h V C.
+  intros f s V C; set (h := plane s).
   assert (forall k, (forall v, In v (vertices f) -> 0 <= value_at k v) ->
           side_at f k <> kNegative) as H.
   { intros k; now apply hit_between_vertices. }
@@ -346,7 +382,8 @@ Proof.
     exfalso; apply H; [|reflexivity].
     intros v I; rewrite value_at_reversed; specialize (L v I); lra. }
   specialize (H h); pose proof (off_plane f h) as O.
-  pose proof (relation_vertices f h) as R; destruct (relation f h); auto.
+  pose proof (relation_vertices f s) as R; fold h in R.
+  destruct (relation f s); auto.
   - destruct R as [R (v & I & L)]; specialize (H R).
     specialize (O v V C I ltac:(lra)).
     destruct (side_at f h); congruence.
@@ -360,32 +397,107 @@ Proof.
     specialize (H A); specialize (H' B); destruct (side_at f h); congruence.
 Qed.
 
+Lemma side_at_part : forall side f s k,
+  side_at (part side f s) k = side_at f k.
+Proof.
+  intros; unfold side_at.
+  change (support (part side f s)) with (support f); reflexivity.
+Qed.
+
+(** A part covers what its fragment covers on its side of the splitter: the
+    edges that it lost have nothing of it outside. *)
+Lemma part_covers : forall side f s, valid f -> side <> kOn ->
+  relation f s = rSpanning ->
+  covers (part side f s) = true <->
+  covers f = true /\ side_at f (toward side (plane s)) = kPositive.
+Proof.
+  intros side f s V N R.
+  assert (valid (part side f s)) as W.
+  { destruct (split_valid f s V R); destruct side; easy. }
+  destruct (spanning_both side f s N R) as [(u & U & Lu) _].
+  pose proof (Scene.part_keeps side f s u V N R U Lu) as Iu.
+  split.
+  - intros C.
+    assert (forall k, (forall v, In v (vertices (part side f s)) ->
+            0 <= value_at k v) ->
+            (exists v, In v (vertices (part side f s)) /\ 0 < value_at k v) ->
+            side_at f k = kPositive) as K.
+    { intros k H (v & I & L).
+      pose proof (side_at_part side f s k) as E.
+      pose proof (hit_between_vertices _ k W C H) as A.
+      pose proof (off_plane _ k v W C I ltac:(lra)) as B.
+      rewrite E in A, B; destruct (side_at f k); easy. }
+    split.
+    + rewrite covers_edges in C; rewrite covers_edges.
+      destruct C as (C1 & C2 & C3 & C4); repeat split; auto.
+      intros e E; apply edges_are in E; destruct E as (p & q & E & ->).
+      assert (forall v, In v (vertices (part side f s)) ->
+              0 <= value_at (edge_plane (support f) p q) v) as H.
+      { intros v I; destruct (part_vertex side f s v V N R I) as
+          (_ & a & b & t & F & T & A & _).
+        exact (at_edge_area (support f) (vertices f) V p q a b t v E F T A). }
+      apply K; [exact H|].
+      (* else the part would be on one line *)
+      destruct (ok_area _ _ W) as (a & b & v & Eab & Iv & L).
+      destruct (round_ends _ _ _ Eab) as [Ia Ib].
+      destruct (Qlt_le_dec 0 (value_at (edge_plane (support f) p q) a));
+        [exists a; auto|].
+      destruct (Qlt_le_dec 0 (value_at (edge_plane (support f) p q) b));
+        [exists b; auto|].
+      destruct (Qlt_le_dec 0 (value_at (edge_plane (support f) p q) v));
+        [exists v; auto|].
+      exfalso; pose proof (H a Ia); pose proof (H b Ib); pose proof (H v Iv).
+      destruct (edge_planar (support f) (vertices f) V p q E) as [Pp Pq].
+      pose proof (valid_normal f V) as Nz.
+      destruct (point_beside (support f) p q Nz Pp Pq (ok_apart _ _ V p q E))
+        as (z & Z & M).
+      pose proof (four_points (support f) (edge_plane (support f) p q) a b v z
+        Nz (ok_planar _ _ W a Ia) (ok_planar _ _ W b Ib)
+        (ok_planar _ _ W v Iv) Z) as D.
+      assert (value_at (edge_plane (support f) p q) a == 0) as Za by lra.
+      assert (value_at (edge_plane (support f) p q) b == 0) as Zb by lra.
+      assert (value_at (edge_plane (support f) p q) v == 0) as Zv by lra.
+      rewrite Za, Zb, Zv in D.
+      assert (area (support f) a b v * area (support f) p q z == 0) as D'.
+      { unfold area at 2; lra. }
+      apply Qmult_integral in D'; destruct D' as [D' | D'];
+        [|contradiction].
+      unfold area in D'; change (support (part side f s)) with (support f) in L.
+      lra.
+    + apply K; [|exists u; auto].
+      intros v I; now destruct (part_vertex side f s v V N R I).
+  - intros [C S]; rewrite covers_edges in C |- *.
+    destruct C as (C1 & C2 & C3 & C4); repeat split; auto.
+    intros e E; apply edges_are in E; destruct E as (a & b & E & ->).
+    destruct (Scene.part_edge side f s a b V N R E) as (c & k & C & K & H).
+    assert (covers f = true) as Cf by (apply covers_edges; auto).
+    destruct (hit_is_a_point f [edge_plane (support f) a b; k] V Cf)
+      as (p & [P _] & Q).
+    rewrite side_at_part; change (support (part side f s)) with (support f).
+    rewrite <- (Q (edge_plane (support f) a b)) by now left.
+    assert (side_of k p = kPositive) as Sk.
+    { rewrite (Q k) by (right; now left).
+      destruct K as [K | ->]; [now apply C4 | exact S]. }
+    apply sign_positive in Sk; apply sign_positive; rewrite (H p P); nra.
+Qed.
+
 (** S4.L8: every sample of a fragment is in exactly one of its parts, on that
     part's side of the splitter. *)
-Theorem split_covers : forall f h, valid f -> relation f h = rSpanning ->
-  covers f = xorb (covers (fst (split f h))) (covers (snd (split f h))) /\
-  (covers (fst (split f h)) = true -> side_at f h = kPositive) /\
-  (covers (snd (split f h)) = true -> side_at f h = kNegative).
+Theorem split_covers : forall f s, valid f -> relation f s = rSpanning ->
+  covers f = xorb (covers (fst (split f s))) (covers (snd (split f s))) /\
+  (covers (fst (split f s)) = true -> side_at f (plane s) = kPositive) /\
+  (covers (snd (split f s)) = true -> side_at f (plane s) = kNegative).
 Proof.
-  intros f h V R.
-  assert (forall k, covers (part f k) =
-          side_eqb (side_at f k) kPositive && covers f) as P.
-  { intros k; unfold covers, side_at.
-    change (support (part f k)) with (support f).
-    change (edges (part f k)) with (k :: edges f).
-    rewrite map_cons; unfold Sample.covers; cbn [forallb].
-    generalize (side_eqb (sign_at_sample (oriented (support f)
-      (cut (support f) k)) i j) kPositive).
-    generalize (negb (side_eqb (eye_side (support f)) kOn)).
-    generalize (not_culled (support f)) (beyond_near (support f)).
-    intros [] [] [] []; reflexivity. }
-  unfold split; cbn [fst snd]; rewrite !P, side_at_reversed.
-  destruct (covers f) eqn:C.
-  - pose proof (relation_vertices f h) as Q; rewrite R in Q.
-    destruct Q as [(v & I & L) _].
-    pose proof (off_plane f h v V C I ltac:(lra)) as N.
-    destruct (side_at f h); simpl; repeat split; try easy; congruence.
-  - rewrite !andb_false_r; repeat split; discriminate.
+  intros f s V R; unfold split; cbn [fst snd].
+  pose proof (part_covers kPositive f s V ltac:(discriminate) R) as P.
+  pose proof (part_covers kNegative f s V ltac:(discriminate) R) as N.
+  cbn [toward] in P, N; rewrite side_at_reversed in N.
+  pose proof (relation_vertices f s) as Q; rewrite R in Q.
+  destruct Q as [(v & I & L) _].
+  assert (covers f = true -> side_at f (plane s) <> kOn) as O.
+  { intros C; apply (off_plane f (plane s) v V C I); lra. }
+  destruct (covers (part kPositive f s)), (covers (part kNegative f s)),
+    (covers f), (side_at f (plane s)); simpl in *; intuition congruence.
 Qed.
 
 (** ** The order of depths *)
