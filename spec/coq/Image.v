@@ -1,10 +1,11 @@
-(** * S5.5: the algorithms agree.
+(** * S3, S5.5: trees have the points of their scenes, and the algorithms agree.
 
-    The programs of [Order.v] with the polygons of [Scene.v] and the cameras of
-    [View.v]: nothing is left to be assumed. *)
+    The programs of [Tree.v] and [Order.v] with the polygons of [Scene.v] and
+    the cameras of [View.v]: nothing is left to be assumed. *)
 
 From Coq Require Import QArith Lia List Permutation.
 From Halfspace Require Import Base Convex Tree Order Scene View.
+From Halfspace Require Split.
 Import ListNotations.
 
 Section Image.
@@ -32,6 +33,51 @@ Definition build_scene (choose_root : list Side -> list Fragment -> nat)
 Definition insert_scene (polygons : list Fragment) : Tree :=
   Tree.insert_all Fragment Splitter source splitter_of relation split polygons
     Nothing.
+
+(** ** Trees have the points of their scenes *)
+
+Definition has (r : Point) (f : Fragment) : Prop := Split.inside (vertices f) r.
+
+Lemma split_has : forall r f s, valid f -> relation f s = rSpanning ->
+  (has r f <-> has r (fst (split f s)) \/ has r (snd (split f s))).
+Proof.
+  intros r f s V R.
+  apply (Split.parts_make_up_the_polygon (shape f) (plane s) (splitter s) r).
+  exact (parts_share_all_of_the_section (support f) (plane s) (shape f)
+           (valid_normal f V) V R (splitter s)).
+Qed.
+
+(** S3.5: a built tree loses and invents no point of space. *)
+Theorem built_tree_has_the_points : forall choose_root scene r,
+  scene_ok scene ->
+  Exists (has r) (fragments (build_scene choose_root scene)) <->
+  Exists (has r) (polygons_of scene).
+Proof.
+  intros choose_root scene r O.
+  apply (build_has Fragment Splitter source splitter_of relation split
+    choose_root valid own_plane split_valid (has r) (split_has r)).
+  now apply polygons_valid.
+Qed.
+
+(** S3.6: nor does a tree made by insertion, in any order. *)
+Theorem inserted_tree_has_the_points : forall scene polygons r,
+  scene_ok scene -> Permutation polygons (polygons_of scene) ->
+  Exists (has r) (fragments (insert_scene polygons)) <->
+  Exists (has r) (polygons_of scene).
+Proof.
+  intros scene polygons r O P; unfold insert_scene.
+  rewrite (insert_all_has Fragment Splitter source splitter_of relation split
+    valid split_valid (has r) (split_has r)).
+  - simpl; rewrite Exists_nil, !Exists_exists.
+    split; [intros [(f & I & H) | []] | intros (f & I & H); left]; exists f;
+      split; auto; [now apply (Permutation_in f P)|].
+    now apply (Permutation_in f (Permutation_sym P)).
+  - apply Forall_forall; intros f F.
+    pose proof (polygons_valid scene O) as V; rewrite Forall_forall in V.
+    apply V; now apply (Permutation_in f P).
+Qed.
+
+(** ** What a pixel shows *)
 
 (** S5.5: what the four programs show at the pixel. *)
 Definition render (tree : Tree) : option Z :=

@@ -107,6 +107,16 @@ Fixpoint fragments (tree : BspTree) : list Fragment :=
     coincident ++ fragments positive ++ fragments negative
   end.
 
+(** ** What the geometry has to give, and [Scene.v] does *)
+
+(** What fragments are taken to be: a fragment lies in its own plane, and so
+    do the parts of it. *)
+Variable valid : Fragment -> Prop.
+Hypothesis own_plane : forall f, valid f ->
+  relation f (plane_of f) = rCoincident.
+Hypothesis split_valid : forall f h, valid f -> relation f h = rSpanning ->
+  valid (fst (split f h)) /\ valid (snd (split f h)).
+
 (** ** Whatever a split keeps, a tree keeps *)
 
 Section Kept.
@@ -114,7 +124,7 @@ Section Kept.
 (** A sum over fragments, such as an area, that a split divides between the
     parts. *)
 Variable weight : Fragment -> Q.
-Hypothesis split_weight : forall f h, relation f h = rSpanning ->
+Hypothesis split_weight : forall f h, valid f -> relation f h = rSpanning ->
   (weight f == weight (fst (split f h)) + weight (snd (split f h)))%Q.
 
 Definition total (l : list Fragment) : Q :=
@@ -126,16 +136,17 @@ Proof.
 Qed.
 
 Lemma distribute_total : forall l h c p n,
-  distribute l h = (c, p, n) ->
+  distribute l h = (c, p, n) -> Forall valid l ->
   (total l == total c + total p + total n)%Q.
 Proof.
   induction l as [|f l IH]; intros h c p n; simpl.
-  - intros E; injection E as <- <- <-; simpl; ring.
+  - intros E _; injection E as <- <- <-; simpl; ring.
   - destruct (distribute l h) as [[c' p'] n'] eqn:D.
-    specialize (IH h c' p' n' D).
+    intros E V; inversion V as [|? ? V1 V2]; subst; revert E.
+    specialize (IH h c' p' n' D V2).
     destruct (relation f h) eqn:R; intros E; injection E as <- <- <-; simpl;
       rewrite IH; try ring.
-    rewrite (split_weight f h R); ring.
+    rewrite (split_weight f h V1 R); ring.
 Qed.
 
 Lemma put_total : forall f l, (total (put f l) == weight f + total l)%Q.
@@ -145,23 +156,25 @@ Proof.
 Qed.
 
 (** S3.6: insertion adds the fragment's weight, no more and no less. *)
-Theorem insert_total : forall tree f,
+Theorem insert_total : forall tree f, valid f ->
   (total (fragments (insert f tree)) == weight f + total (fragments tree))%Q.
 Proof.
-  induction tree as [|h c p IHp n IHn]; intros f; simpl; [ring|].
+  induction tree as [|h c p IHp n IHn]; intros f V; simpl; [ring|].
   destruct (relation f h) eqn:R; simpl; rewrite ?total_app.
-  - rewrite IHp; ring.
-  - rewrite IHn; ring.
+  - rewrite IHp by exact V; ring.
+  - rewrite IHn by exact V; ring.
   - rewrite put_total; ring.
-  - rewrite IHp, IHn, (split_weight f h R); ring.
+  - destruct (split_valid f h V R) as [P N].
+    rewrite (IHp _ P), (IHn _ N), (split_weight f h V R); ring.
 Qed.
 
-Theorem insert_all_total : forall l tree,
+Theorem insert_all_total : forall l tree, Forall valid l ->
   (total (fragments (insert_all l tree)) ==
    total l + total (fragments tree))%Q.
 Proof.
-  unfold insert_all; induction l as [|f l IH]; intros tree; simpl; [ring|].
-  rewrite IH, insert_total; ring.
+  unfold insert_all; induction l as [|f l IH]; intros tree V; simpl; [ring|].
+  inversion V as [|? ? V1 V2]; subst.
+  rewrite IH, insert_total by assumption; ring.
 Qed.
 
 End Kept.
@@ -171,20 +184,21 @@ Section Points.
 (** Membership of a point in closed fragments: a split's parts together have
     the points of the whole. *)
 Variable has : Fragment -> Prop.
-Hypothesis split_has : forall f h, relation f h = rSpanning ->
+Hypothesis split_has : forall f h, valid f -> relation f h = rSpanning ->
   (has f <-> has (fst (split f h)) \/ has (snd (split f h))).
 
 Lemma distribute_has : forall l h c p n,
-  distribute l h = (c, p, n) ->
+  distribute l h = (c, p, n) -> Forall valid l ->
   (Exists has l <-> Exists has c \/ Exists has p \/ Exists has n).
 Proof.
   induction l as [|f l IH]; intros h c p n; simpl.
-  - intros E; injection E as <- <- <-; rewrite Exists_nil; tauto.
+  - intros E _; injection E as <- <- <-; rewrite Exists_nil; tauto.
   - destruct (distribute l h) as [[c' p'] n'] eqn:D.
-    specialize (IH h c' p' n' D).
+    intros E V; inversion V as [|? ? V1 V2]; subst; revert E.
+    specialize (IH h c' p' n' D V2).
     destruct (relation f h) eqn:R; intros E; injection E as <- <- <-;
       rewrite !Exists_cons, IH; try tauto.
-    rewrite (split_has f h R); tauto.
+    rewrite (split_has f h V1 R); tauto.
 Qed.
 
 Lemma put_has : forall f l, Exists has (put f l) <-> has f \/ Exists has l.
@@ -195,39 +209,33 @@ Proof.
 Qed.
 
 (** S3.6: insertion loses and invents no point. *)
-Theorem insert_has : forall tree f,
+Theorem insert_has : forall tree f, valid f ->
   Exists has (fragments (insert f tree)) <->
   has f \/ Exists has (fragments tree).
 Proof.
-  induction tree as [|h c p IHp n IHn]; intros f; simpl.
+  induction tree as [|h c p IHp n IHn]; intros f V; simpl.
   - rewrite Exists_cons; tauto.
   - destruct (relation f h) eqn:R; simpl; rewrite ?Exists_app.
-    + rewrite IHp; tauto.
-    + rewrite IHn; tauto.
+    + rewrite (IHp f V); tauto.
+    + rewrite (IHn f V); tauto.
     + rewrite put_has; tauto.
-    + rewrite IHp, IHn, (split_has f h R); tauto.
+    + destruct (split_valid f h V R) as [P N].
+      rewrite (IHp _ P), (IHn _ N), (split_has f h V R); tauto.
 Qed.
 
-Theorem insert_all_has : forall l tree,
+Theorem insert_all_has : forall l tree, Forall valid l ->
   Exists has (fragments (insert_all l tree)) <->
   Exists has l \/ Exists has (fragments tree).
 Proof.
-  unfold insert_all; induction l as [|f l IH]; intros tree; simpl.
+  unfold insert_all; induction l as [|f l IH]; intros tree V; simpl.
   - rewrite Exists_nil; tauto.
-  - rewrite IH, insert_has, Exists_cons; tauto.
+  - inversion V as [|? ? V1 V2]; subst.
+    rewrite (IH _ V2), (insert_has _ _ V1), Exists_cons; tauto.
 Qed.
 
 End Points.
 
 (** ** A build comes to an end with every polygon in the tree *)
-
-(** What fragments are taken to be: a fragment lies in its own plane, and so
-    do the parts of it. *)
-Variable valid : Fragment -> Prop.
-Hypothesis own_plane : forall f, valid f ->
-  relation f (plane_of f) = rCoincident.
-Hypothesis split_valid : forall f h, valid f -> relation f h = rSpanning ->
-  valid (fst (split f h)) /\ valid (snd (split f h)).
 
 (** What holds of a list and of the parts of what it holds of, holds of the
     three lists. *)
@@ -349,7 +357,7 @@ Qed.
 (** S3.5: a tree has the weight of its list, however roots are chosen; for
     areas this is S3.L1. *)
 Theorem build_total : forall weight,
-  (forall f h, relation f h = rSpanning ->
+  (forall f h, valid f -> relation f h = rSpanning ->
    (weight f == weight (fst (split f h)) + weight (snd (split f h)))%Q) ->
   forall l, Forall valid l ->
   (total weight (fragments (build l)) == total weight l)%Q.
@@ -357,13 +365,13 @@ Proof.
   intros weight W l V; unfold build.
   apply (build_induction (fun l t => total weight (fragments t) ==
     total weight l)%Q); auto; [reflexivity|].
-  clear l V; intros l root c p n place m _ _ _ D _ _ _ P N; simpl.
-  rewrite !total_app, P, N, (distribute_total weight W _ _ _ _ _ D); ring.
+  clear l V; intros l root c p n place m V _ _ D _ _ _ P N; simpl.
+  rewrite !total_app, P, N, (distribute_total weight W _ _ _ _ _ D V); ring.
 Qed.
 
 (** S3.5: a tree loses and invents no point, however roots are chosen. *)
 Theorem build_has : forall has : Fragment -> Prop,
-  (forall f h, relation f h = rSpanning ->
+  (forall f h, valid f -> relation f h = rSpanning ->
    (has f <-> has (fst (split f h)) \/ has (snd (split f h)))) ->
   forall l, Forall valid l ->
   (Exists has (fragments (build l)) <-> Exists has l).
@@ -371,8 +379,8 @@ Proof.
   intros has W l V; unfold build.
   apply (build_induction (fun l t =>
     Exists has (fragments t) <-> Exists has l)); auto; [reflexivity|].
-  clear l V; intros l root c p n place m _ _ _ D _ _ _ P N; simpl.
-  rewrite !Exists_app, P, N, (distribute_has has W _ _ _ _ _ D); tauto.
+  clear l V; intros l root c p n place m V _ _ D _ _ _ P N; simpl.
+  rewrite !Exists_app, P, N, (distribute_has has W _ _ _ _ _ D V); tauto.
 Qed.
 
 (** ** HEUR's Theorem 3: what no plane cuts in a circle is never cut *)
