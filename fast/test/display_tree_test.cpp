@@ -7,6 +7,8 @@
 #include <random>
 #include <utility>
 
+#include "halfspace/fast/render.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -169,6 +171,26 @@ TEST(DisplayTree, GrowsByNoMoreThanItMay) {
   const double most = options.most_cuts * 2000 + 100'000;
   EXPECT_LT(static_cast<double>(tree.fragments.size()), 2 * most);
   EXPECT_GT(static_cast<double>(tree.fragments.size()), most / 4);
+}
+
+/// Many more polygons than a drawer remembers the planes of, whose pixels are
+/// decided by depth.
+TEST(DisplayTree, LeavesShowWhatNodesShow) {
+  const Scene scene = strewn(3000, 1 << 23, 26);
+  CameraData data;
+  data.perspective = false;
+  data.eye = {3, 5, -256};
+  data.s0 = {-(Int128{1} << 33), -(Int128{1} << 33), 0};
+  data.sx = {Int128{1} << 27, 0, 0};
+  data.sy = {0, Int128{1} << 27, 0};
+  data.width_px = data.height_px = 128;
+  const Camera camera = *make_camera(data, 26);
+  const BspTree leaves = build_display_tree(scene);
+  EXPECT_TRUE(has_leaves(leaves));
+  const Rendering found = render(scene, leaves, camera, {});
+  const Rendering expected = render(scene, build(scene, {}), camera, {});
+  EXPECT_EQ(found.items, expected.items);
+  EXPECT_GT(expected.pixels_painted, 10'000u);
 }
 
 TEST(DisplayTree, IsDividedOnTheWidestGridToo) {
