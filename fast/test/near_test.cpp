@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/painter.hpp"
+#include "halfspace/fast/render.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+constexpr std::int64_t kDepth = 1'000'000;
+constexpr std::int32_t kCount = 8;
+constexpr std::int64_t kLast = kDepth + 3;  ///< the last depth that is not seen
+
+/// Triangles side by side, each a grid step farther away than the one before.
+Scene side_by_side() {
+  SceneData data;
+  for (std::int64_t k = 0; k < kCount; ++k) {
+    const std::int64_t x = (8 * k - 32) * kDepth / 64;
+    const std::int64_t width = 8 * kDepth / 64;
+    for (const GridPoint& p :
+         {GridPoint{x, -width, kDepth + k}, GridPoint{x + width, 0, kDepth + k},
+          GridPoint{x, width, kDepth + k}}) {
+      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
+      data.vertices.push_back(p);
+    }
+    data.first_corner.push_back(
+        static_cast<std::uint32_t>(data.corners.size()));
+    data.colors.push_back({});
+  }
+  return *make_scene(std::move(data));
+}
+
+CameraData camera_of(std::int64_t size, std::int64_t depth) {
+  CameraData data;
+  data.s0 = {-32 * size, -32 * size, depth * 256};
+  data.sx = {size, 0, 0};
+  data.sy = {0, size, 0};
+  data.width_px = data.height_px = 64;
+  return data;
+}
+
+/// Image points at 2^16: near is a depth.
+Camera perspective() {
+  CameraData data = camera_of(65536 * 256 / 64, 65536);
+  data.near = kLast;
+  return *make_camera(data, 26);
+}
+
+Camera orthographic() {
+  constexpr std::int64_t kBefore = 60'000;
+  CameraData data = camera_of(kDepth * 256 / 64, kDepth - kBefore);
+  data.perspective = false;
+  data.eye = {0, 0, -256};
+  data.near = (kBefore + kLast - kDepth) << kNearBits;
+  return *make_camera(data, 26);
+}
+
+/// All in one leaf, to be drawn together.
+BspTree one_leaf() {
+  BspTree tree;
+  Node leaf;
+  leaf.first_fragment = 0;
+  tree.nodes.push_back(leaf);
+  for (std::int32_t k = 0; k < kCount; ++k) {
+    const std::int32_t next = k + 1 < kCount ? k + 1 : kNoFragment;
+    tree.fragments.push_back(
+        {k, static_cast<std::uint32_t>(3 * k), 3, 0, next});
+    for (std::int32_t c = 0; c < 3; ++c) tree.corners.push_back({c, 3 * k + c});
+  }
+  return tree;
+}
+
+void expect_those_beyond(const ItemImage& items) {
+  for (std::int32_t k = 0; k < kCount; ++k) {
+    EXPECT_EQ(items.at(8 * k + 2, 32), kDepth + k > kLast ? k : kBackground);
+  }
+}
+
+TEST(Near, WhatIsAStepBeyondIsSeen) {
+  const Scene scene = side_by_side();
+  const BspTree tree = build(scene, {});
+  const BspTree leaf = one_leaf();
+  for (const Camera& camera : {perspective(), orthographic()}) {
+    for (const bool portable : {false, true}) {
+      RenderOptions options;
+      options.portable = portable;
+      for (const BspTree* each : {&tree, &leaf}) {
+        expect_those_beyond(render(scene, *each, camera, {}, options).items);
+      }
+      expect_those_beyond(paint(scene, tree, camera, {}, options).items);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace halfspace::fast
