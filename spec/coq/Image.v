@@ -5,7 +5,7 @@
 
 From Coq Require Import QArith Lia List Permutation.
 From Halfspace Require Import Base Convex Tree Order Scene View.
-From Halfspace Require Split.
+From Halfspace Require Spans Split.
 Import ListNotations.
 
 Section Image.
@@ -242,3 +242,60 @@ Proof.
 Qed.
 
 End Image.
+
+(** ** Whole lines *)
+
+Section Line.
+
+Variable camera : Camera.
+Variable options : Options.
+(** The line of pixels, and how many it has. *)
+Variables j width : Z.
+(** S4.6: the object segments that scan conversion gives of a fragment on the
+    line, whatever finds them. *)
+Variable segments : Fragment -> list Spans.Span.
+Hypothesis segments_sorted : forall f, Spans.sorted (segments f).
+Hypothesis segments_cover : forall f i, (0 <= i < width)%Z ->
+  (Spans.covered i (segments f) <-> View.covers camera options i j f = true).
+
+(** S4.8, S5.5: merging front to back fills every pixel of the line with what
+    the tree shows at its sample, and leaves the others as they were. *)
+Theorem merged_line_is_the_image : forall tree line i, (0 <= i < width)%Z ->
+  Spans.render_line
+    (map (fun f => (source f, segments f))
+       (front_to_back Fragment Splitter
+          (fun s => View.eye_side camera (plane s)) tree))
+    (Spans.whole_line width) line i =
+  match render camera options i j tree with
+  | Some id => id
+  | None => line i
+  end.
+Proof.
+  intros tree line i I; rewrite Spans.line_front_to_back_is_painter; [|
+    apply Forall_forall; intros s S; apply in_map_iff in S;
+    destruct S as (f & <- & _); apply segments_sorted | exact I].
+  rewrite <- map_rev; unfold render.
+  rewrite <- first_writer_is_last; unfold paint_pixel.
+  generalize (rev (front_to_back Fragment Splitter
+    (fun s => View.eye_side camera (plane s)) tree)); intros l.
+  assert (forall seen m, m i = match seen with
+                               | Some id => id
+                               | None => line i
+                               end ->
+    Spans.paint_line (map (fun f => (source f, segments f)) l) m i =
+    match fold_left (fun pixel f =>
+      if View.covers camera options i j f then Some (source f) else pixel)
+      l seen with
+    | Some id => id
+    | None => line i
+    end) as H; [|now apply H].
+  unfold Spans.paint_line; induction l as [|f l IH]; intros seen m M;
+    [exact M|].
+  simpl; apply IH; unfold Spans.paint.
+  pose proof (segments_cover f i I) as C.
+  rewrite <- Spans.inside_covered in C.
+  destruct (existsb (Spans.inside i) (segments f)),
+    (View.covers camera options i j f); auto; exfalso; intuition congruence.
+Qed.
+
+End Line.
