@@ -221,7 +221,8 @@ Proof.
   destruct (size_of_truth b tb M HM Pb) as [Sb _].
   destruct (size_of_truth c tc M HM Pc) as [Sc _].
   destruct (size_of_truth d td M HM Pd) as [_ Sd].
-  set (fv := filter_value _ _) in *. unfold value_at in *. cbn [pa pb pc pd px py pz] in *.
+  set (fv := filter_value _ _) in *. unfold value_at in *.
+  cbn [pa pb pc pd px py pz] in *.
   assert (Moved : Qabs (a * x + b * y + c * z + d -
                         (ta * tx + tb * ty + tc * tz + td)) <=
     (Qabs a * error + 2 * kRounding * (Qabs ta * M)) +

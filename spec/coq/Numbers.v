@@ -131,7 +131,8 @@ Proof.
 Qed.
 
 Lemma abs_sum3 : forall u v w a b c,
-  Z.abs u <= a -> Z.abs v <= b -> Z.abs w <= c -> Z.abs (u + v + w) <= a + b + c.
+  Z.abs u <= a -> Z.abs v <= b -> Z.abs w <= c ->
+  Z.abs (u + v + w) <= a + b + c.
 Proof. intros; lia. Qed.
 
 Lemma abs_sum2 : forall u v a b,
@@ -192,9 +193,12 @@ Proof.
   intros a1 b1 c1 a2 b2 c2 a3 b3 c3 A B C A1 A2 A3 B1 B2 B3 C1 C2 C3.
   assert (H := cross_sum_bound b1 b2 b3 c1 c2 c3 B C B1 B2 B3 C1 C2 C3).
   unfold det3.
-  assert (P1 := abs_product a1 _ A _ A1 (Z.le_refl (Z.abs (b2 * c3 - b3 * c2)))).
-  assert (P2 := abs_product a2 _ A _ A2 (Z.le_refl (Z.abs (b3 * c1 - b1 * c3)))).
-  assert (P3 := abs_product a3 _ A _ A3 (Z.le_refl (Z.abs (b1 * c2 - b2 * c1)))).
+  assert (P1 := abs_product a1 _ A _ A1
+               (Z.le_refl (Z.abs (b2 * c3 - b3 * c2)))).
+  assert (P2 := abs_product a2 _ A _ A2
+               (Z.le_refl (Z.abs (b3 * c1 - b1 * c3)))).
+  assert (P3 := abs_product a3 _ A _ A3
+               (Z.le_refl (Z.abs (b1 * c2 - b2 * c1)))).
   assert (HA : 0 <= A) by (clear - A1; lia).
   apply (Z.mul_le_mono_nonneg_l _ _ A HA) in H.
   rewrite !Z.mul_add_distr_l in H.
@@ -293,8 +297,10 @@ Proof.
   intros P Q R S HP HQ HR [Sa [Sb [Sc Sd]]].
   destruct (meet_bound P Q R HP HQ HR) as [W [X [Y Z]]].
   unfold fourth_plane.
-  assert (A := abs_product _ _ _ _ Sa X). assert (B := abs_product _ _ _ _ Sb Y).
-  assert (C := abs_product _ _ _ _ Sc Z). assert (D := abs_product _ _ _ _ Sd W).
+  assert (A := abs_product _ _ _ _ Sa X).
+  assert (B := abs_product _ _ _ _ Sb Y).
+  assert (C := abs_product _ _ _ _ Sc Z).
+  assert (D := abs_product _ _ _ _ Sd W).
   replace (64 * (M ^ 3 * L ^ 6)) with
     (L * L * (16 * (M ^ 3 * L ^ 4)) + L * L * (16 * (M ^ 3 * L ^ 4)) +
      L * L * (16 * (M ^ 3 * L ^ 4)) + 4 * (M * M * M) * (4 * L ^ 6)) by ring.
@@ -321,7 +327,8 @@ Theorem value_bound : forall P origin p,
 Proof.
   intros P origin p [Pa [Pb [Pc _]]] Ho Hp. unfold value_from.
   destruct (difference_bound origin p Ho Hp) as [X [Y Z]].
-  assert (A := abs_product _ _ _ _ Pa X). assert (B := abs_product _ _ _ _ Pb Y).
+  assert (A := abs_product _ _ _ _ Pa X).
+  assert (B := abs_product _ _ _ _ Pb Y).
   assert (C := abs_product _ _ _ _ Pc Z).
   replace (3 * L ^ 3) with (L * L * L + L * L * L + L * L * L) by ring.
   apply abs_sum3; assumption.
@@ -351,7 +358,8 @@ Proof.
   intros w0 w1 w2 r0 r1 r2 W0 W1 W2 R0 R1 R2. split.
   2: { replace (54 * L ^ 6) with (18 * L ^ 6 + 18 * L ^ 6 + 18 * L ^ 6) by ring.
        apply abs_sum3; assumption. }
-  assert (A := abs_product _ _ _ _ W0 R0). assert (B := abs_product _ _ _ _ W1 R1).
+  assert (A := abs_product _ _ _ _ W0 R0).
+  assert (B := abs_product _ _ _ _ W1 R1).
   assert (C := abs_product _ _ _ _ W2 R2).
   replace (162 * L ^ 9) with
     (18 * L ^ 6 * (3 * L ^ 3) + 18 * L ^ 6 * (3 * L ^ 3) +
@@ -376,7 +384,8 @@ Theorem scaled_value_bound : forall P scale x y z K,
   3 * (L * L * K) + scale * (4 * (M * M * M)).
 Proof.
   intros P scale x y z K [Pa [Pb [Pc Pd]]] Hs X Y Z. unfold scaled_value.
-  assert (A := abs_product _ _ _ _ Pa X). assert (B := abs_product _ _ _ _ Pb Y).
+  assert (A := abs_product _ _ _ _ Pa X).
+  assert (B := abs_product _ _ _ _ Pb Y).
   assert (D := abs_product _ _ _ _ Pc Z).
   assert (Hs' : Z.abs scale <= scale) by (clear - Hs; lia).
   assert (E := abs_product scale (id P) scale _ Hs' Pd).
@@ -390,7 +399,8 @@ Theorem edge_sign_bound : forall pe qs qe ps E S,
   Z.abs (pe * qs - qe * ps) <= 2 * (E * S).
 Proof.
   intros pe qs qe ps E S H1 H2 H3 H4.
-  assert (A := abs_product _ _ _ _ H1 H4). assert (B := abs_product _ _ _ _ H2 H3).
+  assert (A := abs_product _ _ _ _ H1 H4).
+  assert (B := abs_product _ _ _ _ H2 H3).
   replace (2 * (E * S)) with (E * S + E * S) by ring.
   apply abs_difference; assumption.
 Qed.
