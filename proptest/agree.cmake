@@ -5,7 +5,8 @@ add_library(halfspace_agree_scenes
 halfspace_target(halfspace_agree_scenes)
 target_link_libraries(halfspace_agree_scenes PUBLIC halfspace::spec)
 
-foreach(stem IN ITEMS agree_blend agree_boolean agree_display_tree agree_image
+foreach(stem IN ITEMS agree_blend agree_boolean agree_boolean_shadow
+                agree_display_tree agree_image
                 agree_shadow agree_tree)
   add_executable(${stem}_test
     ${CMAKE_CURRENT_LIST_DIR}/${stem}_test.cpp)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string>
 
@@ -119,6 +121,54 @@ TEST(FastBoolean, SolidsOfCubesAreCombinedCubeByCube) {
                        combined(then, c, cubes)));
     }
   }
+}
+
+/// A block in six faces of one colour.
+Solid block(const std::array<int, 3>& low, const std::array<int, 3>& high,
+            Rgb color, const Solid* with) {
+  Cubes cubes;
+  for (int i = low[0]; i < high[0]; ++i) {
+    for (int j = low[1]; j < high[1]; ++j) {
+      for (int k = low[2]; k < high[2]; ++k)
+        cubes.full[static_cast<std::size_t>(
+            (i * lattice::kSize + j) * lattice::kSize + k)] = true;
+    }
+  }
+  const auto surface = lattice::surface(cubes);
+  Solid solid =
+      merged(with != nullptr ? to_solid(surface, *with) : to_solid(surface),
+             Merge::kPlane);
+  for (Face& face : solid.faces) face.color = color;
+  return solid;
+}
+
+std::size_t count_color(const Solid& solid, Rgb color) {
+  return static_cast<std::size_t>(
+      std::count_if(solid.faces.begin(), solid.faces.end(),
+                    [&](const Face& face) { return face.color == color; }));
+}
+
+TEST(FastBoolean, WhatIsLeftOfAFaceIsOneFaceAndTheFirstOnesWhereTheyMeet) {
+  const Rgb red{255, 0, 0}, blue{0, 0, 255};
+  const Solid large = block({0, 0, 0}, {4, 4, 4}, red, nullptr);
+  const Solid corner = block({2, 2, 2}, {6, 6, 6}, blue, &large);
+  const Solid across = boolean(BooleanOp::kUnion, large, corner);
+  // Three squares and three L of each.
+  EXPECT_EQ(across.faces.size(), 12u);
+  EXPECT_EQ(across.edges.size(), 2 * (3u * 4 + 3 * 6));
+  // One that stands in the other, on its floor.
+  const Solid small = block({1, 1, 0}, {3, 3, 2}, blue, &large);
+  const Solid same = boolean(BooleanOp::kUnion, large, small);
+  EXPECT_EQ(same.faces.size(), 6u);
+  EXPECT_EQ(same.edges.size(), 24u);
+  EXPECT_EQ(count_color(same, blue), 0u);
+  const Solid floor = boolean(BooleanOp::kUnion, small, large);
+  EXPECT_EQ(floor.faces.size(), 7u);
+  EXPECT_EQ(floor.edges.size(), 24u + 2 * 4);
+  EXPECT_EQ(count_color(floor, blue), 1u);
+  EXPECT_EQ(boolean(BooleanOp::kIntersection, large, small).faces.size(), 6u);
+  EXPECT_EQ(count_color(boolean(BooleanOp::kIntersection, large, small), red),
+            1u);
 }
 
 }  // namespace
