@@ -127,7 +127,7 @@ int Engine::level_before(std::size_t o, bool member) const {
 /// one that the result's face is a part of: the first operand's (S6.4), if
 /// possible one that need not be turned over.
 const Wing& Engine::source_of(std::size_t first, std::size_t last,
-                                      bool turned) const {
+                              bool turned) const {
   const Wing* source = nullptr;
   for (const std::int32_t o : {1, 0}) {
     for (std::size_t k = first; k < last; ++k) {
@@ -275,24 +275,35 @@ void Engine::begin_face(std::size_t o, std::int32_t f, bool flipped,
 void Engine::copy_untouched(std::size_t o, Solid& result) {
   const auto count =
       static_cast<std::int32_t>(operands_[o].solid->faces.size());
+  std::vector<bool> member;  // by edge
   for (std::int32_t f = 0; f < count; ++f) {
     if (operands_[o].touched[static_cast<std::size_t>(f)] != 0) continue;
-    if (operands_[o].face(f).edge_count == 0) continue;
-    const SolidEdge* edges = operands_[o].edges_of(f);
-    const bool member = is_inside(o, edges[0].from);
-    const bool beyond = apply(o, false, member);
-    if (apply(o, true, member) == beyond) continue;
-    begin_face(o, f, beyond, result);
     const std::uint32_t size = operands_[o].face(f).edge_count;
+    const SolidEdge* edges = operands_[o].edges_of(f);
+    // A face need not be connected: the other operand may hold a part whole.
+    member.clear();
+    for (std::uint32_t i = 0; i < size; ++i) {
+      const bool goes_on = i > 0 && edges[i - 1].to == edges[i].from;
+      member.push_back(goes_on ? member.back() : is_inside(o, edges[i].from));
+    }
     // Vertices beyond the other operand stay in any case.
     const bool is_near = overlap(operands_[o].face(f).box, operands_[o].reach);
-    for (std::uint32_t i = 0; i < size; ++i) {
-      SolidEdge edge = edges[beyond ? size - 1 - i : i];
-      if (beyond) std::swap(edge.from, edge.to);
-      result.edges.push_back(edge);
-      if (is_near) notes_.pinned.set(edge.from, 1);
+    for (const bool beyond : {false, true}) {
+      bool begun = false;
+      for (std::uint32_t i = 0; i < size; ++i) {
+        const std::uint32_t at = beyond ? size - 1 - i : i;
+        if (apply(o, false, member[at]) != beyond ||
+            apply(o, true, member[at]) == beyond)
+          continue;
+        if (!begun) begin_face(o, f, beyond, result);
+        begun = true;
+        SolidEdge edge = edges[at];
+        if (beyond) std::swap(edge.from, edge.to);
+        result.edges.push_back(edge);
+        ++result.faces.back().edge_count;
+        if (is_near) notes_.pinned.set(edge.from, 1);
+      }
     }
-    result.faces.back().edge_count = size;
   }
 }
 

@@ -130,8 +130,10 @@ void Engine::join_vertices(std::size_t o) {
     const Face& face = operand.solid->faces[f];
     if (operand.touched[f] != 0 || !overlap(face.box, operand.reach)) continue;
     const SolidEdge* edges = operand.solid->edges.data() + face.first_edge;
-    for (std::uint32_t i = 1; i < face.edge_count; ++i)
-      join(o, edges[0].from, edges[i].from);
+    // Loop by loop: the face need not be connected, and where the other
+    // operand holds a part of it whole, nothing touches that.
+    for (std::uint32_t i = 0; i < face.edge_count; ++i)
+      join(o, edges[i].from, edges[i].to);
   }
   for (std::size_t e = 0; e < operand.edges.size(); ++e) {
     const LineEdge& edge = operand.edges[e];

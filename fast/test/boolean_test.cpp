@@ -171,5 +171,56 @@ TEST(FastBoolean, WhatIsLeftOfAFaceIsOneFaceAndTheFirstOnesWhereTheyMeet) {
             1u);
 }
 
+/// The octahedron of radius 4 about a point.
+halfspace::Solid octahedron(const GridPoint& at) {
+  SceneData data;
+  for (const std::int64_t r : {4, -4}) {
+    data.vertices.push_back({at.x + r, at.y, at.z});
+    data.vertices.push_back({at.x, at.y + r, at.z});
+    data.vertices.push_back({at.x, at.y, at.z + r});
+  }
+  data.corners = {0, 1, 2, 1, 3, 2, 3, 4, 2, 4, 0, 2,
+                  1, 0, 5, 3, 1, 5, 4, 3, 5, 0, 4, 5};
+  for (std::uint32_t i = 3; i <= 24; i += 3) data.first_corner.push_back(i);
+  data.colors.resize(8);
+  Result<Scene> scene = make_scene(std::move(data));
+  EXPECT_TRUE(scene);
+  Result<halfspace::Solid> solid = make_solid(*std::move(scene));
+  EXPECT_TRUE(solid);
+  return *std::move(solid);
+}
+
+TEST(FastBoolean, PartsOfAFaceAreOnSidesOfTheirOwn) {
+  // An octahedron that another one has cut has faces in several parts. A third
+  // one often holds one of them whole, and touches none.
+  std::uint64_t state = 5;
+  const auto solid_at = [&](const Solid* with) {
+    GridPoint at;
+    for (std::int64_t* c : {&at.x, &at.y, &at.z}) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      *c = static_cast<std::int64_t>(state >> 33) % 9 - 4;
+    }
+    const halfspace::Solid solid = octahedron(at);
+    return with == nullptr ? to_solid(solid) : to_solid(solid, *with);
+  };
+  const auto volume = [](const Solid& solid) {
+    triangles_of(solid);
+    return volume6(exported(solid));
+  };
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE("triple " + std::to_string(i));
+    const Solid first = solid_at(nullptr);
+    const Solid cut = boolean(BooleanOp::kUnion, first, solid_at(&first));
+    const Solid other = solid_at(&first);
+    const double both = volume(boolean(BooleanOp::kIntersection, cut, other));
+    EXPECT_NEAR(volume(boolean(BooleanOp::kUnion, cut, other)) + both,
+                volume(cut) + volume(other), 1e-6);
+    EXPECT_NEAR(volume(boolean(BooleanOp::kDifference, cut, other)) + both,
+                volume(cut), 1e-6);
+    EXPECT_NEAR(volume(symmetric_difference(other, cut)) + 2 * both,
+                volume(cut) + volume(other), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace halfspace::fast
