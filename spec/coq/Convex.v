@@ -780,14 +780,12 @@ Proof.
 Qed.
 
 (** What the polygon has of the plane: the segment from exit to entry. *)
-Lemma section : forall r, value_at plane r == 0 -> g r == 0 ->
+Lemma from_exit_to_entry : forall x y r, exit x -> entry y ->
+  value_at plane r == 0 -> g r == 0 ->
   (forall p q, edge p q -> 0 <= area plane p q r) ->
-  exists x y t, In x part_corners /\ In y part_corners /\ 0 <= t <= 1 /\
-  at_ t x y r.
+  exists t, 0 <= t <= 1 /\ at_ t x y r.
 Proof.
-  intros r R Gr N; destruct part_has_exit as (x & Ix & X).
-  destruct part_has_entry as (y & Iy & Y); exists x, y.
-  destruct (cut_edge x y X Y) as (c & C & H).
+  intros x y r X Y R Gr N; destruct (cut_edge x y X Y) as (c & C & H).
   destruct X as (r1 & s1 & t1 & E1 & R1 & S1 & T1 & A1 & Gx).
   destruct Y as (r2 & s2 & t2 & E2 & R2 & S2 & T2 & A2 & Gy).
   destruct (edge_planar r1 s1 E1) as [_ P1].
@@ -814,7 +812,7 @@ Proof.
             area plane x s1 r) as F2 by (expand; ring).
     rewrite F2, F1, Hr, T in F.
     apply Qmult_inj_r with (area plane x s1 y); [lra|]; lra. }
-  exists t; repeat split; auto.
+  exists t; repeat split.
   - unfold t; apply Qle_shift_div_l; [exact L | lra].
   - assert (0 <= area plane y s2 r) as O.
     { assert (area plane y s2 r == (1 - t2) * area plane r2 s2 r) as ->.
@@ -834,6 +832,116 @@ Proof.
     unfold value_at in K; simpl in K; lra.
   - specialize (K {| pa := 0; pb := 0; pc := 1; pd := 0 |}).
     unfold value_at in K; simpl in K; lra.
+Qed.
+
+Lemma section : forall r, value_at plane r == 0 -> g r == 0 ->
+  (forall p q, edge p q -> 0 <= area plane p q r) ->
+  exists x y t, In x part_corners /\ In y part_corners /\ 0 <= t <= 1 /\
+  at_ t x y r.
+Proof.
+  intros r R Gr N; destruct part_has_exit as (x & Ix & X).
+  destruct part_has_entry as (y & Iy & Y).
+  destruct (from_exit_to_entry x y r X Y R Gr N) as (t & T & A).
+  exists x, y, t; auto.
+Qed.
+
+Lemma exit_is_in : forall x, exit x -> value_at plane x == 0 /\ g x == 0 /\
+  forall p q, edge p q -> 0 <= area plane p q x.
+Proof.
+  intros x (r & s & t & E & _ & _ & T & A & Z); split; [|split]; auto.
+  - exact (at_planar r s t x E A).
+  - intros p q F; apply (at_edge_area p q r s t); auto; lra.
+Qed.
+
+Lemma entry_is_in : forall x, entry x -> value_at plane x == 0 /\ g x == 0 /\
+  forall p q, edge p q -> 0 <= area plane p q x.
+Proof.
+  intros x (r & s & t & E & _ & _ & T & A & Z); split; [|split]; auto.
+  - exact (at_planar r s t x E A).
+  - intros p q F; apply (at_edge_area p q r s t); auto; lra.
+Qed.
+
+Lemma exit_is_no_entry : forall x y, exit x -> entry y -> ~ same x y.
+Proof.
+  intros x y X Y (A & B & C); destruct (cut_edge x y X Y) as (c & P & H).
+  destruct some_above as (u & U & Gu).
+  pose proof (H u (corner_planar u U)) as Hu.
+  assert (area plane x y u == 0) as Z by (expand; rewrite A, B, C; ring).
+  nra.
+Qed.
+
+(** However often the boundary leaves, it leaves in one point ... *)
+Theorem one_exit : forall x x', exit x -> exit x' -> same x x'.
+Proof.
+  intros x x' X X'; destruct part_has_entry as (y & _ & Y).
+  destruct (exit_is_in x X) as (P & Z & N).
+  destruct (exit_is_in x' X') as (P' & Z' & N').
+  destruct (from_exit_to_entry x y x' X Y P' Z' N') as (t & T & A & B & C).
+  destruct (from_exit_to_entry x' y x X' Y P Z N) as (u & U & D & E & F).
+  destruct (Qlt_le_dec 0 t) as [L | L].
+  - exfalso; apply (exit_is_no_entry x y X Y).
+    assert (0 < t + u * (1 - t)) as K by nra.
+    assert (forall k l m, m == k + (l - k) * t -> k == m + (l - m) * u ->
+            k == l) as H.
+    { intros k l m M O; rewrite M in O.
+      assert ((l - k) * (t + u * (1 - t)) == 0) as W by lra.
+      apply Qmult_integral in W; destruct W; lra. }
+    unfold same; repeat split; eapply H; eauto.
+  - assert (t == 0) as O by lra; unfold same; rewrite A, B, C, O.
+    repeat split; ring.
+Qed.
+
+(** ... and comes back in one. *)
+Theorem one_entry : forall y y', entry y -> entry y' -> same y y'.
+Proof.
+  intros y y' Y Y'; destruct part_has_exit as (x & _ & X).
+  destruct (entry_is_in y Y) as (P & Z & N).
+  destruct (entry_is_in y' Y') as (P' & Z' & N').
+  destruct (from_exit_to_entry x y y' X Y P' Z' N') as (t & T & A & B & C).
+  destruct (from_exit_to_entry x y' y X Y' P Z N) as (u & U & D & E & F).
+  destruct (Qlt_le_dec t 1) as [L | L].
+  - exfalso; apply (exit_is_no_entry x y X Y).
+    assert (0 < 1 - t * u) as K by nra.
+    assert (forall k l m, m == k + (l - k) * t -> l == k + (m - k) * u ->
+            k == l) as H.
+    { intros k l m M O; rewrite M in O.
+      assert ((l - k) * (1 - t * u) == 0) as W by lra.
+      apply Qmult_integral in W; destruct W; lra. }
+    unfold same; repeat split; eapply H; eauto.
+  - assert (t == 1) as O by lra; unfold same; rewrite A, B, C, O.
+    repeat split; ring.
+Qed.
+
+(** The corners of a part that are on the plane are the ends of the cut. *)
+Lemma part_corner_on_plane : forall v, In v part_corners -> g v == 0 ->
+  exit v \/ entry v.
+Proof.
+  intros v I O; apply in_flat_map in I; destruct I as ((p, q) & E & I).
+  assert (0 <= g p -> g q < 0 -> forall t, 0 <= t < 1 -> at_ t p q v ->
+          exit v) as X.
+  { intros P L t T A; exists p, q, t; auto 10. }
+  assert (g p <= 0 -> 0 < g q -> forall t, 0 <= t < 1 -> at_ t p q v ->
+          entry v) as Y.
+  { intros P L t T A; exists p, q, t; auto 10. }
+  unfold emit, side_of in I.
+  assert (v = p -> g p == 0 -> ~ g q == 0 -> exit v \/ entry v) as A.
+  { intros -> Z N; destruct (Q_dec (g q) 0) as [[L | L] | L]; [left | right |].
+    - apply (X ltac:(lra) L 0); [lra | apply at_start].
+    - apply (Y ltac:(lra) L 0); [lra | apply at_start].
+    - contradiction. }
+  assert (0 < g p /\ g q < 0 \/ g p < 0 /\ 0 < g q -> v = meet p q ->
+          exit v \/ entry v) as B.
+  { intros S ->; destruct (meet_at p q S) as (t & T & M & _).
+    destruct S as [[S1 S2] | [S1 S2]]; [left | right].
+    - apply (X ltac:(lra) S2 t); [lra | exact M].
+    - apply (Y ltac:(lra) S2 t); [lra | exact M]. }
+  destruct (sign_cases (g p)) as [[P L] | [[P L] | [P L]]]; rewrite P in I;
+    destruct (sign_cases (g q)) as [[R M] | [[R M] | [R M]]]; rewrite R in I;
+    simpl in I;
+    repeat (destruct I as [I | I];
+      [symmetry in I; (apply B; [tauto | exact I]) ||
+                      (apply A; [exact I | lra | lra]) ||
+                      (exfalso; subst v; lra) |]); destruct I.
 Qed.
 
 End Cut.
@@ -983,6 +1091,33 @@ Proof.
   intros side splitter N; rewrite walk_emits by exact N.
   destruct (spans side N) as [A B].
   apply part_is_convex; auto using crossing_at.
+Qed.
+
+(** S2.3: on the splitter a part has the corners of one edge, two points. *)
+Theorem parts_meet_the_splitter_in_two_points : forall side splitter,
+  side <> kOn -> exists x y, ~ same x y /\ forall v,
+  In v (Split.vertices (Split.part_of side f h splitter)) ->
+  value_at h v == 0 -> same x v \/ same y v.
+Proof.
+  intros side splitter N; rewrite walk_emits by exact N.
+  destruct (spans side N) as [A B].
+  pose proof (crossing_at side h) as M.
+  destruct (part_has_exit (toward side h) (Split.vertices f) A B
+    (crossing_point h) M) as (x & _ & X).
+  destruct (part_has_entry (toward side h) (Split.vertices f) A B
+    (crossing_point h) M) as (y & _ & Y).
+  exists x, y; split.
+  - exact (exit_is_no_entry plane (toward side h) (Split.vertices f) plane_ok ok
+      A B x y X Y).
+  - intros v I Z.
+    assert (value_at (toward side h) v == 0) as Z'.
+    { destruct side; simpl; rewrite ?value_at_reversed, Z; reflexivity. }
+    destruct (part_corner_on_plane (toward side h) (Split.vertices f)
+      (crossing_point h) M v I Z') as [V | V]; [left | right].
+    + exact (one_exit plane (toward side h) (Split.vertices f) plane_ok ok A B
+        (crossing_point h) M x v X V).
+    + exact (one_entry plane (toward side h) (Split.vertices f) plane_ok ok A B
+        (crossing_point h) M y v Y V).
 Qed.
 
 (** The boundary leaves a side in one segment: both parts have all that the
