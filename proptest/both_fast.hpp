@@ -27,28 +27,34 @@ struct Fast {
     Scene scene;
   };
 
-  // S1: a point is asked about as the corner of a polygon of its own.
+  // S1: a point is asked about as the corner of a polygon of its own, in a
+  // scene of that and the plane's.
   static Side side_of(const Scene& scene, PolygonId plane,
                       const GridPoint& point) {
-    SceneData data = scene.data();
+    SceneData data;
+    data.grid_bits = scene.grid_bits();
+    const auto add_corner = [&data](const GridPoint& p) {
+      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
+      data.vertices.push_back(p);
+    };
+    const auto end_polygon = [&data] {
+      data.first_corner.push_back(
+          static_cast<std::uint32_t>(data.corners.size()));
+      data.colors.push_back({});
+    };
+    for (const VertexId corner : scene.corners(plane))
+      add_corner(scene.point(corner));
+    end_polygon();
     const auto inwards = [](std::int64_t value) {
       return value > 0 ? value - 1 : value + 1;
     };
-    for (const GridPoint& p :
-         {point, GridPoint{inwards(point.x), point.y, point.z},
-          GridPoint{point.x, inwards(point.y), point.z}}) {
-      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
-      data.vertices.push_back(p);
-    }
-    if (!data.corner_colors.empty())
-      data.corner_colors.resize(data.corners.size());
-    data.first_corner.push_back(
-        static_cast<std::uint32_t>(data.corners.size()));
-    data.colors.push_back({});
-    const Scene more = *make_scene(std::move(data));
-    const auto id = static_cast<PolygonId>(scene.polygon_count());
+    add_corner(point);
+    add_corner({inwards(point.x), point.y, point.z});
+    add_corner({point.x, inwards(point.y), point.z});
+    end_polygon();
+    const Scene two = *make_scene(std::move(data));
     fast::FilterStats stats;
-    return fast::side_of(more, fast::whole(more, id), 0, plane, stats);
+    return fast::side_of(two, fast::whole(two, 1), 0, 0, stats);
   }
   static Side side_of_eye(const Scene& scene, PolygonId plane,
                           const Camera& camera) {

@@ -5,6 +5,8 @@
   tools/mutate.py --only screen,split      files whose path has one of these
   tools/mutate.py --list --only screen     the mutants, one a line
   tools/mutate.py --report mutants.md      the table and the survivors
+  tools/mutate.py --tests vectors_test --report quick.md    by these tests only
+  tools/mutate.py --again quick.md         what survived those, by all tests
 
 Mutant schemata: every mutant of a file is compiled into it at once, and the
 environment variable HALFSPACE_MUTANT tells which one is alive; so there is one
@@ -39,7 +41,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIBCLANG = "/usr/lib/llvm-14/lib/libclang-14.so.1"
 
 FILES = [
-    "ref/src/screen.cpp", "ref/src/split.cpp", "ref/src/predicate.cpp",
+    "ref/include/halfspace/ref/screen.hpp", "ref/src/screen.cpp", "ref/src/split.cpp", "ref/src/predicate.cpp",
     "ref/src/splitter.cpp", "ref/src/build.cpp", "ref/src/traverse.cpp",
     "ref/src/projection.cpp", "ref/src/scan.cpp", "ref/src/render.cpp",
     "ref/src/shade.cpp", "ref/src/classify.cpp", "ref/src/boolean.cpp",
@@ -47,6 +49,9 @@ FILES = [
     "fast/src/predicate.cpp", "fast/src/splitter.cpp",
     "fast/src/traverse.cpp", "fast/src/insert.cpp",
 ]
+
+# The source by which a header with functions of its own is compiled.
+HOSTS = {"ref/include/halfspace/ref/screen.hpp": "ref/src/screen.cpp"}
 
 OTHERS = {
     "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"],
@@ -90,13 +95,17 @@ class Site:
 
 
 class Mutant:
-    def __init__(self, number, path, line, before, after):
+    def __init__(self, number, path, line, text, before, after):
         self.number, self.path, self.line = number, path, line
+        self.text = text  # of the line
         self.before = " ".join(before.split())
         self.after = " ".join(after.split())
 
     def key(self):
-        return f"{self.path}: {self.before} => {self.after}"
+        return f"{self.path}: {self.before} => {self.after} in {self.text}"
+
+    def line_of_report(self):
+        return f"* `{self.path}:{self.line}`: `{self.before}` => `{self.after}`"
 
 
 class Source:
@@ -212,7 +221,8 @@ class Source:
         site.mutants.append((number, after))
         line = self.text.count("\n", 0, site.begin) + 1
         self.mutants.append(Mutant(
-            number, self.path, line, self.text[site.begin:site.end],
+            number, self.path, line, self.text.splitlines()[line - 1].strip(),
+            self.text[site.begin:site.end],
             after or "(left out)"))
 
     # The text with all mutants in it.
@@ -234,7 +244,8 @@ class Source:
                        key=lambda s: (s.begin, -s.end, not s.is_statement))
         text, rest = self.render(0, len(self.text), order)
         assert not rest
-        return text.replace("constexpr MergeCase", "inline MergeCase")
+        # Not inline: a test's own copy must not stand in for it.
+        return text.replace("constexpr MergeCase", "static MergeCase")
 
     def render(self, begin, end, sites):
         """The text from begin to end; takes the sites in it off the list."""
@@ -275,6 +286,7 @@ class Build:
         return output.stdout.splitlines() if output.returncode == 0 else []
 
     def compile_command(self, path):
+        path = HOSTS.get(path, path)
         room = path.split("/")[0]
         for line in self.commands(f"{room}/libhalfspace_{room}.a"):
             if line.endswith(f"/{path}"):
@@ -285,14 +297,24 @@ class Build:
         words = self.compile_command(path).split()
         return [w for w in words if w[:2] in ("-D", "-I")] + ["-std=c++20"]
 
-    def compile(self, source):
-        """Compiles the schemata; forgets mutants until that succeeds."""
+    def place(self, source):
+        """Where the schemata go, and what has to be searched to find them."""
         stem = source.path.replace("/", "_")
-        file, object_ = self.scratch / stem, self.scratch / (stem + ".o")
+        if source.path not in HOSTS:
+            return self.scratch / stem, None
+        file = self.scratch / stem / source.path.split("/include/")[1]
+        file.parent.mkdir(parents=True, exist_ok=True)
+        return file, self.scratch / stem
+
+    def compile(self, source, headers):
+        """Compiles the schemata; forgets mutants until that succeeds."""
+        file, folder = self.place(source)
+        object_ = self.scratch / (source.path.replace("/", "_") + ".o")
         original = str(ROOT / source.path)
+        host = HOSTS.get(source.path)
         command = self.compile_command(source.path).split()
         command[command.index("-o") + 1] = str(object_)
-        command[-1] = str(file)
+        command[-1] = str(ROOT / host if host else file)
         for flag in ("-MD", "-Werror"):
             if flag in command:
                 command.remove(flag)
@@ -303,6 +325,12 @@ class Build:
         # -O1 compiles sooner; the mutants do not mind.
         command += ["-O1", "-w", "-I", str(pathlib.Path(original).parent),
                     "-include", str(self.scratch / "prelude.hpp")]
+        if host:
+            command[1:1] = ["-I", str(folder)]
+        for header in headers:
+            file_of_header, folder = self.place(header)
+            file_of_header.write_text(header.schemata())
+            command[1:1] = ["-I", str(folder)]
         for _ in range(12):
             file.write_text(source.schemata())
             done = subprocess.run(command, capture_output=True, text=True,
@@ -374,10 +402,12 @@ def reasons():
     known = {}
     if not path.is_file():
         return known
+    key = None
     for line in path.read_text().splitlines():
-        match = re.fullmatch(r"(\S+: .* => .*): (.*)", line)
-        if match and not line.startswith("#"):
-            known[match[1]] = match[2]
+        if line.startswith("  "):
+            known[key] = (known.get(key, "") + " " + line.strip()).strip()
+        elif line and not line.startswith("#"):
+            key = line
     return known
 
 
@@ -404,8 +434,7 @@ def write_report(path, rows, survivors, known):
         lines += ["", "Survivors:", ""]
         for mutant in survivors:
             why = known.get(mutant.key(), "not explained")
-            lines.append(f"* `{mutant.path}:{mutant.line}`: "
-                         f"`{mutant.before}` => `{mutant.after}`: {why}")
+            lines.append(f"{mutant.line_of_report()}: {why}")
     text = "\n".join(lines) + "\n"
     print(text)
     if path:
@@ -423,6 +452,8 @@ def parse():
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--report", type=pathlib.Path)
     parser.add_argument("--tests", default="", help="these only, commas")
+    parser.add_argument("--again", type=pathlib.Path, metavar="REPORT",
+                        help="those only that survived there")
     parser.add_argument("--list", action="store_true")
     return parser.parse_args()
 
@@ -444,7 +475,12 @@ def main():
                 print(f"{mutant.path}:{mutant.line}: {mutant.before} => "
                       f"{mutant.after}")
         return 0
-    objects = [build.compile(source) for source in sources]
+    objects = []
+    for source in sources:
+        if HOSTS.get(source.path) not in paths:
+            objects.append(build.compile(source, [
+                other for other in sources
+                if HOSTS.get(other.path) == source.path]))
     programs = {}
     wanted = arguments.tests.split(",") if arguments.tests else None
     for target, _ in QUICK + LAWS:
@@ -462,6 +498,9 @@ def main():
             return 2
         limits[step] = 20 * seconds + 5
     mutants = [m for source in sources for m in source.mutants]
+    if arguments.again:
+        again = arguments.again.read_text()
+        mutants = [m for m in mutants if m.line_of_report() in again]
     known, survivors = reasons(), []
     rows = collections.OrderedDict((path, [0, 0, 0]) for path in paths)
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:

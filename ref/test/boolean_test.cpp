@@ -55,6 +55,24 @@ Solid two_boxes() {
   return solid_of(polygons);
 }
 
+TEST(Faces, AreNamedByThemselvesAndTheirOwnEdges) {
+  const Solid solid = cube(0, 4);
+  ASSERT_EQ(solid.faces.size(), 6u);
+  for (PolygonId id = 0; id < 6; ++id) {
+    const Face& face = solid.faces[static_cast<std::size_t>(id)];
+    EXPECT_TRUE(face.from_first);
+    EXPECT_EQ(face.source, id);
+    const Fragment fragment = whole(solid, id);
+    EXPECT_EQ(fragment.source, id);
+    ASSERT_EQ(fragment.vertices.size(), 4u);
+    ASSERT_EQ(fragment.edges.size(), 4u);
+    for (std::int32_t k = 0; k < 4; ++k) {
+      const EdgeName expected{EdgeName::Kind::kSource, k};
+      EXPECT_EQ(fragment.edges[static_cast<std::size_t>(k)], expected);
+    }
+  }
+}
+
 Rational area_x(const std::vector<Point>& vertices) {
   return plane_of(vertices).a;  // of a parallelogram
 }
@@ -276,6 +294,7 @@ TEST(Rounded, CoordinatesAreTheNearestDoublesInModelUnits) {
   EXPECT_EQ(tenths.vertices.size(), 8u);
   EXPECT_EQ(tenths.first_corner.size(), 7u);
   EXPECT_EQ(tenths.first_corner.back(), tenths.corners.size());
+  ASSERT_EQ(tenths.corners.size(), 24u);
   EXPECT_EQ(tenths.colors.size(), 6u);
   for (std::size_t i = 0; i < tenths.corners.size(); ++i) {
     const Point& p = a.faces[i / 4].vertices[i % 4];
