@@ -42,6 +42,14 @@ std::string text_of(const fs::path& path) {
 /// The scene file to which the laws are to be confined, if any.
 const char* only_scene() { return std::getenv("HALFSPACE_REPLAY"); }
 
+/// Ends the test as it stands: what it would go on to say of the number and
+/// kinds of its cases is not about one scene.
+[[noreturn]] void end_test() {
+  using Part = ::testing::TestPartResult;
+  throw ::testing::AssertionException(
+      Part(Part::kSuccess, __FILE__, __LINE__, "replayed"));
+}
+
 /// Replays a property on the saved scenes of a folder, or on the only one.
 void replay(const fs::path& folder, bool needs_camera,
             const std::function<void(const SceneFile&)>& property) {
@@ -140,7 +148,7 @@ void check(int count, const std::function<void()>& property) {
 void for_all(const generate::Views& views, int count,
              const std::function<void(const SceneFile&)>& property) {
   replay(HALFSPACE_REGRESSIONS, /*needs_camera=*/true, property);
-  if (only_scene() != nullptr) return;
+  if (only_scene() != nullptr) end_test();
   check_saving([&] { return *views; }, count, property);
 }
 
@@ -163,7 +171,7 @@ void for_all_views(const std::function<void(const SceneFile&)>& property,
     }
     property(view);
   });
-  if (only_scene() == nullptr) troubles.expect_all();
+  troubles.expect_all();
 }
 
 void for_all_solids(
@@ -174,7 +182,7 @@ void for_all_solids(
   };
   replay(fs::path(HALFSPACE_REGRESSIONS) / "solids", /*needs_camera=*/false,
          of_file);
-  if (only_scene() != nullptr) return;
+  if (only_scene() != nullptr) end_test();
   check_saving([] { return generate::both_of(*generate::solid_pairs()); },
                count, of_file);
 }

@@ -57,11 +57,10 @@ void Shadow::add_to(nlohmann::json& stats) const {
 
 Status Shadow::status() const {
   if (report_.mismatches == 0) return Status::kFine;
+  const std::string& file = arguments_.shadow_file;
   fail("--shadow: " + shadow::to_string(report_.first.front()) +
-       "; this is a bug, and " + arguments_.shadow_file +
-       " shows it: halfspace "
-       "render " +
-       arguments_.shadow_file + " --shadow 1 --stats -");
+       "; this is a bug, and " + file + " shows it: halfspace render " + file +
+       " --shadow 1 --stats -, with the same --impl, --method and tree");
   return Status::kDiffers;
 }
 
