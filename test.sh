@@ -51,7 +51,7 @@ step "clauses, laws, functions" python3 tools/check_traceability.py \
   --laws build/release/proptest/proptest "$laws_run"
 # What the tests with these labels need; building the laws takes longer.
 step "build, with sanitizers" build asan \
-  {spec,ref,fast,io}/test/all proptest/faults/all fuzz/all tools/all \
+  {spec,ref,fast,io,tools}/test/all proptest/faults/all fuzz/all tools/all \
   examples/all
 step "unit tests and fuzz corpus, with sanitizers" \
   ctest --preset asan --no-tests=error -L 'unit|fuzz'

@@ -1,6 +1,8 @@
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,14 +10,15 @@
 #include <string>
 #include <utility>
 
+#include "arguments.hpp"
 #include "building.hpp"
 #include "command.hpp"
+#include "csg_result.hpp"
+#include "csg_write.hpp"
 #include "engine.hpp"
-#include "halfspace/io/import.hpp"
 #include "halfspace/io/read_mesh.hpp"
-#include "halfspace/io/write_mesh.hpp"
-#include "halfspace/scene_file.hpp"
 #include "loading.hpp"
+#include "long_work.hpp"
 #include "measuring.hpp"
 #include "operands.hpp"
 
@@ -23,177 +26,243 @@ namespace halfspace::tools {
 namespace {
 
 struct Arguments {
-  std::string path_a;
-  std::string path_b;
+  std::vector<std::string> words;
+  std::string script;
   std::string output;
+  std::string origin;
+  std::size_t merge = 0;
+  bool strict = false;
+  bool trust = false;
+  bool repair = false;
   std::optional<int> grid_bits;
   BuildArguments build;
 };
 
-/// The doubles of the result as a scene, rounded to a grid if need be.
-Result<io::Imported> import_rounded(const io::OutputMesh& rounded) {
-  io::Mesh mesh;
-  for (const auto& [x, y, z] : rounded.vertices) {
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
-      return Error{ErrorCode::kNotFinite,
-                   "a coordinate is beyond the range of doubles"};
-    }
-    mesh.vertices.push_back(
-        {io::number_of(x), io::number_of(y), io::number_of(z)});
+/// What is to be worked out, and what it is called in errors.
+struct Request {
+  std::string text;
+  std::string source;
+  std::string folder;  ///< of the files that the text has in quotes
+  std::vector<CsgBinding> bindings;
+};
+
+/// The request of `csg union A B` and its like; nothing if it is none.
+std::optional<Request> request_by_word(const std::vector<std::string>& words) {
+  constexpr std::pair<const char*, const char*> kWords[] = {
+      {"union", "A | B"},
+      {"intersection", "A & B"},
+      {"difference", "A - B"},
+      {"symmetric-difference", "A ^ B"}};
+  for (const auto& [word, expression] : kWords) {
+    if (words.size() != 3 || words[0] != word) continue;
+    return Request{
+        expression, "the expression", {}, {{"A", words[1]}, {"B", words[2]}}};
   }
-  mesh.first_corner = rounded.first_corner;
-  mesh.corners = rounded.corners;
-  mesh.face_colors.assign(rounded.colors.begin(), rounded.colors.end());
-  return io::import_scene(mesh, {});
+  return std::nullopt;
 }
 
-/// Writes the result as a scene, and counts what had to be rounded.
-Result<io::ExportReport> write_scene_file(const std::string& path,
-                                          const BooleanResult& result) {
-  io::ExportReport report;
-  SceneFile file;
-  if (result.scene) {
-    file.scene = *result.scene;
+Result<Request> request_of(const Arguments& arguments) {
+  if (arguments.script.empty()) {
+    if (auto request = request_by_word(arguments.words))
+      return *std::move(request);
+  }
+  Request request{{}, "the expression", {}, {}};
+  std::size_t first = 0;
+  if (!arguments.script.empty()) {
+    Result<std::string> text = io::read_file(arguments.script);
+    if (!text) return about(arguments.script, text.error());
+    request.text = *std::move(text);
+    request.source = arguments.script;
+    request.folder =
+        std::filesystem::path(arguments.script).parent_path().string();
+  } else if (!arguments.words.empty()) {
+    request.text = arguments.words[0];
+    first = 1;
   } else {
-    Result<io::Imported> imported = import_rounded(result.mesh);
-    if (!imported) return imported.error();
-    report = {.moved = result.moved + imported->report.moved,
-              .max_move = result.max_move + imported->report.max_move,
-              .triangulated = imported->report.triangulated};
-    file.scene = std::move(imported->scene);
+    return Error{ErrorCode::kSyntax,
+                 "say what to work out, as in csg 'A - B' A=a.off B=b.off, or "
+                 "give a --script (--help tells more)",
+                 -1};
   }
-  std::ofstream out(path, std::ios::binary);
-  out << write_scene(file);
-  out.close();
-  if (!out) return Error{ErrorCode::kUnwritable, path + ": cannot be written"};
-  return report;
-}
-
-Result<io::ExportReport> write_result(const std::string& path,
-                                      const BooleanResult& result) {
-  if (is_scene_name(path)) return write_scene_file(path, result);
-  if (result.scene) return io::write_scene_mesh(path, *result.scene);
-  Result<io::ExportReport> report = io::write_mesh(path, result.mesh);
-  if (!report) return report;
-  report->moved += result.moved;
-  report->max_move += result.max_move;
-  return report;
-}
-
-nlohmann::json stats_of(const Operands& operands, const BooleanResult& result,
-                        const io::ExportReport& report, double boolean_ms) {
-  const io::ImportReport& import = operands.report;
-  return {{"polygons", operands.a.scene().polygon_count() +
-                           operands.b.scene().polygon_count()},
-          {"faces", result.faces},
-          {"bad_edges", result.bad_edges},
-          {"volume", result.volume},
-          {"boolean_ms", boolean_ms},
-          {"import",
-           {{"moved", import.moved},
-            {"max_move", import.max_move},
-            {"triangulated", import.triangulated},
-            {"dropped", import.dropped},
-            {"unit", to_string(import.unit)},
-            {"grid_bits", import.grid_bits}}},
-          {"export",
-           {{"moved", report.moved},
-            {"max_move", report.max_move},
-            {"triangulated", report.triangulated}}}};
-}
-
-/// Says what was done, line by line, on standard output.
-void print_summary(const Operands& operands, const BooleanResult& result,
-                   const io::ExportReport& report, double boolean_ms,
-                   const std::string& output) {
-  std::printf("operands: %zu and %zu polygons; %s\n",
-              operands.a.scene().polygon_count(),
-              operands.b.scene().polygon_count(),
-              to_string(operands.report).c_str());
-  std::printf("result: %zu polygons, closed, volume %.12g, %.3f ms\n",
-              result.faces, result.volume, boolean_ms);
-  std::printf("%s: moved %zu coordinates (by at most %.3g), triangulated %zu\n",
-              output.c_str(), report.moved, report.max_move,
-              report.triangulated);
-}
-
-Status run(BooleanOp operation, const Arguments& arguments) {
-  const std::unique_ptr<Engine> engine =
-      make_engine(library_of(arguments.build, Library::kRef));
-  if (!engine->has_booleans()) {
-    return fail("--impl fast: has no booleans yet; use --impl ref");
+  for (std::size_t i = first; i < arguments.words.size(); ++i) {
+    const std::string& word = arguments.words[i];
+    const std::size_t at = word.find('=');
+    if (at == std::string::npos || at == 0 || at + 1 == word.size()) {
+      return Error{ErrorCode::kSyntax,
+                   "expected NAME=FILE, not '" + word + "' (--help tells more)",
+                   -1};
+    }
+    request.bindings.push_back({word.substr(0, at), word.substr(at + 1)});
   }
+  return request;
+}
+
+/// The work itself, once there is a plan.
+class Job {
+ public:
+  Job(const Arguments& arguments, Request request)
+      : arguments_(arguments), request_(std::move(request)) {}
+  Status run();
+
+ private:
+  Status fail_in_source(const Error& error) const {
+    return fail(request_.source + ": " + error.message);
+  }
+  Result<std::optional<CsgResult>> evaluate(const CsgPlan& plan,
+                                            Operands& operands) const;
+  Status finish(const CsgScript& script, const CsgPlan& plan,
+                const Operands& operands, const CsgResult& result,
+                double boolean_ms) const;
+
+  const Arguments& arguments_;
+  Request request_;
+};
+
+Result<std::optional<CsgResult>> Job::evaluate(const CsgPlan& plan,
+                                               Operands& operands) const {
+  const bool by_ref =
+      library_of(arguments_.build, Library::kFast) == Library::kRef;
+  if (by_ref) {
+    std::size_t polygons = 0;
+    for (std::size_t i = 0; i < plan.leaves.size(); ++i)
+      polygons += operands.polygon_count(static_cast<std::int32_t>(i));
+    progress(make_engine(Library::kRef)->warning(polygons));
+  }
+  LongWork work(std::to_string(plan.booleans) + " booleans");
+  CsgOptions options;
+  options.merge = static_cast<MergeRule>(arguments_.merge);
+  // Files of triangles would have others than their origins tell of.
+  options.triangles = io::format_of(arguments_.output) == io::Format::kStl;
+  options.build = build_options(arguments_.build);
+  options.progress = [&work](double share) { return work.report(share); };
+  return by_ref ? evaluate_ref(plan, operands, options)
+                : evaluate_fast(plan, operands, options);
+}
+
+Status Job::run() {
+  const Result<CsgScript> script = parse_csg(request_.text, request_.bindings);
+  if (!script) return fail_in_source(script.error());
+  const Result<CsgPlan> plan = plan_csg(*script);
+  if (!plan) return fail_in_source(plan.error());
+  Result<Operands> operands =
+      Operands::load(*script, *plan,
+                     {.folder = request_.folder,
+                      .grid_bits = arguments_.grid_bits,
+                      .find_crossings = !arguments_.trust,
+                      .repair = arguments_.repair});
+  if (!operands) return fail(operands.error().message);
+  const Stopwatch watch;
+  const Result<std::optional<CsgResult>> result = evaluate(*plan, *operands);
+  if (!result) return fail(result.error().message);
+  if (!*result) return stop("stopped; nothing was written");
+  return finish(*script, *plan, *operands, **result, watch.elapsed_ms());
+}
+
+Status Job::finish(const CsgScript& script, const CsgPlan& plan,
+                   const Operands& operands, const CsgResult& result,
+                   double boolean_ms) const {
+  const CsgContext context{script, plan, operands, result, boolean_ms};
+  if (result.bad_edges != 0) {
+    return fail("this is a bug: the result has " +
+                std::to_string(result.bad_edges) +
+                " bad edges; nothing was written");
+  }
+  if (!result.turned.empty() && arguments_.strict) {
+    return fail(turned_sentence(context) + "; nothing was written");
+  }
+  const Result<io::ExportReport> report =
+      write_result(arguments_.output, result);
+  if (!report) return fail(arguments_.output, report.error());
+  if (!arguments_.origin.empty()) {
+    const Result<Done> written = write_origins(arguments_.origin, context);
+    if (!written) return fail(arguments_.origin, written.error());
+  }
+  const auto& stats_file = arguments_.build.stats_file;
+  if (stats_file != "-") print_summary(context, *report, arguments_.output);
+  if (stats_file) {
+    const Result<Done> written =
+        write_stats(*stats_file, stats_of(context, *report));
+    if (!written) return fail(*stats_file, written.error());
+  }
+  return Status::kFine;
+}
+
+Status run(const Arguments& arguments) {
   const std::string& output = arguments.output;
   if (!is_scene_name(output) && !io::format_of(output)) {
     return fail(output +
                 ": the name must end in .obj, .stl, .ply, .off or "
                 ".scene");
   }
-  const Result<Operands> operands =
-      load_operands(arguments.path_a, arguments.path_b, arguments.grid_bits);
-  if (!operands) return fail(operands.error().message);
-  progress(engine->warning(operands->a.scene().polygon_count() +
-                           operands->b.scene().polygon_count()));
-  const Stopwatch watch;
-  const BooleanResult result = engine->boolean(
-      operation, operands->a, operands->b, build_options(arguments.build));
-  const double boolean_ms = watch.elapsed_ms();
-  if (result.bad_edges != 0) {
-    return fail("this is a bug: the result has " +
-                std::to_string(result.bad_edges) +
-                " bad edges; nothing was written");
-  }
-  const Result<io::ExportReport> report = write_result(output, result);
-  if (!report) return fail(output, report.error());
-  if (arguments.build.stats_file != "-") {
-    print_summary(*operands, result, *report, boolean_ms, output);
-  }
-  if (arguments.build.stats_file) {
-    const Result<Done> written =
-        write_stats(*arguments.build.stats_file,
-                    stats_of(*operands, result, *report, boolean_ms));
-    if (!written) return fail(*arguments.build.stats_file, written.error());
-  }
-  return Status::kFine;
+  const bool by_ref =
+      library_of(arguments.build, Library::kFast) == Library::kRef;
+  if (by_ref && !arguments.origin.empty())
+    return fail("--origin: the reference does not know it; use --impl fast");
+  if (by_ref && arguments.repair)
+    return fail("--repair: the reference repairs nothing; use --impl fast");
+  if (arguments.trust && arguments.repair)
+    return fail("--trust finds nothing that --repair could resolve");
+  Result<Request> request = request_of(arguments);
+  if (!request) return fail(request.error().message);
+  return Job(arguments, *std::move(request)).run();
 }
 
-void add_operation(CLI::App& csg, const std::string& name,
-                   const std::string& meaning, BooleanOp operation,
-                   Status& status) {
-  CLI::App* app = csg.add_subcommand(name, meaning);
-  const auto arguments = std::make_shared<Arguments>();
-  app->add_option("A", arguments->path_a, "A closed mesh or .scene")
-      ->required()
-      ->type_name("");
-  app->add_option("B", arguments->path_b, "Another")->required()->type_name("");
-  app->add_option("-o,--output", arguments->output,
-                  "The result: OBJ, STL, PLY, OFF or .scene")
-      ->required()
-      ->type_name("OUT");
-  add_grid_option(*app, arguments->grid_bits);
-  add_build_options(*app, arguments->build, "ref");
-  app->callback(
-      [operation, arguments, &status] { status = run(operation, *arguments); });
-}
+constexpr const char* kFooter =
+    "The expression: names, or files in \"quotes\"; a & b, then from left to "
+    "right a | b,\na - b and a ^ b (in one of them); ~a (outside of a); "
+    "brackets;\n"
+    "  translate(a, X, Y, Z)  scale(a, S)  scale(a, X, Y, Z)\n"
+    "  rotate(a, AXIS_X, AXIS_Y, AXIS_Z, DEGREES)\n"
+    "  matrix(a, 12 numbers, row by row)\n"
+    "  half(x < 5)  half(z > -1)  half(9 numbers: three points of a plane)\n"
+    "A script has lines `name = expression`; the last one is the result. `#` "
+    "begins a\ncomment.\n\n"
+    "All must be closed, faces outwards; `halfspace info` tells. Files of "
+    "different\nunits are brought to one that holds all.\n\n"
+    "Examples:\n"
+    "  halfspace csg union a.off b.off -o both.off\n"
+    "  halfspace csg '(A - B) | C & D' A=a.off B=b.stl C=c.ply D=d.obj -o "
+    "out.off\n"
+    "  halfspace csg 'A & half(z < 2.5)' A=part.stl -o lower.stl\n"
+    "  halfspace csg --script machine.csg -o machine.off --stats -";
 
 }  // namespace
 
 void add_csg(CLI::App& program, Status& status) {
   CLI::App* app = program.add_subcommand(
-      "csg", "Union, intersection or difference of two closed solids");
-  app->require_subcommand(1);
-  add_operation(*app, "union", "What is in A or in B", BooleanOp::kUnion,
-                status);
-  add_operation(*app, "intersection", "What is in A and in B",
-                BooleanOp::kIntersection, status);
-  add_operation(*app, "difference", "What is in A and not in B",
-                BooleanOp::kDifference, status);
-  app->footer(
-      "Both must be closed, faces outwards; `halfspace info` tells. Files of "
-      "different\nunits are brought to one that holds both.\n\n"
-      "Examples:\n"
-      "  halfspace csg union a.off b.off -o both.off\n"
-      "  halfspace csg difference plate.stl drill.stl -o drilled.scene");
+      "csg", "Booleans of closed solids: an expression, or a script");
+  const auto arguments = std::make_shared<Arguments>();
+  app->add_option("EXPRESSION", arguments->words,
+                  "What to work out, and NAME=FILE for each of its names; or "
+                  "union, intersection, difference or symmetric-difference, "
+                  "and two files")
+      ->type_name("");
+  app->add_option("-o,--output", arguments->output,
+                  "The result: OBJ, STL, PLY, OFF or .scene")
+      ->required()
+      ->type_name("OUT");
+  app->add_option("--script", arguments->script,
+                  "Read the statements in this file instead")
+      ->type_name("FILE");
+  app->add_option("--origin", arguments->origin,
+                  "Write which polygon of which solid each polygon of the "
+                  "result comes from")
+      ->type_name("FILE");
+  add_choice(*app, "--merge", merge_words(), arguments->merge,
+             "Which faces in one plane become one: parts of one polygon, those "
+             "of one colour, all, or none");
+  app->add_flag("--strict", arguments->strict,
+                "Do not write a result of which rounding may have turned "
+                "polygons over");
+  app->add_flag("--repair", arguments->repair,
+                "Keep what a surface that crosses itself winds round at least "
+                "once, instead of refusing it");
+  app->add_flag("--trust", arguments->trust,
+                "Do not look whether surfaces cross themselves");
+  add_grid_option(*app, arguments->grid_bits);
+  add_build_options(*app, arguments->build, "fast");
+  app->footer(kFooter);
+  app->callback([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace halfspace::tools

@@ -8,11 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "halfspace/boolean.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/image.hpp"
-#include "halfspace/io/write_mesh.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
 
@@ -66,19 +64,6 @@ struct Picture {
   std::size_t fragments_displayed = 0;
 };
 
-/// The result of a boolean, ready to be written.
-struct BooleanResult {
-  /// The result exactly, where all its vertices lie on the operands' grid.
-  std::optional<Scene> scene;
-  /// Its vertices as doubles, else.
-  io::OutputMesh mesh;
-  std::size_t moved = 0;      ///< coordinates that the doubles do not hold
-  double max_move = 0;        ///< how far the farthest moved; model units
-  std::size_t faces = 0;      ///< convex polygons
-  std::size_t bad_edges = 0;  ///< 0: it is closed, as it must be (S6.5)
-  double volume = 0;          ///< the exact volume, rounded; model units
-};
-
 /// One library, as the commands see it.
 class Engine {
  public:
@@ -115,15 +100,6 @@ class Engine {
   /// alone.
   virtual Picture render(const Scene& scene, const Camera& camera,
                          const Shot& shot) const = 0;
-
-  /// Whether the library has booleans.
-  virtual bool has_booleans() const = 0;
-
-  /// The regularised boolean of two solids (S6.4).
-  /// Requires: has_booleans(); both on one grid.
-  virtual BooleanResult boolean(BooleanOp operation, const Solid& a,
-                                const Solid& b,
-                                const BuildOptions& options) const = 0;
 
   /// What is said, to someone who waits, before a scene of so many polygons is
   /// built or rendered; empty where it takes no time.

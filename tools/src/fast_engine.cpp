@@ -65,14 +65,6 @@ class FastEngine : public Engine {
             image.pixels_painted, image.fragments_displayed};
   }
 
-  bool has_booleans() const override { return false; }
-
-  BooleanResult boolean(BooleanOp, const Solid&, const Solid&,
-                        const BuildOptions&) const override {
-    HALFSPACE_ASSERT(has_booleans());
-    return {};
-  }
-
   std::string warning(std::size_t) const override { return {}; }
 
  private:

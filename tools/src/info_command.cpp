@@ -8,6 +8,7 @@
 #include "command.hpp"
 #include "halfspace/boolean.hpp"
 #include "loading.hpp"
+#include "volume.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -58,6 +59,7 @@ void print_closedness(const Scene& scene) {
   const std::size_t bad = bad_edges(scene).size();
   if (bad == 0) {
     std::printf("surface    closed\n");
+    std::printf("volume     %s\n", exact_volume(scene).c_str());
   } else {
     std::printf("surface    not closed: %zu bad edges\n", bad);
   }

@@ -1,121 +1,253 @@
 #include "operands.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <utility>
 
-#include "halfspace/io/mesh.hpp"
-#include "halfspace/io/number.hpp"
-#include "halfspace/io/read_mesh.hpp"
-#include "halfspace/scene_file.hpp"
+#include "crossing_check.hpp"
 #include "loading.hpp"
+#include "step_map.hpp"
 
 namespace halfspace::tools {
 namespace {
 
-io::Number number_of(std::int64_t steps, const Unit& unit) {
-  return io::normalised(steps, unit.exponent,
-                        unit.base == 10 ? unit.exponent : 0);
+/// The scene with just those vertices that a polygon has.
+Result<Scene> trimmed(const Scene& scene) {
+  SceneData data = scene.data();
+  std::vector<VertexId> ids(data.vertices.size(), -1);
+  std::vector<GridPoint> vertices;
+  for (VertexId& corner : data.corners) {
+    VertexId& id = ids[static_cast<std::size_t>(corner)];
+    if (id < 0) {
+      id = static_cast<VertexId>(vertices.size());
+      vertices.push_back(scene.point(corner));
+    }
+    corner = id;
+  }
+  data.vertices = std::move(vertices);
+  data.corner_colors.clear();
+  return make_scene(std::move(data));
 }
 
-/// The scene as a mesh, exactly.
-io::Mesh mesh_of(const Scene& scene) {
+/// A mesh of points alone: faces without area hold them. Import drops those,
+/// but finds the grid that holds the points.
+io::Mesh mesh_of_points(const std::vector<io::Number>& coordinates) {
   io::Mesh mesh;
-  const SceneData& data = scene.data();
-  for (const GridPoint& v : data.vertices) {
-    mesh.vertices.push_back({number_of(v.x, data.unit),
-                             number_of(v.y, data.unit),
-                             number_of(v.z, data.unit)});
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const auto id = static_cast<VertexId>(i);
+    mesh.vertices.push_back({coordinates[i], {}, {}});
+    mesh.corners.insert(mesh.corners.end(), {id, id, id});
+    mesh.first_corner.push_back(
+        static_cast<std::uint32_t>(mesh.corners.size()));
+  }
+  return mesh;
+}
+
+void add_extent(const Extent& extent, std::vector<io::Number>& coordinates) {
+  coordinates.insert(coordinates.end(),
+                     {extent.step, extent.least, extent.greatest});
+}
+
+/// The polygons of moved points that rounding may have bent, imported anew.
+Result<io::Imported> imported_again(const SceneData& data) {
+  io::Mesh mesh;
+  for (const GridPoint& p : data.vertices) {
+    mesh.vertices.push_back({io::normalised(p.x, 0, 0),
+                             io::normalised(p.y, 0, 0),
+                             io::normalised(p.z, 0, 0)});
   }
   mesh.first_corner = data.first_corner;
   mesh.corners = data.corners;
   mesh.face_colors.assign(data.colors.begin(), data.colors.end());
-  mesh.decimal = data.unit.base == 10;
-  return mesh;
-}
-
-Result<io::Mesh> mesh_in(const std::string& path) {
-  if (is_scene_name(path)) {
-    const Result<Loaded> loaded = load(path, {});
-    if (!loaded) return loaded.error();
-    return mesh_of(loaded->file.scene);
-  }
-  Result<io::Mesh> mesh = io::read_mesh(path);
-  if (!mesh) return about(path, mesh.error());
-  if (mesh->face_count() == 0) {
-    return Error{ErrorCode::kEmpty, path + ": there are no polygons"};
-  }
-  return mesh;
-}
-
-/// Adds the vertices of `other`'s faces to `mesh`, each held by a face without
-/// area: import drops those faces, but finds the grid that holds them too.
-/// Returns how many there are.
-std::size_t add_points(io::Mesh& mesh, const io::Mesh& other) {
-  std::vector<bool> used(other.vertices.size());
-  for (std::size_t face = 0; face < other.face_count(); ++face) {
-    const std::size_t first = other.first_corner[face];
-    const std::size_t last = other.first_corner[face + 1];
-    if (last - first < 3) continue;
-    for (std::size_t i = first; i < last; ++i)
-      used[static_cast<std::size_t>(other.corners[i])] = true;
-  }
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (!used[v]) continue;
-    const auto id = static_cast<VertexId>(mesh.vertices.size());
-    mesh.vertices.push_back(other.vertices[v]);
-    mesh.corners.insert(mesh.corners.end(), {id, id, id});
-    mesh.first_corner.push_back(
-        static_cast<std::uint32_t>(mesh.corners.size()));
-    ++count;
-  }
-  if (!mesh.vertex_colors.empty())
-    mesh.vertex_colors.resize(mesh.vertices.size());
-  if (!mesh.face_colors.empty()) mesh.face_colors.resize(mesh.face_count());
-  return count;
-}
-
-/// The solid of `mesh` on the grid that holds `other` too.
-Result<Solid> solid_of(io::Mesh mesh, const io::Mesh& other,
-                       const std::string& path, std::optional<int> grid_bits,
-                       io::ImportReport& report) {
-  mesh.decimal = mesh.decimal && other.decimal;
-  const std::size_t added = add_points(mesh, other);
-  Result<io::Imported> imported =
-      io::import_scene(mesh, {.grid_bits = grid_bits});
-  if (!imported) return about(path, imported.error());
-  // Either import moves the points of both operands.
-  report.moved = imported->report.moved;
-  report.max_move = imported->report.max_move;
-  report.unit = imported->report.unit;
-  report.grid_bits = imported->report.grid_bits;
-  report.triangulated += imported->report.triangulated;
-  report.dropped += imported->report.dropped - added;
-  Result<Solid> solid = make_solid(std::move(imported->scene));
-  if (!solid) return about(path, solid.error());
-  return solid;
+  return io::import_scene(mesh, {});
 }
 
 }  // namespace
 
-Result<Operands> load_operands(const std::string& path_a,
-                               const std::string& path_b,
-                               std::optional<int> grid_bits) {
-  Result<io::Mesh> mesh_a = mesh_in(path_a);
-  if (!mesh_a) return mesh_a.error();
-  Result<io::Mesh> mesh_b = mesh_in(path_b);
-  if (!mesh_b) return mesh_b.error();
-  Operands operands;
-  Result<Solid> a =
-      solid_of(*mesh_a, *mesh_b, path_a, grid_bits, operands.report);
-  if (!a) return a.error();
-  Result<Solid> b =
-      solid_of(*mesh_b, *mesh_a, path_b, grid_bits, operands.report);
-  if (!b) return b.error();
-  operands.report.vertices = mesh_a->vertices.size() + mesh_b->vertices.size();
-  operands.report.polygons = mesh_a->face_count() + mesh_b->face_count();
-  operands.a = *std::move(a);
-  operands.b = *std::move(b);
+/// Whether the surface crosses itself; an error if that is not to be repaired.
+Result<bool> Operands::find_crossings(const Solid& solid) const {
+  if (!options_.find_crossings) return false;
+  const Result<Done> fine = without_crossings(solid);
+  if (fine || options_.repair) return !fine;
+  return fine.error();
+}
+
+Result<Done> Operands::read_files() {
+  for (const CsgFile& file : script_->files) {
+    std::string path = file.path;
+    if (file.name.empty() && !options_.folder.empty())
+      path = (std::filesystem::path(options_.folder) / path).string();
+    Result<Loaded> loaded = tools::load(path, {});
+    if (!loaded) return loaded.error();
+    Result<Scene> scene = trimmed(loaded->file.scene);
+    if (!scene) return about(path, scene.error());
+    if (scene->polygon_count() == 0)
+      return Error{ErrorCode::kEmpty, path + ": there are no polygons"};
+    const Result<Solid> solid = make_solid(*scene);
+    if (!solid) return about(path, solid.error());
+    const Result<bool> crosses = find_crossings(*solid);
+    if (!crosses) return about(path, crosses.error());
+    const io::ImportReport& report = loaded->report;
+    report_.vertices += report.vertices;
+    report_.polygons += report.polygons;
+    report_.moved += report.moved;
+    report_.max_move = std::max(report_.max_move, report.max_move);
+    report_.triangulated += report.triangulated;
+    report_.dropped += report.dropped;
+    sources_.push_back({std::move(path), *std::move(scene), *crosses});
+  }
+  return Done{};
+}
+
+Result<Done> Operands::choose_grid() {
+  std::vector<io::Number> coordinates;
+  bool decimal = true;
+  for (const CsgLeaf& leaf : plan_->leaves) {
+    const Scene& scene = sources_[static_cast<std::size_t>(leaf.file)].scene;
+    decimal = decimal && scene.unit().base == 10;
+    const StepMap map = step_map(
+        plan_->matrices[static_cast<std::size_t>(leaf.matrix)], scene.unit());
+    add_extent(extent_of(map, scene.data().vertices), coordinates);
+  }
+  for (const CsgPlane& plane : plan_->planes) {
+    for (const Numbers3& point : plane.points)
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
+  }
+  io::Mesh mesh = mesh_of_points(coordinates);
+  mesh.decimal = decimal;
+  Result<io::Imported> imported =
+      io::import_scene(mesh, {.grid_bits = options_.grid_bits});
+  // What is moved and cannot be held by any grid goes to that of 40 bits. On
+  // the next one, faces that rounding bent are flatter than doubles can tell
+  // when the result is written.
+  const bool is_moved = plan_->matrices.size() > 1;
+  if (imported && imported->report.moved > 0 && is_moved && !options_.grid_bits)
+    imported = io::import_scene(mesh, {.grid_bits = 40});
+  if (!imported) return imported.error();
+  report_.unit = imported->report.unit;
+  report_.grid_bits = imported->report.grid_bits;
+  return Done{};
+}
+
+Result<Operands> Operands::load(const CsgScript& script, const CsgPlan& plan,
+                                const OperandOptions& options) {
+  Operands operands(script, plan, options);
+  const Result<Done> read = operands.read_files();
+  if (!read) return read.error();
+  const Result<Done> chosen = operands.choose_grid();
+  if (!chosen) return chosen.error();
   return operands;
+}
+
+const Operands::Source& Operands::source_of(std::int32_t leaf) const {
+  const auto file = plan_->leaves[static_cast<std::size_t>(leaf)].file;
+  return sources_[static_cast<std::size_t>(file)];
+}
+
+std::size_t Operands::polygon_count(std::int32_t leaf) const {
+  return source_of(leaf).scene.polygon_count();
+}
+
+const std::string& Operands::path_of(std::int32_t leaf) const {
+  return source_of(leaf).path;
+}
+
+std::string Operands::name_of(std::int32_t leaf) const {
+  const CsgLeaf& at = plan_->leaves[static_cast<std::size_t>(leaf)];
+  const CsgFile& file = script_->files[static_cast<std::size_t>(at.file)];
+  return file.name.empty() ? file.path : file.name;
+}
+
+Result<Scene> Operands::moved_scene(const CsgLeaf& leaf) {
+  const Scene& scene = sources_[static_cast<std::size_t>(leaf.file)].scene;
+  const Matrix& matrix = plan_->matrices[static_cast<std::size_t>(leaf.matrix)];
+  PlacedPoints moved = placed(step_map(matrix, scene.unit()),
+                              scene.data().vertices, report_.unit);
+  SceneData data = scene.data();
+  data.unit = report_.unit;
+  data.grid_bits = report_.grid_bits;
+  data.vertices = std::move(moved.points);
+  if (determinant_sign(matrix) < 0) {
+    for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+      std::reverse(data.corners.begin() + data.first_corner[p],
+                   data.corners.begin() + data.first_corner[p + 1]);
+    }
+  }
+  if (moved.moved == 0) return make_scene(std::move(data));
+  report_.moved += moved.moved;
+  report_.max_move = std::max(report_.max_move, moved.max_move);
+  Result<io::Imported> again = imported_again(data);
+  if (!again) return again.error();
+  if (again->scene.polygon_count() == 0) {
+    return Error{ErrorCode::kOutOfRange,
+                 "nothing is left of it on the grid of " +
+                     to_string(report_.unit) +
+                     ", which reaches as far as the farthest of the solids"};
+  }
+  report_.triangulated += again->report.triangulated;
+  report_.dropped += again->report.dropped;
+  data = again->scene.data();
+  data.unit = report_.unit;
+  data.grid_bits = report_.grid_bits;
+  return make_scene(std::move(data));
+}
+
+Result<Solid> Operands::leaf(std::int32_t id) {
+  const CsgLeaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
+  const auto located = [&](Error error) {
+    error.message = "as moved at " + to_string(leaf.place) +
+                    " of the script: " + error.message;
+    return about(path_of(id), std::move(error));
+  };
+  const std::size_t moved_before = report_.moved;
+  Result<Scene> scene = moved_scene(leaf);
+  if (!scene) return located(scene.error());
+  Result<Solid> solid = make_solid(*std::move(scene));
+  if (!solid) return located(solid.error());
+  // An exact map makes no new crossings.
+  bool crosses = source_of(id).crosses_itself;
+  if (report_.moved != moved_before) {
+    const Result<bool> found = find_crossings(*solid);
+    if (!found) return located(found.error());
+    crosses = *found;
+  }
+  crossing_[static_cast<std::size_t>(id)] = crosses;
+  return solid;
+}
+
+Result<std::array<GridPoint, 3>> Operands::plane(std::int32_t id) {
+  const CsgPlane& plane = plan_->planes[static_cast<std::size_t>(id)];
+  std::array<GridPoint, 3> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PlacedPoints at =
+        placed(step_map(translation(plane.points[i]), report_.unit),
+               std::array{GridPoint{0, 0, 0}}, report_.unit);
+    points[i] = at.points.front();
+    report_.moved += at.moved;
+    report_.max_move = std::max(report_.max_move, at.max_move);
+  }
+  // A scene of one triangle is valid if they are not on a line.
+  SceneData data;
+  data.grid_bits = report_.grid_bits;
+  data.vertices.assign(points.begin(), points.end());
+  data.corners = {0, 1, 2};
+  data.first_corner = {0, 3};
+  data.colors.resize(1);
+  if (make_scene(std::move(data))) return points;
+  return error_at(plane.place, ErrorCode::kZeroArea,
+                  "on the grid of " + to_string(report_.unit) +
+                      " that the solids need, the plane's three points are on "
+                      "one line; choose them farther apart");
+}
+
+Solid Operands::nothing() const {
+  SceneData data;
+  data.unit = report_.unit;
+  data.grid_bits = report_.grid_bits;
+  Result<Scene> scene = make_scene(std::move(data));
+  if (!scene) return {};
+  Result<Solid> solid = make_solid(*std::move(scene));
+  return solid ? *std::move(solid) : Solid();
 }
 
 }  // namespace halfspace::tools

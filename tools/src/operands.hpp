@@ -1,28 +1,98 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "csg_plan.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::tools {
 
-/// Two solids on one grid, and what putting them there took.
-struct Operands {
-  Solid a;
-  Solid b;
-  io::ImportReport report;  ///< of both together
+/// How operands are read.
+struct OperandOptions {
+  /// The folder that files in quotes are sought in; empty: where we are.
+  std::string folder;
+  std::optional<int> grid_bits;
+  /// Whether surfaces that cross themselves are found, which takes time, and
+  /// then whether they are noted, and not refused.
+  bool find_crossings = true;
+  bool repair = false;
 };
 
-/// The solids in two files, meshes or scenes, on the grid that holds both:
-/// whatever units they came in, exact wherever one grid can hold them.
-///
-/// Errors: those of reading and importing; kEmpty (no polygons); kNotClosed.
-///         The message names the file.
-Result<Operands> load_operands(const std::string& path_a,
-                               const std::string& path_b,
-                               std::optional<int> grid_bits);
+/// The solids of a plan, all on the grid that holds them: whatever units they
+/// came in, and however they were moved, exact wherever one grid can hold them.
+class Operands {
+ public:
+  /// Reads the files and chooses the grid (S1.7).
+  ///
+  /// Requires: `script` and `plan` outlive the operands, which are the plan's.
+  /// Errors: those of reading and importing; kEmpty (no polygons); kNotClosed
+  ///         (bad edges, or faces that cross). The message names the file.
+  static Result<Operands> load(const CsgScript& script, const CsgPlan& plan,
+                               const OperandOptions& options);
+
+  /// The solid of a leaf, mirrored ones turned outwards again. Its polygons are
+  /// those of the scene in its file, unless it had to be rounded and some had
+  /// to be cut into triangles.
+  /// Errors: those of importing; kNotClosed; kOutOfRange (it is less than a
+  ///         step of the grid). The message names the file, and where in the
+  ///         script it is moved.
+  Result<Solid> leaf(std::int32_t id);
+
+  /// Three points of a plane.
+  /// Errors: kZeroArea (rounding put them on a line).
+  Result<std::array<GridPoint, 3>> plane(std::int32_t id);
+
+  /// The empty solid there.
+  Solid nothing() const;
+
+  /// What reading, moving and rounding did so far; the grid of all.
+  const io::ImportReport& report() const { return report_; }
+
+  /// Whether the surface of a leaf that was asked for crosses itself.
+  bool crosses_itself(std::int32_t leaf) const {
+    return crossing_[static_cast<std::size_t>(leaf)];
+  }
+
+  /// How many polygons a leaf's file has.
+  std::size_t polygon_count(std::int32_t leaf) const;
+
+  /// A leaf in words: its name, or its file, and where it is.
+  std::string name_of(std::int32_t leaf) const;
+
+  /// The file of a leaf.
+  const std::string& path_of(std::int32_t leaf) const;
+
+ private:
+  struct Source {
+    std::string path;
+    Scene scene;
+    bool crosses_itself = false;
+  };
+
+  Operands(const CsgScript& script, const CsgPlan& plan,
+           const OperandOptions& options)
+      : script_(&script),
+        plan_(&plan),
+        options_(options),
+        crossing_(plan.leaves.size()) {}
+  Result<bool> find_crossings(const Solid& solid) const;
+  Result<Done> read_files();
+  Result<Done> choose_grid();
+  const Source& source_of(std::int32_t leaf) const;
+  Result<Scene> moved_scene(const CsgLeaf& leaf);
+
+  const CsgScript* script_;
+  const CsgPlan* plan_;
+  OperandOptions options_;
+  std::vector<Source> sources_;  // by file of the script
+  std::vector<bool> crossing_;   // by leaf
+  io::ImportReport report_;
+};
 
 }  // namespace halfspace::tools

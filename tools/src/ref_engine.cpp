@@ -1,10 +1,7 @@
-#include <cmath>
-#include <map>
 #include <utility>
 
 #include "engine.hpp"
 #include "halfspace/assert.hpp"
-#include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/painter.hpp"
 #include "halfspace/ref/raycast.hpp"
@@ -16,53 +13,6 @@ namespace {
 
 /// From here on the reference takes more than a moment.
 constexpr std::size_t kManyPolygons = 2000;
-
-/// The coordinate in grid steps, if it is one of the widest grid's.
-std::optional<std::int64_t> on_grid(const ref::Rational& coordinate) {
-  const std::int64_t limit = std::int64_t{1} << (kGridBits[2] - 1);
-  if (floor(coordinate) != coordinate || coordinate < ref::Rational(-limit) ||
-      !(coordinate < ref::Rational(limit))) {
-    return std::nullopt;
-  }
-  return coordinate.to_int64();
-}
-
-std::optional<GridPoint> on_grid(const ref::Point& point) {
-  const auto x = on_grid(point.x);
-  const auto y = on_grid(point.y);
-  const auto z = on_grid(point.z);
-  if (!x || !y || !z) return std::nullopt;
-  return GridPoint{*x, *y, *z};
-}
-
-/// The solid as a scene, if all its vertices lie on the grid.
-std::optional<Scene> scene_of(const ref::Solid& solid, Unit unit) {
-  SceneData data;
-  data.unit = unit;
-  std::map<GridPoint, VertexId> ids;
-  for (const ref::Face& face : solid.faces) {
-    for (const ref::Point& vertex : face.vertices) {
-      const std::optional<GridPoint> point = on_grid(vertex);
-      if (!point) return std::nullopt;
-      const auto next = static_cast<VertexId>(data.vertices.size());
-      const auto [place, is_new] = ids.try_emplace(*point, next);
-      if (is_new) data.vertices.push_back(*point);
-      data.corners.push_back(place->second);
-    }
-    data.first_corner.push_back(
-        static_cast<std::uint32_t>(data.corners.size()));
-    data.colors.push_back(face.color);
-  }
-  data.grid_bits = grid_bits_for(data.vertices);
-  Result<Scene> scene = make_scene(std::move(data));
-  if (!scene) return std::nullopt;
-  return *std::move(scene);
-}
-
-double volume_of(const ref::Solid& solid, const Unit& unit) {
-  const double steps = volume6(solid).big().convert_to<double>() / 6;
-  return steps * std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
-}
 
 template <class T>
 Grid2<T> rows_of(const Grid2<T>& image, const Rows& rows) {
@@ -117,24 +67,6 @@ class RefEngine : public Engine {
     if (moved) return whole(scene, *moved, shot);
     // The corner of the rows is off the lattice.
     return cut_out(whole(scene, camera, shot), *shot.rows);
-  }
-
-  bool has_booleans() const override { return true; }
-
-  BooleanResult boolean(BooleanOp operation, const Solid& a, const Solid& b,
-                        const BuildOptions& options) const override {
-    const ref::Solid solid =
-        ref::boolean(operation, ref::to_solid(a), ref::to_solid(b), options);
-    const Unit unit = a.scene().unit();
-    ref::RoundedSolid rounded = ref::rounded(solid, unit);
-    return {scene_of(solid, unit),
-            {std::move(rounded.vertices), std::move(rounded.first_corner),
-             std::move(rounded.corners), std::move(rounded.colors)},
-            rounded.moved,
-            rounded.max_move,
-            solid.faces.size(),
-            ref::bad_edges(solid).size(),
-            volume_of(solid, unit)};
   }
 
   std::string warning(std::size_t polygons) const override {

@@ -27,9 +27,9 @@ expect 2 '\-\-repeat' render cube.off -o a.png --repeat 0
 expect 2 '\-\-candidates.*at least 1' build cube.off --candidates 0
 expect 2 '\.png' render cube.off -o a.jpg
 expect 2 'fast.*zbuffer' render cube.off -o a.png --impl fast --method zbuffer
-expect 2 'no booleans' csg union cube.off cube.off -o c.off --impl fast
-expect 2 'subcommand' csg
-expect 2 'called xor' csg xor cube.off cube.off
+expect 2 'output' csg
+expect 2 'say what' csg -o c.off
+expect 2 'NAME=FILE.*cube.off' csg xor cube.off cube.off -o c.off
 expect 2 'output' csg union cube.off cube.off
 expect 2 'must end in' csg union cube.off cube.off -o out.txt
 

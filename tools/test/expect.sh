@@ -47,6 +47,18 @@ same() {
   cmp "$1" "$2" || wrong "$1 and $2 differ"
 }
 
+# A box as OFF, its corners (x0, y0, z0) and (x1, y1, z1).
+box() {
+  printf 'OFF\n8 6 0\n'
+  local x y z
+  for z in "$3" "$6"; do
+    for y in "$2" "$5"; do
+      for x in "$1" "$4"; do echo "$x $y $z"; done
+    done
+  done
+  printf '4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n'
+}
+
 finish() {
   [ $failures = 0 ] || {
     echo "$failures wrong"

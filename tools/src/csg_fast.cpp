@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "csg_evaluate.hpp"
+#include "csg_result.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/solid.hpp"
+#include "volume.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// What half-spaces cut has no colour of its own.
+constexpr Rgb kCutColor{170, 170, 170};
+
+/// The fast library's solids, all in one table of planes and points. The parts
+/// are the plan's leaves, and then its planes.
+class FastAlgebra {
+ public:
+  using Value = fast::Solid;
+
+  FastAlgebra(const CsgPlan& plan, Operands& operands)
+      : operands_(operands),
+        nothing_(fast::to_solid(operands.nothing())),
+        leaf_count_(static_cast<std::int32_t>(plan.leaves.size())) {}
+
+  Result<Value> leaf(std::int32_t id) {
+    const Result<Solid> solid = operands_.leaf(id);
+    if (!solid) return solid.error();
+    Value value = fast::to_solid(*solid, nothing_, id);
+    if (!operands_.crosses_itself(id)) return value;
+    fast::Repaired repaired = fast::repair(value);
+    repairs_.push_back({id, repaired.crossings.size(), repaired.faces_cut,
+                        repaired.faces_dropped});
+    return std::move(repaired.solid);
+  }
+
+  Result<Value> plane(std::int32_t id) {
+    const auto points = operands_.plane(id);
+    if (!points) return points.error();
+    Value half = fast::half_space(*points, nothing_);
+    half.faces.front().color = kCutColor;
+    half.faces.front().part = leaf_count_ + id;
+    return half;
+  }
+
+  const std::vector<CsgRepair>& repairs() const { return repairs_; }
+
+  Value complement(Value value) { return fast::complement(std::move(value)); }
+
+  Value combine(CsgKind kind, const Value& a, const Value& b) {
+    switch (kind) {
+      case CsgKind::kIntersection:
+        return fast::boolean(BooleanOp::kIntersection, a, b);
+      case CsgKind::kDifference:
+        return fast::boolean(BooleanOp::kDifference, a, b);
+      case CsgKind::kSymmetricDifference:
+        return fast::symmetric_difference(a, b);
+      default:
+        return fast::boolean(BooleanOp::kUnion, a, b);
+    }
+  }
+
+ private:
+  Operands& operands_;
+  fast::Solid nothing_;
+  std::int32_t leaf_count_;
+  std::vector<CsgRepair> repairs_;
+};
+
+fast::Solid merged_by(const fast::Solid& solid, MergeRule rule) {
+  switch (rule) {
+    case MergeRule::kOrigin:
+      return fast::merged(solid, fast::Merge::kOrigin);
+    case MergeRule::kColor:
+      return fast::merged(solid, fast::Merge::kColor);
+    case MergeRule::kPlane:
+      return fast::merged(solid, fast::Merge::kPlane);
+    case MergeRule::kNone:
+      break;
+  }
+  return solid;
+}
+
+/// The mesh as a scene, its vertices being in steps of the unit: exactly, or
+/// nothing if doubles or no grid hold them.
+std::optional<Scene> scene_of(const fast::ExportedMesh& mesh, Unit unit) {
+  if (mesh.moved > 0) return std::nullopt;
+  io::Mesh exact;
+  for (const auto& vertex : mesh.vertices) {
+    std::array<io::Number, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = io::number_of(vertex[k]);
+      if (at[k].mantissa == 0) continue;
+      at[k].two += unit.exponent;
+      at[k].five += unit.base == 10 ? unit.exponent : 0;
+    }
+    exact.vertices.push_back(at);
+  }
+  exact.first_corner = mesh.first_corner;
+  exact.corners = mesh.corners;
+  exact.face_colors.assign(mesh.colors.begin(), mesh.colors.end());
+  exact.decimal = unit.base == 10;
+  Result<io::Imported> imported = io::import_scene(exact, {});
+  if (!imported || imported->report.moved > 0 ||
+      imported->scene.polygon_count() != mesh.faces.size())
+    return std::nullopt;
+  return std::move(imported->scene);
+}
+
+/// How many edges the polygons do not use equally often in each direction.
+std::size_t bad_edges_of(const fast::ExportedMesh& mesh) {
+  struct Use {
+    VertexId low;
+    VertexId high;
+    int sign;
+  };
+  std::vector<Use> uses;
+  for (std::size_t p = 0; p < mesh.faces.size(); ++p) {
+    const std::size_t first = mesh.first_corner[p];
+    const std::size_t end = mesh.first_corner[p + 1];
+    for (std::size_t i = first; i < end; ++i) {
+      const VertexId from = mesh.corners[i];
+      const VertexId to = mesh.corners[i + 1 < end ? i + 1 : first];
+      uses.push_back(
+          {std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+    }
+  }
+  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+  std::size_t bad = 0;
+  int sum = 0;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    sum += uses[i].sign;
+    const bool is_last = i + 1 == uses.size() ||
+                         uses[i + 1].low != uses[i].low ||
+                         uses[i + 1].high != uses[i].high;
+    if (!is_last) continue;
+    bad += sum != 0 ? 1 : 0;
+    sum = 0;
+  }
+  return bad;
+}
+
+CsgResult finished(fast::Solid solid, const CsgOptions& options) {
+  solid = merged_by(solid, options.merge);
+  CsgResult result;
+  result.faces = solid.faces.size();
+  result.bad_edges = fast::bad_edges(solid).size();
+  const Unit unit = solid.unit;
+  // In steps, doubles hold every point of the grid.
+  solid.unit = {2, 0};
+  fast::ExportedMesh mesh = fast::exported(solid, {options.triangles});
+  result.polygons = mesh.faces.size();
+  // Faces may be no loops even where the edges of all of them cancel.
+  result.bad_edges = std::max(result.bad_edges, bad_edges_of(mesh));
+  result.volume = about_volume(mesh.vertices, mesh.first_corner, mesh.corners) *
+                  std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
+  for (const std::int32_t f : mesh.faces) {
+    const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
+    result.origins.push_back({face.part, face.polygon});
+  }
+  result.scene = scene_of(mesh, unit);
+  if (result.scene) return result;
+  solid.unit = unit;
+  if (unit != Unit{2, 0}) mesh = fast::exported(solid, {options.triangles});
+  result.moved = mesh.moved;
+  result.max_move = mesh.max_move;
+  result.turned = std::move(mesh.turned);
+  result.mesh = {std::move(mesh.vertices), std::move(mesh.first_corner),
+                 std::move(mesh.corners), std::move(mesh.colors)};
+  return result;
+}
+
+}  // namespace
+
+const std::vector<std::string>& merge_words() {
+  static const std::vector<std::string> kWords = {"origin", "color", "plane",
+                                                  "none"};
+  return kWords;
+}
+
+Result<std::optional<CsgResult>> evaluate_fast(const CsgPlan& plan,
+                                               Operands& operands,
+                                               const CsgOptions& options) {
+  FastAlgebra algebra(plan, operands);
+  Evaluator<FastAlgebra> evaluator(plan, algebra, options.progress);
+  Result<std::optional<fast::Solid>> solid = evaluator.result();
+  if (!solid) return solid.error();
+  if (!*solid) return std::optional<CsgResult>();
+  CsgResult result = finished(**std::move(solid), options);
+  result.repairs = algebra.repairs();
+  return std::optional<CsgResult>(std::move(result));
+}
+
+}  // namespace halfspace::tools

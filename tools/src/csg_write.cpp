@@ -1,0 +1,183 @@
+#include "csg_write.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "halfspace/io/import.hpp"
+#include "halfspace/scene_file.hpp"
+#include "loading.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// The doubles of the result as a scene, rounded to a grid if need be.
+Result<io::Imported> import_rounded(const io::OutputMesh& rounded) {
+  io::Mesh mesh;
+  for (const auto& [x, y, z] : rounded.vertices) {
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+      return Error{ErrorCode::kNotFinite,
+                   "a coordinate is beyond the range of doubles"};
+    }
+    mesh.vertices.push_back(
+        {io::number_of(x), io::number_of(y), io::number_of(z)});
+  }
+  mesh.first_corner = rounded.first_corner;
+  mesh.corners = rounded.corners;
+  mesh.face_colors.assign(rounded.colors.begin(), rounded.colors.end());
+  return io::import_scene(mesh, {});
+}
+
+/// Writes the result as a scene, and counts what had to be rounded.
+Result<io::ExportReport> write_scene_file(const std::string& path,
+                                          const CsgResult& result) {
+  io::ExportReport report;
+  SceneFile file;
+  if (result.scene) {
+    file.scene = *result.scene;
+  } else {
+    Result<io::Imported> imported = import_rounded(result.mesh);
+    if (!imported) return imported.error();
+    report = {.moved = result.moved + imported->report.moved,
+              .max_move = result.max_move + imported->report.max_move,
+              .triangulated = imported->report.triangulated};
+    file.scene = std::move(imported->scene);
+  }
+  std::ofstream out(path, std::ios::binary);
+  out << write_scene(file);
+  out.close();
+  if (!out) return Error{ErrorCode::kUnwritable, path + ": cannot be written"};
+  return report;
+}
+
+std::size_t polygons_in(const CsgContext& context) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < context.plan.leaves.size(); ++i)
+    count += context.operands.polygon_count(static_cast<std::int32_t>(i));
+  return count;
+}
+
+/// Whether an origin is one of the plan's planes, which come after its leaves.
+bool is_half(const CsgContext& context, std::int32_t part) {
+  return static_cast<std::size_t>(part) >= context.plan.leaves.size();
+}
+
+/// The text with what would break a line made blanks.
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = ' ';
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<io::ExportReport> write_result(const std::string& path,
+                                      const CsgResult& result) {
+  if (is_scene_name(path)) return write_scene_file(path, result);
+  if (result.scene) return io::write_scene_mesh(path, *result.scene);
+  Result<io::ExportReport> report = io::write_mesh(path, result.mesh);
+  if (!report) return report;
+  report->moved += result.moved;
+  report->max_move += result.max_move;
+  return report;
+}
+
+Result<Done> write_origins(const std::string& path, const CsgContext& context) {
+  std::string text;
+  for (std::size_t i = 0; i < context.plan.leaves.size(); ++i) {
+    const auto id = static_cast<std::int32_t>(i);
+    const Place& place = context.plan.leaves[i].place;
+    text += "solid " + std::to_string(i) + " " +
+            one_line(context.operands.name_of(id)) + " (" + to_string(place) +
+            ") " + one_line(context.operands.path_of(id)) + "\n";
+  }
+  for (std::size_t i = 0; i < context.plan.planes.size(); ++i) {
+    text += "solid " + std::to_string(context.plan.leaves.size() + i) +
+            " half (" + to_string(context.plan.planes[i].place) + ")\n";
+  }
+  for (const CsgOrigin& origin : context.result.origins) {
+    text += std::to_string(origin.leaf) + " " + std::to_string(origin.polygon) +
+            "\n";
+  }
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) return Error{ErrorCode::kUnwritable, path + ": cannot be written"};
+  return Done{};
+}
+
+std::string turned_sentence(const CsgContext& context) {
+  const auto& turned = context.result.turned;
+  std::string sentence =
+      "rounding to doubles may have turned over or "
+      "flattened " +
+      std::to_string(turned.size()) + " of " +
+      std::to_string(context.result.polygons) + " polygons, first polygon " +
+      std::to_string(turned.front());
+  if (!context.result.origins.empty()) {
+    const CsgOrigin& origin =
+        context.result.origins[static_cast<std::size_t>(turned.front())];
+    sentence += is_half(context, origin.leaf)
+                    ? " (of a half)"
+                    : " (of polygon " + std::to_string(origin.polygon) +
+                          " of " + context.operands.name_of(origin.leaf) + ")";
+  }
+  return sentence;
+}
+
+nlohmann::json stats_of(const CsgContext& context,
+                        const io::ExportReport& report) {
+  const io::ImportReport& import = context.operands.report();
+  const CsgResult& result = context.result;
+  return {{"operands", context.plan.leaves.size()},
+          {"booleans", context.plan.booleans},
+          {"polygons", polygons_in(context)},
+          {"faces", result.faces},
+          {"polygons_out", result.polygons},
+          {"bad_edges", result.bad_edges},
+          {"repaired", result.repairs.size()},
+          {"volume", result.volume},
+          {"boolean_ms", context.boolean_ms},
+          {"import",
+           {{"moved", import.moved},
+            {"max_move", import.max_move},
+            {"triangulated", import.triangulated},
+            {"dropped", import.dropped},
+            {"unit", to_string(import.unit)},
+            {"grid_bits", import.grid_bits}}},
+          {"export",
+           {{"moved", report.moved},
+            {"max_move", report.max_move},
+            {"turned", result.turned.size()},
+            {"triangulated", report.triangulated}}}};
+}
+
+void print_summary(const CsgContext& context, const io::ExportReport& report,
+                   const std::string& output) {
+  const CsgResult& result = context.result;
+  std::printf("operands: %zu of %zu polygons; %s\n", context.plan.leaves.size(),
+              polygons_in(context),
+              to_string(context.operands.report()).c_str());
+  for (const CsgRepair& repair : result.repairs) {
+    std::printf(
+        "repaired: %s: %zu pairs of polygons crossed; %zu polygons cut, %zu "
+        "dropped\n",
+        context.operands.name_of(repair.leaf).c_str(), repair.crossings,
+        repair.faces_cut, repair.faces_dropped);
+  }
+  std::printf("result: %zu polygons, closed, volume %.12g, %.3f ms\n",
+              result.polygons, result.volume, context.boolean_ms);
+  std::printf("%s: moved %zu %s (by at most %.3g), triangulated %zu",
+              output.c_str(), report.moved,
+              result.moved > 0 ? "vertices" : "coordinates", report.max_move,
+              report.triangulated);
+  std::printf("\n");
+  if (!result.turned.empty())
+    std::printf("warning: %s\n", turned_sentence(context).c_str());
+}
+
+}  // namespace halfspace::tools

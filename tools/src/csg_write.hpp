@@ -1,0 +1,48 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "csg_plan.hpp"
+#include "csg_result.hpp"
+#include "halfspace/io/write_mesh.hpp"
+#include "halfspace/result.hpp"
+#include "operands.hpp"
+
+namespace halfspace::tools {
+
+/// All that there is to tell of a boolean that was done.
+struct CsgContext {
+  const CsgScript& script;
+  const CsgPlan& plan;
+  const Operands& operands;
+  const CsgResult& result;
+  double boolean_ms = 0;
+};
+
+/// Writes the result as the file's name says, exactly where the format can.
+/// What the result's own rounding moved is in the report, too.
+/// Errors: those of write_mesh() and of import, for scenes; kUnwritable.
+Result<io::ExportReport> write_result(const std::string& path,
+                                      const CsgResult& result);
+
+/// Writes the origin of each polygon of the result as text. A line
+/// `solid I NAME PATH` for each solid, as it was moved at a place in the
+/// script; then, for each polygon in order, `I J`: it is a part of polygon `J`
+/// of solid `I`.
+/// Errors: kUnwritable.
+Result<Done> write_origins(const std::string& path, const CsgContext& context);
+
+/// What is said where rounding turned polygons over: how many, and where the
+/// first comes from.
+std::string turned_sentence(const CsgContext& context);
+
+/// What `--stats` says.
+nlohmann::json stats_of(const CsgContext& context,
+                        const io::ExportReport& report);
+
+/// Says what was done, line by line, on standard output.
+void print_summary(const CsgContext& context, const io::ExportReport& report,
+                   const std::string& output);
+
+}  // namespace halfspace::tools

@@ -1,0 +1,177 @@
+#!/usr/bin/env bash
+# Expressions and scripts of booleans: operators, transforms, halves, origins,
+# colours, exact identities of volumes, and what is refused.
+. "$(dirname "$0")/expect.sh"
+
+# volume FILE: what `info` says of it, exactly.
+volume() {
+  "$program" info "$1" | sed -n 's/^volume *//p'
+}
+
+# holds EQUATION: it is true, of fractions written as f("1/3").
+holds() {
+  python3 -c "
+from fractions import Fraction as f
+import sys
+sys.exit(0 if $1 else 1)" || wrong "not true: $1"
+}
+
+# gives VOLUME ARGUMENT...: csg has this volume by either library, and what it
+# writes has it exactly.
+gives() {
+  local want=$1 library
+  shift
+  for library in fast ref; do
+    expect 0 "closed, volume $want," csg "$@" -o out.off --impl $library
+    [ "$(volume out.off)" = "$want" ] ||
+      wrong "'$*' by $library: out.off has volume $(volume out.off)"
+  done
+}
+
+box 0 0 0 4 4 4 >a.off
+box 1 1 1 5 5 5 >b.off
+box 3 0 0 6 2 2 >c.off
+box 0 0 0 6 1 1 >d.off
+two="A=a.off B=b.off"
+all="$two C=c.off D=d.off"
+
+# Operators and what binds more strongly, by either library.
+# shellcheck disable=SC2086
+{
+  gives 64 'A' A=a.off
+  gives 101 'A | B' $two
+  gives 74 'A ^ B' $two
+  gives 37 'A - B' $two
+  gives 27 'A & ~(A - B)' $two
+  gives 37 'A & ~B' $two
+  gives 39 '(A - B) | C & D' $all
+  gives 3 'D - A | A & (B & C)' $all
+}
+# Halves, whole and cut.
+gives_fast() {
+  local want=$1
+  shift
+  expect 0 "closed, volume $want," csg "$@" -o out.off
+  [ "$(volume out.off)" = "$want" ] || wrong "'$*': $(volume out.off)"
+}
+gives_fast 40 'A & half(z < 2.5)' A=a.off
+gives_fast 24 'A - half(z < 2.5)' A=a.off
+gives_fast 32 'A & half(0,0,0, 4,4,0, 0,0,4)' A=a.off
+gives_fast 8 'half(z > 1) & A & half(x < 1) & half(y > 2) - half(z > 2) |
+  A & half(z > 2) & half(y > 3) & half(x > 1)' A=a.off
+expect 2 'line 1, column 3.*infinitely far' csg 'A | half(x < 1)' A=a.off \
+  -o out.off
+expect 2 'inside out' csg '~A' A=a.off -o out.off
+expect 2 'no half-spaces' csg 'A & half(x < 1)' A=a.off -o out.off --impl ref
+# Nothing is left: a mesh of no polygons.
+expect 0 'volume 0,' csg 'A - A' A=a.off -o out.off
+
+# Transforms: exact in decimals, powers of two, quarter turns and mirrors.
+expect 0 'moved 0 coordinates' csg 'translate(A, 0.1, -1e-6, 3) | A' A=a.off \
+  -o out.off
+gives 8 'scale(A, 0.5)' A=a.off
+gives 64 'A & scale(rotate(A, 0, 0, 1, -180), -1, -1, 1) |
+  rotate(rotate(A, 1, 0, 0, 90), 1, 0, 0, -90)' A=a.off
+gives 128 'A | scale(A, -1, 1, 1)' A=a.off
+gives 64 'matrix(A, 0.6,-0.8,0,7, 0.8,0.6,0,0, 0,0,1,0)' A=a.off
+# Any other turn is rounded, to the grid of 40 bits if not told otherwise, and
+# that is said; the finer the grid, the less.
+: >moves
+for grid in 26 40 54; do
+  expect 0 'moved [1-9][0-9]* coordinates (by at most' csg \
+    'rotate(A, 1, 2, 3, 10)' A=a.off -o "turned-$grid.off" --grid $grid \
+    --stats stats.json
+  number stats.json max_move | tail -n 1 >>moves
+done
+[ "$(wc -l <moves)" = 3 ] || wrong "moves are not three: $(cat moves)"
+sort -gr moves | cmp - moves || wrong "moves do not shrink: $(cat moves)"
+expect 0 'moved [1-9]' csg 'rotate(A, 1, 2, 3, 10)' A=a.off -o out.off
+same out.off turned-40.off
+# Faces bent by less than doubles tell: rounding the result might turn slivers
+# over. That is said, with the polygon's origin, or refused.
+expect 2 'turned over.*polygon [0-9]* of A)' csg 'A | rotate(A, 1, 2, 3, 10)' \
+  A=a.off -o none.off --grid 54 --strict
+[ ! -e none.off ] || wrong "none.off was written"
+expect 0 'warning: rounding .*turned over.* polygons, first polygon' csg \
+  'A | rotate(A, 1, 2, 3, 10)' A=a.off -o out.off --grid 54
+# What is too small for the grid of the others does not vanish unseen.
+expect 2 'a.off.*line 1, column 7.*nothing is left of it' csg \
+  'scale(A, 1e40) | A' A=a.off -o out.off
+# A turned box is still a box's worth, nearly.
+expect 0 'volume \(64\|64.0000000\|63.9999999\)' csg 'rotate(A, 1, 2, 3, 10)' A=a.off -o out.off
+
+# Scripts: files beside them, names given again, lines that go on.
+mkdir parts
+cp a.off b.off parts/
+printf '# first\nX = "a.off" -\n  "b.off"\nX = (X |\nD)\nX\n' >parts/first.csg
+expect 0 'volume 39,' csg --script parts/first.csg D=d.off -o out.off
+expect 2 'first.csg: line 5, column 1.*D.*stands for nothing' csg \
+  --script parts/first.csg -o out.off
+expect 2 "E.*never used" csg --script parts/first.csg D=d.off E=d.off -o o.off
+printf 'x = y\ny = x\n' >cyclic.csg
+expect 2 'cyclic.csg: line 1, column 5.*y.*stands for nothing' csg \
+  --script cyclic.csg -o out.off
+: >empty.csg
+expect 2 'empty.csg.*no statement' csg --script empty.csg -o out.off
+expect 2 'none.csg' csg --script none.csg -o out.off
+expect 2 'none.off' csg '"none.off"' -o out.off
+python3 -c 'print("(" * 100000 + "A" + ")" * 100000)' >deep.csg
+expect 0 'volume 64,' csg --script deep.csg A=a.off -o out.off
+python3 -c 'print("(" * 100000 + "A")' >open.csg
+expect 2 'column 100000.*never closed' csg --script open.csg A=a.off -o out.off
+# A row of boxes, each a third into the next: one by one, and by doubling.
+{
+  echo 's = "a.off"'
+  for i in $(seq 1 99); do echo "s = s | translate(\"a.off\", $((3 * i)), 0, 0)"; done
+} >row.csg
+expect 0 'volume 4816,' csg --script row.csg -o row.off --merge plane
+[ "$(sed -n 2p row.off | cut -d' ' -f1,2)" = '8 6' ] ||
+  wrong "row.off: $(sed -n 2p row.off)"
+
+# Where polygons come from; and their colours.
+expect 0 'closed' csg difference a.off b.off -o out.off --origin origin.txt \
+  --stats stats.json
+[ "$(number stats.json faces)" = 9 ] || wrong "faces in stats.json"
+[ "$(grep -vc '^solid' origin.txt)" = "$(number stats.json polygons_out)" ] ||
+  wrong "origin.txt and stats.json have other numbers of polygons"
+[ "$(sed -n 2p out.off | cut -d' ' -f2)" = "$(number stats.json polygons_out)" ] ||
+  wrong "out.off and stats.json have other numbers of polygons"
+[ "$(grep -c '^solid' origin.txt)" = 2 ] || wrong "solids in origin.txt"
+grep -q '^solid 1 B (line 1, column 5) b.off$' origin.txt ||
+  wrong "origin.txt: $(head -n 2 origin.txt)"
+grep -v solid origin.txt | sort -u | tr '\n' ' ' >origins
+[ "$(cat origins)" = '0 0 0 1 0 2 0 3 0 4 0 5 1 0 1 2 1 4 ' ] ||
+  wrong "origins: $(cat origins)"
+expect 0 'closed' csg 'A & half(z < 2)' A=a.off -o out.off --origin origin.txt
+[ "$(sed -n 2p origin.txt)" = 'solid 1 half (line 1, column 5)' ] ||
+  wrong "origin.txt: $(head -n 2 origin.txt)"
+[ "$(grep -c '^1 0$' origin.txt)" = 1 ] || wrong "the cut in origin.txt"
+[ "$(grep -c ' 170 170 170$' out.off)" = 1 ] || wrong "the cut in out.off"
+expect 0 'closed' csg difference a.off b.off -o out.off --origin origin.txt
+expect 2 'origin' csg difference a.off b.off -o o.off --origin o --impl ref
+sed '11,$s/$/ 10 20 30/' a.off >red.off
+sed '11,$s/$/ 40 50 60/' b.off >green.off
+expect 0 'result' csg difference red.off green.off -o out.off
+[ "$(grep -c ' 10 20 30$' out.off)" = "$(grep -c '^0' origin.txt)" ] ||
+  wrong "colours of A in out.off"
+[ "$(grep -c ' 40 50 60$' out.off)" = 3 ] || wrong "colours of B in out.off"
+
+# Surfaces that cross themselves, and open ones, are refused with the place.
+{
+  echo OFF
+  echo 16 12 0
+  sed -n '3,10p' a.off
+  sed -n '3,10p' b.off
+  sed -n '11,16p' a.off
+  sed -n '11,16p' b.off | awk '{ print $1, $2 + 8, $3 + 8, $4 + 8, $5 + 8 }'
+} >crossed.off
+expect 2 'crossed.off.*polygons 1 and 8 cross near' csg 'A - X' A=a.off \
+  X=crossed.off -o out.off
+expect 0 'repaired: X: 6 pairs' csg X X=crossed.off --repair \
+  -o out.off --stats stats.json
+expect 0 'volume 101,' csg X X=crossed.off --repair -o out.off
+expect 2 'repairs nothing' csg X X=crossed.off --repair -o o.off --impl ref
+expect 2 'crossed.off.*5 more' csg '"crossed.off"' -o out.off --impl ref
+sed '$d' a.off | sed 's/^8 6/8 5/' >lid.off
+expect 2 'lid.off.*4 bad edges' csg 'A - X' A=a.off X=lid.off -o out.off
+finish
