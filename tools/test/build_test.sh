@@ -80,7 +80,7 @@ expect 2 'cubes.off' render cubes.off --tree cubes.off --ids b.npy
 # Someone who waits at a terminal is told how far it is; Ctrl-C ends it with
 # one line, the usual status and no file. Triangles that cross everywhere take
 # long enough.
-awk -v count=20000 'BEGIN {
+awk -v count=120000 'BEGIN {
   srand(1)
   print "OFF\n" 3 * count, count, 0
   for (i = 0; i < 3 * count; ++i) {
