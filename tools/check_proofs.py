@@ -19,7 +19,6 @@ coqchk, which checks the compiled files without trusting coqc, is not content.
 """
 
 import concurrent.futures
-import concurrent.futures
 import pathlib
 import re
 import subprocess

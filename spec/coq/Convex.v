@@ -5,7 +5,7 @@
     goes from where the boundary leaves the part's side of the plane to where
     it comes back. *)
 
-From Coq Require Import QArith Lqa Lia List Bool.
+From Coq Require Import QArith Lqa Lia List Bool Permutation.
 From Halfspace Require Import Base.
 From Halfspace Require Split.
 Import ListNotations.
@@ -75,13 +75,19 @@ Definition round (l : list Point) : list (Point * Point) :=
   | p :: _ => along (l ++ [p])
   end.
 
+(** No two members are one point. *)
+Definition visits_once : list Point -> Prop :=
+  ForallOrdPairs (fun p q => ~ same p q).
+
 (** S1.3: the corners are in the plane, every edge has all of them on its side,
-    no edge has its ends in one point, and not all are on one line. *)
+    no edge has its ends in one point, no two corners are one point, and not all
+    are on one line. *)
 Record polygon_ok (plane : Plane) (corners : list Point) : Prop := {
   ok_planar : forall v, In v corners -> value_at plane v == 0;
   ok_convex : forall p q v, In (p, q) (round corners) -> In v corners ->
     0 <= value_at (edge_plane plane p q) v;
   ok_apart : forall p q, In (p, q) (round corners) -> ~ same p q;
+  ok_once : visits_once corners;
   ok_area : exists p q v, In (p, q) (round corners) /\ In v corners /\
     0 < value_at (edge_plane plane p q) v
 }.
@@ -198,6 +204,85 @@ Proof.
   - destruct I as [-> | []]; exists x; now left.
   - destruct I as [-> | I]; [exists z; now left|].
     destruct (IH I) as [q Q]; exists q; now right.
+Qed.
+
+Lemma same_sym : forall p q, same p q -> same q p.
+Proof. intros p q (A & B & C); repeat split; now symmetry. Qed.
+
+Lemma same_value : forall p q k, same p q -> value_at k p == value_at k q.
+Proof. intros p q k (A & B & C); unfold value_at; rewrite A, B, C; ring. Qed.
+
+Lemma visits_once_in : forall l p q, visits_once l -> In p l -> In q l ->
+  same p q -> p = q.
+Proof.
+  intros l p q O P Q S; destruct (ForallOrdPairs_In O p q P Q) as [E | [N | N]];
+    [exact E | contradiction | destruct N; now apply same_sym].
+Qed.
+
+Lemma visits_once_distinct : forall l, visits_once l -> NoDup l.
+Proof.
+  intros l O; induction O as [|p l H O IH]; constructor; auto.
+  intros I; rewrite Forall_forall in H; apply (H p I).
+  unfold same; repeat split; reflexivity.
+Qed.
+
+Lemma along_starts : forall l x, map fst (along (l ++ [x])) = l.
+Proof.
+  induction l as [|p [|q l] IH]; intros x; [reflexivity | reflexivity |].
+  change ((p :: q :: l) ++ [x]) with (p :: q :: (l ++ [x])).
+  change (map fst (along (p :: q :: (l ++ [x])))) with
+    (p :: map fst (along ((q :: l) ++ [x]))); now rewrite IH.
+Qed.
+
+Lemma along_stops : forall l x y, map snd (along (y :: l ++ [x])) = l ++ [x].
+Proof.
+  induction l as [|p l IH]; intros x y; [reflexivity|].
+  change (map snd (along (y :: (p :: l) ++ [x]))) with
+    (p :: map snd (along (p :: l ++ [x]))); now rewrite IH.
+Qed.
+
+Lemma round_starts : forall l, map fst (round l) = l.
+Proof. intros [|x l]; [reflexivity|]; apply along_starts. Qed.
+
+Lemma round_stops : forall l, Permutation (map snd (round l)) l.
+Proof.
+  intros [|x l]; [constructor|]; unfold round.
+  change ((x :: l) ++ [x]) with (x :: l ++ [x]); rewrite along_stops.
+  apply Permutation_sym, Permutation_cons_append.
+Qed.
+
+(** A corner has one edge that leaves it, and one that comes to it. *)
+Lemma one_next : forall l p q q', visits_once l -> In (p, q) (round l) ->
+  In (p, q') (round l) -> q = q'.
+Proof.
+  intros l p q q' O I J; apply visits_once_distinct in O.
+  rewrite <- round_starts in O; revert I J O; generalize (round l).
+  induction l0 as [|e m IH]; intros I J O; [destruct I|].
+  inversion O as [|? ? N O']; subst.
+  assert (forall z, In (p, z) m -> In p (map fst m)) as K.
+  { intros z Z; apply in_map_iff; exists (p, z); auto. }
+  destruct I as [-> | I], J as [E | J]; simpl in N.
+  - now injection E.
+  - destruct N; eauto.
+  - subst e; destruct N; eauto.
+  - auto.
+Qed.
+
+Lemma one_before : forall l p p' q, visits_once l -> In (p, q) (round l) ->
+  In (p', q) (round l) -> p = p'.
+Proof.
+  intros l p p' q O I J; apply visits_once_distinct in O.
+  apply (Permutation_NoDup (Permutation_sym (round_stops l))) in O.
+  revert I J O; generalize (round l).
+  induction l0 as [|e m IH]; intros I J O; [destruct I|].
+  inversion O as [|? ? N O']; subst.
+  assert (forall z, In (z, q) m -> In q (map snd m)) as K.
+  { intros z Z; apply in_map_iff; exists (z, q); auto. }
+  destruct I as [-> | I], J as [E | J]; simpl in N.
+  - now injection E.
+  - destruct N; eauto.
+  - subst e; destruct N; eauto.
+  - auto.
 Qed.
 
 (** ** A convex polygon against a plane *)
@@ -726,59 +811,6 @@ Proof.
   - destruct (cut_edge a b X Y) as (c & C & H); exists c; auto.
 Qed.
 
-Theorem part_is_convex : polygon_ok plane part_corners.
-Proof.
-  assert (forall v, In v part_corners -> value_at plane v == 0) as Planar.
-  { intros v I; destruct (part_corner v I) as (_ & p & q & t & E & _ & A & _).
-    exact (at_planar p q t v E A). }
-  assert (forall p q, In (p, q) (round part_corners) -> ~ same p q) as Apart.
-  { intros a b I (X & Y & Z).
-    assert (forall v, area plane a b v == 0) as N.
-    { intros v; expand; rewrite X, Y, Z; ring. }
-    destruct (part_edge a b I) as (c & C & [(r & s & E & H) | H]).
-    - apply (not_flat r s E); intros v V; pose proof (H v) as Hv.
-      rewrite N in Hv; assert (c * area plane r s v == 0) as D by lra.
-      apply Qmult_integral in D; destruct D; [lra | assumption].
-    - destruct some_above as (u & U & Gu); pose proof (H u (corner_planar u U))
-        as Hu; rewrite N in Hu; nra. }
-  constructor; auto.
-  - intros a b v I V; destruct (part_corner v V) as
-      (G & p & q & t & E & T & A & _).
-    fold (area plane a b v).
-    destruct (part_edge a b I) as (c & C & [(r & s & F & H) | H]).
-    + rewrite H; pose proof (at_edge_area r s p q t v F E T A); nra.
-    + rewrite H by auto; nra.
-  - destruct some_above as (u & U & Gu); pose proof (part_keeps u U Gu) as I.
-    destruct part_has_exit as (x & Ix & X), part_has_entry as (y & Iy & Y).
-    destruct (cut_edge x y X Y) as (c & C & H).
-    pose proof (H u (corner_planar u U)) as Hu.
-    destruct (round_leaves _ u I) as [b J].
-    destruct (round_ends _ _ _ J) as [_ Ib].
-    assert (forall v, In v part_corners -> 0 <= area plane u b v) as N.
-    { intros v V; destruct (part_corner v V) as (G & p & q & t & E & T & A & _).
-      destruct (part_edge u b J) as (c' & C' & [(r & s & F & H') | H']).
-      - rewrite H'; pose proof (at_edge_area r s p q t v F E T A); nra.
-      - rewrite H' by auto; nra. }
-    destruct (Qlt_le_dec 0 (area plane u b x)) as [Lx | Lx];
-      [exists u, b, x; auto|].
-    destruct (Qlt_le_dec 0 (area plane u b y)) as [Ly | Ly];
-      [exists u, b, y; auto|].
-    exfalso; pose proof (N x Ix); pose proof (N y Iy).
-    destruct (point_beside plane u b plane_ok (Planar u I) (Planar b Ib)
-                (Apart u b J)) as (z & Z & K).
-    pose proof (four_points plane (edge_plane plane u b) x y u z plane_ok
-      (Planar x Ix) (Planar y Iy) (Planar u I) Z) as D.
-    fold (area plane u b z) (area plane u b x) (area plane u b y)
-      (area plane u b u) in D.
-    assert (area plane u b u == 0) as Uu by (expand; ring).
-    assert (area plane u b x == 0) as Ux by lra.
-    assert (area plane u b y == 0) as Uy by lra.
-    rewrite Uu, Ux, Uy in D.
-    assert (area plane x y u * area plane u b z == 0) as D' by lra.
-    apply Qmult_integral in D'; destruct D'; [|contradiction].
-    assert (0 < c * g u) by nra; lra.
-Qed.
-
 (** What the polygon has of the plane: the segment from exit to entry. *)
 Lemma from_exit_to_entry : forall x y r, exit x -> entry y ->
   value_at plane r == 0 -> g r == 0 ->
@@ -944,6 +976,386 @@ Proof.
                       (exfalso; subst v; lra) |]); destruct I.
 Qed.
 
+(** ** Once round *)
+
+(** What is on an edge's line is that edge's point at some [u]. *)
+Lemma on_line_at : forall r s v, edge r s -> value_at plane v == 0 ->
+  area plane r s v == 0 -> exists u, at_ u r s v.
+Proof.
+  intros r s v E V Z; destruct (edge_planar r s E) as [R S].
+  destruct (point_beside plane r s plane_ok R S (ok_apart _ _ ok r s E))
+    as (z & Pz & N).
+  set (d := area plane r s z) in *.
+  exists (area plane r v z / d).
+  assert (forall k, value_at k v ==
+          value_at k r + (value_at k s - value_at k r) *
+          (area plane r v z / d)) as K.
+  { intros k; pose proof (four_points plane k r s z v plane_ok R S Pz V) as F.
+    fold d in F; rewrite Z in F.
+    assert (area plane v s z == d - area plane r v z - area plane r s v) as G
+      by (unfold d; expand; ring).
+    rewrite G, Z in F; apply Qmult_inj_r with d; [exact N|].
+    setoid_replace ((value_at k r + (value_at k s - value_at k r) *
+      (area plane r v z / d)) * d) with (d * value_at k r +
+      (value_at k s - value_at k r) * area plane r v z) by (field; exact N).
+    lra. }
+  repeat split.
+  - specialize (K {| pa := 1; pb := 0; pc := 0; pd := 0 |}).
+    unfold value_at in K; simpl in K; lra.
+  - specialize (K {| pa := 0; pb := 1; pc := 0; pd := 0 |}).
+    unfold value_at in K; simpl in K; lra.
+  - specialize (K {| pa := 0; pb := 0; pc := 1; pd := 0 |}).
+    unfold value_at in K; simpl in K; lra.
+Qed.
+
+(** As long as there are corners ahead on an edge's line, the boundary goes on
+    along it, and forward. *)
+Lemma goes_on : forall k r s v m v', edge r s ->
+  value_at k s < value_at k r ->
+  In v corners -> In m corners -> edge v v' ->
+  area plane r s v == 0 -> area plane r s m == 0 -> value_at k m < value_at k v ->
+  area plane r s v' == 0 /\ value_at k v' < value_at k v.
+Proof.
+  intros k r s v m v' E D V M F Av Am L.
+  destruct (round_ends _ _ _ F) as [_ V'].
+  destruct (on_line_at r s v E (corner_planar v V) Av) as (t & T).
+  destruct (on_line_at r s m E (corner_planar m M) Am) as (u & U).
+  pose proof (at_value t r s v k T) as Gv.
+  pose proof (at_value u r s m k U) as Gm.
+  assert (t < u) as Less.
+  { destruct (Qlt_le_dec t u); [assumption | exfalso; nra]. }
+  assert (area plane r s v' == 0) as Z.
+  { pose proof (edge_area r s v' E V') as N.
+    pose proof (edge_area v v' m F M) as B.
+    assert (area plane v v' m == - ((u - t) * area plane r s v')) as A.
+    { rewrite <- (at_area plane r s t u v m T U v'); expand; ring. }
+    rewrite A in B; nra. }
+  split; [exact Z|].
+  destruct (on_line_at r s v' E (corner_planar v' V') Z) as (w & W).
+  pose proof (at_value w r s v' k W) as Gv'.
+  destruct (Qlt_le_dec t w) as [Lw | Lw]; [nra | exfalso].
+  apply (not_flat v v' F); intros z I.
+  pose proof (edge_area v v' z F I) as N.
+  rewrite (at_area plane r s t w v v' T W z) in *.
+  pose proof (edge_area r s z E I); nra.
+Qed.
+
+(** How many corners are further down. *)
+Definition below (k : Plane) (v : Point) : nat :=
+  length (filter (fun c => negb (Qle_bool (value_at k v) (value_at k c)))
+            corners).
+
+Lemma below_less : forall k v w, In w corners ->
+  value_at k w < value_at k v -> (below k w < below k v)%nat.
+Proof.
+  intros k v w I L; unfold below; set (f := value_at k) in *.
+  assert (forall c d, negb (Qle_bool (f c) (f d)) = true <-> f d < f c) as B.
+  { intros c d; rewrite negb_true_iff, <- not_true_iff_false, Qle_bool_iff.
+    split; intros H; [now apply Qnot_le_lt | now apply Qlt_not_le]. }
+  assert (forall l, (length (filter (fun c => negb (Qle_bool (f w) (f c))) l) <=
+    length (filter (fun c => negb (Qle_bool (f v) (f c))) l))%nat) as Le.
+  { induction l as [|c l IH]; [constructor|]; simpl.
+    destruct (negb (Qle_bool (f w) (f c))) eqn:X;
+      destruct (negb (Qle_bool (f v) (f c))) eqn:Y; simpl; try lia.
+    apply B in X; rewrite <- not_true_iff_false, B in Y; exfalso; lra. }
+  revert I; generalize corners.
+  intros all; induction all as [|c l IH]; intros I; [destruct I|]; simpl.
+  destruct I as [-> | I].
+  - replace (negb (Qle_bool (f w) (f w))) with false.
+    + replace (negb (Qle_bool (f v) (f w))) with true
+        by (symmetry; now apply B).
+      simpl; specialize (Le l); lia.
+    + symmetry; apply not_true_iff_false; rewrite B; apply Qlt_irrefl.
+  - specialize (IH I); destruct (negb (Qle_bool (f w) (f c))) eqn:X;
+      destruct (negb (Qle_bool (f v) (f c))) eqn:Y; simpl; try lia.
+    apply B in X; rewrite <- not_true_iff_false, B in Y; exfalso; lra.
+Qed.
+
+(** No two edges that go down one line overlap: the boundary would go along
+    both to the same corner, and a corner has one edge that comes to it. *)
+Lemma no_overlap : forall k r s, edge r s -> value_at k s < value_at k r ->
+  forall n p a p' a', (below k a + below k a' < n)%nat ->
+  edge p a -> edge p' a' -> area plane r s a == 0 -> area plane r s a' == 0 ->
+  value_at k a < value_at k p' -> value_at k a' < value_at k p -> a = a'.
+Proof.
+  intros k r s E D; induction n as [|n IH]; intros p a p' a' N F F' A A' L L';
+    [lia|].
+  destruct (round_ends _ _ _ F) as [_ I], (round_ends _ _ _ F') as [_ I'].
+  destruct (on_line_at r s a E (corner_planar a I) A) as (t & T).
+  destruct (on_line_at r s a' E (corner_planar a' I') A') as (u & U).
+  pose proof (at_value t r s a k T) as Ka.
+  pose proof (at_value u r s a' k U) as Ka'.
+  destruct (Q_dec (value_at k a) (value_at k a')) as [[K | K] | K].
+  - destruct (round_leaves corners a' I') as (b & B).
+    destruct (goes_on k r s a' a b E D I' I B A' A K) as [Ab Kb].
+    destruct (round_ends _ _ _ B) as [_ Ib].
+    assert (a = b) as S.
+    { apply (IH p a a' b); auto; [|lra].
+      pose proof (below_less k a' b Ib Kb); lia. }
+    subst b; assert (p = a') as P by
+      exact (one_before corners p a' a (ok_once _ _ ok) F B).
+    subst p; exfalso; lra.
+  - destruct (round_leaves corners a I) as (b & B).
+    destruct (goes_on k r s a a' b E D I I' B A A' K) as [Ab Kb].
+    destruct (round_ends _ _ _ B) as [_ Ib].
+    assert (b = a') as S.
+    { apply (IH a b p' a'); auto; [|lra].
+      pose proof (below_less k a b Ib Kb); lia. }
+    subst b; assert (a = p') as P by
+      exact (one_before corners a p' a' (ok_once _ _ ok) B F').
+    subst p'; exfalso; lra.
+  - apply (visits_once_in corners a a' (ok_once _ _ ok) I I').
+    assert (t == u) as Tu by nra.
+    destruct T as (X & Y & Z), U as (X' & Y' & Z').
+    repeat split; [rewrite X, X' | rewrite Y, Y' | rewrite Z, Z']; rewrite Tu;
+      reflexivity.
+Qed.
+
+(** Where an edge leaves. *)
+Lemma edge_leaves : forall k r s, 0 <= value_at k r -> value_at k s < 0 ->
+  exists x t, 0 <= t < 1 /\ at_ t r s x /\ value_at k x == 0 /\
+  (value_at k r == 0 -> t == 0).
+Proof.
+  intros k r s R S; set (t := value_at k r / (value_at k r - value_at k s)).
+  set (x := {| px := px r + (px s - px r) * t; py := py r + (py s - py r) * t;
+               pz := pz r + (pz s - pz r) * t |}).
+  assert (at_ t r s x) as A by (repeat split; reflexivity).
+  exists x, t; split; [|split; [exact A | split]].
+  - unfold t; split; [apply Qle_shift_div_l | apply Qlt_shift_div_r]; lra.
+  - rewrite (at_value t r s x k A); unfold t; field; lra.
+  - intros O; unfold t; rewrite O; unfold Qdiv; ring.
+Qed.
+
+Lemma at_zero : forall t r s x, t == 0 -> at_ t r s x -> same x r.
+Proof.
+  intros t r s x Z (A & B & C); unfold same; rewrite A, B, C, Z.
+  repeat split; ring.
+Qed.
+
+(** Edges that leave a side of a plane in one point are one edge. *)
+Lemma one_edge : forall k,
+  (forall r s r' s' t t' x x', edge r s -> edge r' s' ->
+     0 <= value_at k r -> value_at k s < 0 -> 0 <= value_at k r' ->
+     value_at k s' < 0 -> 0 <= t < 1 -> 0 <= t' < 1 ->
+     at_ t r s x -> at_ t' r' s' x' -> value_at k x == 0 ->
+     value_at k x' == 0 -> same x x') ->
+  forall r s r' s', edge r s -> 0 <= value_at k r -> value_at k s < 0 ->
+  edge r' s' -> 0 <= value_at k r' -> value_at k s' < 0 -> (r, s) = (r', s').
+Proof.
+  intros k One r s r' s' E R S E' R' S'.
+  destruct (edge_leaves k r s R S) as (x & t & T & A & Z & O).
+  destruct (edge_leaves k r' s' R' S') as (x' & t' & T' & A' & Z' & O').
+  assert (same x x') as K by
+    exact (One r s r' s' t t' x x' E E' R S R' S' T T' A A' Z Z').
+  destruct (round_ends _ _ _ E) as [Ir Is], (round_ends _ _ _ E') as [Ir' Is'].
+  pose proof (edge_area r s r' E Ir') as Nr.
+  pose proof (edge_area r s s' E Is') as Ns.
+  assert (area plane r s x' == 0) as C.
+  { unfold area; rewrite <- (same_value x x' _ K), (at_value t r s x _ A).
+    expand; ring. }
+  unfold area in C, Nr, Ns; rewrite (at_value t' r' s' x' _ A') in C.
+  fold (area plane r s r') (area plane r s s') in *.
+  assert (area plane r s r' == 0) as Cr by nra.
+  assert (area plane r s s' == 0 -> (r, s) = (r', s')) as Go.
+  { intros Cs; assert (s = s') as <-.
+    { apply (no_overlap k r s E ltac:(lra)
+        (1 + below k s + below k s')%nat r s r' s'); auto; lra || lia || idtac.
+      expand; ring. }
+    f_equal; exact (one_before corners r r' s (ok_once _ _ ok) E E'). }
+  destruct (Qlt_le_dec 0 t') as [L | L]; [apply Go; nra|].
+  assert (same x' r') as Sx.
+  { apply (at_zero t' r' s'); [lra | exact A']. }
+  pose proof (same_value x' r' k Sx) as Kr'; rewrite Z' in Kr'.
+  destruct (Qlt_le_dec 0 (value_at k r)) as [P | P].
+  - apply Go; apply (goes_on k r s r' s s' E ltac:(lra) Ir' Is E' Cr); [|lra].
+    expand; ring.
+  - assert (same x r) as Sr.
+    { apply (at_zero t r s); [apply O; lra | exact A]. }
+    assert (r = r') as ->.
+    { apply (visits_once_in corners r r' (ok_once _ _ ok) Ir Ir').
+      destruct Sr as (B1 & B2 & B3), K as (K1 & K2 & K3), Sx as (D1 & D2 & D3).
+      unfold same; rewrite <- B1, <- B2, <- B3, K1, K2, K3; auto. }
+    f_equal; exact (one_next corners r' s s' (ok_once _ _ ok) E E').
+Qed.
+
+(** The boundary leaves a side of the plane along one edge only ... *)
+Theorem one_exit_edge : forall r s r' s', edge r s -> 0 <= g r -> g s < 0 ->
+  edge r' s' -> 0 <= g r' -> g s' < 0 -> (r, s) = (r', s').
+Proof.
+  apply (one_edge h); intros r s r' s' t t' x x' E E' R S R' S' T T' A A' Z Z'.
+  apply one_exit; [exists r, s, t | exists r', s', t']; auto 10.
+Qed.
+
+(** ... and comes back along one. *)
+Theorem one_entry_edge : forall r s r' s', edge r s -> g r <= 0 -> 0 < g s ->
+  edge r' s' -> g r' <= 0 -> 0 < g s' -> (r, s) = (r', s').
+Proof.
+  assert (forall v, value_at (reversed h) v == - g v) as V
+    by (intros; apply value_at_reversed).
+  intros r s r' s' E R S E' R' S'.
+  apply (one_edge (reversed h)); auto; rewrite ?V; try lra.
+  clear r s r' s' E R S E' R' S'.
+  intros r s r' s' t t' x x' E E' R S R' S' T T' A A' Z Z'.
+  rewrite value_at_reversed in *.
+  apply one_entry; [exists r, s, t | exists r', s', t']; repeat split; auto;
+    try lra; apply A || apply A'.
+Qed.
+
+(** What an edge puts into the part: its first corner, or where it passes. *)
+Lemma emitted : forall p q v, edge p q -> In v (emit (p, q)) ->
+  v = p /\ 0 < g p \/
+  g v == 0 /\ (0 <= g p /\ g q < 0 /\ exit v \/ g p <= 0 /\ 0 < g q /\ entry v).
+Proof.
+  intros p q v E I; pose proof (no_edge_in_plane p q E) as Flat.
+  assert (0 < g p /\ g q < 0 \/ g p < 0 /\ 0 < g q -> v = meet p q ->
+          g v == 0 /\ (0 <= g p /\ g q < 0 /\ exit v \/
+                       g p <= 0 /\ 0 < g q /\ entry v)) as M.
+  { intros S ->; destruct (meet_at p q S) as (t & T & A & Z).
+    split; [exact Z|]; destruct S as [[S1 S2] | [S1 S2]]; [left | right];
+      (split; [lra|]; split; [lra|]; exists p, q, t; repeat split; auto;
+       try lra; apply A). }
+  unfold emit, side_of in I.
+  destruct (sign_cases (g p)) as [[P L] | [[P L] | [P L]]]; rewrite P in I;
+    destruct (sign_cases (g q)) as [[R K] | [[R K] | [R K]]]; rewrite R in I;
+    simpl in I.
+  - destruct I.
+  - destruct I.
+  - destruct I as [<- | []]; right; apply M; auto.
+  - destruct I as [<- | []]; right; split; [exact L|]; left; split; [lra|].
+    split; [exact K|]; exists p, q, 0; repeat split; auto; try lra;
+      apply at_start.
+  - destruct I.
+  - destruct I as [<- | []]; right; split; [exact L|]; right; split; [lra|].
+    split; [exact K|]; exists p, q, 0; repeat split; auto; try lra;
+      apply at_start.
+  - destruct I as [<- | [<- | []]]; [left; auto | right; apply M; auto].
+  - destruct I as [<- | []]; left; auto.
+  - destruct I as [<- | []]; left; auto.
+Qed.
+
+Lemma visits_once_flat : forall (A : Type) (f : A -> list Point) l,
+  (forall a, In a l -> visits_once (f a)) ->
+  ForallOrdPairs (fun a b => forall v w, In v (f a) -> In w (f b) ->
+    ~ same v w) l -> visits_once (flat_map f l).
+Proof.
+  intros A f l; induction l as [|a l IH]; intros H O; [constructor|]; simpl.
+  inversion O as [|? ? Oa Ol]; subst; rewrite Forall_forall in Oa.
+  assert (visits_once (flat_map f l)) as Hl.
+  { apply IH; [intros b B; apply H; now right | exact Ol]. }
+  assert (forall v w, In v (f a) -> In w (flat_map f l) -> ~ same v w) as D.
+  { intros v w V W; apply in_flat_map in W; destruct W as (b & B & W).
+    exact (Oa b B v w V W). }
+  specialize (H a (or_introl eq_refl)); revert H D; generalize (f a).
+  induction l0 as [|v m IHm]; intros H D; [exact Hl|]; simpl.
+  inversion H as [|? ? Hv Hm]; subst; constructor.
+  - apply Forall_forall; intros w W; apply in_app_or in W.
+    rewrite Forall_forall in Hv; destruct W as [W | W]; [now apply Hv|].
+    apply D; [now left | exact W].
+  - apply IHm; [exact Hm | intros w z W; apply D; now right].
+Qed.
+
+(** So no two corners of the part are one point, however far apart. *)
+Lemma part_visits_once : visits_once part_corners.
+Proof.
+  apply visits_once_flat.
+  - intros (p, q) E; unfold emit, side_of.
+    destruct (sign_cases (g p)) as [[-> L] | [[-> L] | [-> L]]];
+      destruct (sign_cases (g q)) as [[-> K] | [[-> K] | [-> K]]];
+      repeat constructor.
+    intros S; destruct (meet_at p q (or_introl (conj L K))) as (t & _ & _ & Z).
+    rewrite <- (same_value _ _ h S) in Z; lra.
+  - assert (ForallOrdPairs (fun a b => ~ same (fst a) (fst b)) (round corners))
+      as D.
+    { pose proof (ok_once _ _ ok) as O; unfold visits_once in O.
+      rewrite <- round_starts in O; revert O; generalize (round corners).
+      induction l as [|a l IH]; intros O; simpl in O; [constructor|].
+      inversion O as [|? ? Oa Ol]; subst; constructor; auto.
+      rewrite Forall_forall in *; intros b B; apply Oa, in_map, B. }
+    assert (forall a b, edge (fst a) (snd a) -> edge (fst b) (snd b) ->
+            ~ same (fst a) (fst b) -> forall v w, In v (emit a) ->
+            In w (emit b) -> ~ same v w) as Apart.
+    { intros (p, q) (p', q') E E' N v w V W S; simpl in *.
+      pose proof (same_value v w h S) as Gvw.
+      assert ((p, q) <> (p', q')) as Ne.
+      { intros Eq; injection Eq as -> ->; apply N; unfold same.
+        repeat split; reflexivity. }
+      destruct (emitted p q v E V) as [[-> P] | [Z P]];
+        destruct (emitted p' q' w E' W) as [[-> P'] | [Z' P']];
+        [contradiction | lra | lra |].
+      destruct P as [(P & Q & X) | (P & Q & Y)];
+        destruct P' as [(P' & Q' & X') | (P' & Q' & Y')].
+      - apply Ne; now apply one_exit_edge.
+      - exact (exit_is_no_entry v w X Y' S).
+      - exact (exit_is_no_entry w v X' Y (same_sym _ _ S)).
+      - apply Ne; now apply one_entry_edge. }
+    assert (forall l, incl l (round corners) ->
+      ForallOrdPairs (fun a b => ~ same (fst a) (fst b)) l ->
+      ForallOrdPairs (fun a b => forall v w, In v (emit a) -> In w (emit b) ->
+        ~ same v w) l) as K; [|now apply K; [apply incl_refl|]].
+    induction l as [|a l IH]; intros I O; [constructor|].
+    inversion O as [|? ? Oa Ol]; subst; constructor.
+    + rewrite Forall_forall in *; intros b B v w; apply Apart; [| |now apply Oa].
+      * rewrite <- surjective_pairing; apply I; now left.
+      * rewrite <- surjective_pairing; apply I; now right.
+    + apply IH; [intros b B; apply I; now right | exact Ol].
+Qed.
+
+(** ** The part is a convex polygon, in the sense of S1.3 *)
+
+Theorem part_is_convex : polygon_ok plane part_corners.
+Proof.
+  assert (forall v, In v part_corners -> value_at plane v == 0) as Planar.
+  { intros v I; destruct (part_corner v I) as (_ & p & q & t & E & _ & A & _).
+    exact (at_planar p q t v E A). }
+  assert (forall p q, In (p, q) (round part_corners) -> ~ same p q) as Apart.
+  { intros a b I (X & Y & Z).
+    assert (forall v, area plane a b v == 0) as N.
+    { intros v; expand; rewrite X, Y, Z; ring. }
+    destruct (part_edge a b I) as (c & C & [(r & s & E & H) | H]).
+    - apply (not_flat r s E); intros v V; pose proof (H v) as Hv.
+      rewrite N in Hv; assert (c * area plane r s v == 0) as D by lra.
+      apply Qmult_integral in D; destruct D; [lra | assumption].
+    - destruct some_above as (u & U & Gu); pose proof (H u (corner_planar u U))
+        as Hu; rewrite N in Hu; nra. }
+  constructor; auto using part_visits_once.
+  - intros a b v I V; destruct (part_corner v V) as
+      (G & p & q & t & E & T & A & _).
+    fold (area plane a b v).
+    destruct (part_edge a b I) as (c & C & [(r & s & F & H) | H]).
+    + rewrite H; pose proof (at_edge_area r s p q t v F E T A); nra.
+    + rewrite H by auto; nra.
+  - destruct some_above as (u & U & Gu); pose proof (part_keeps u U Gu) as I.
+    destruct part_has_exit as (x & Ix & X), part_has_entry as (y & Iy & Y).
+    destruct (cut_edge x y X Y) as (c & C & H).
+    pose proof (H u (corner_planar u U)) as Hu.
+    destruct (round_leaves _ u I) as [b J].
+    destruct (round_ends _ _ _ J) as [_ Ib].
+    assert (forall v, In v part_corners -> 0 <= area plane u b v) as N.
+    { intros v V; destruct (part_corner v V) as (G & p & q & t & E & T & A & _).
+      destruct (part_edge u b J) as (c' & C' & [(r & s & F & H') | H']).
+      - rewrite H'; pose proof (at_edge_area r s p q t v F E T A); nra.
+      - rewrite H' by auto; nra. }
+    destruct (Qlt_le_dec 0 (area plane u b x)) as [Lx | Lx];
+      [exists u, b, x; auto|].
+    destruct (Qlt_le_dec 0 (area plane u b y)) as [Ly | Ly];
+      [exists u, b, y; auto|].
+    exfalso; pose proof (N x Ix); pose proof (N y Iy).
+    destruct (point_beside plane u b plane_ok (Planar u I) (Planar b Ib)
+                (Apart u b J)) as (z & Z & K).
+    pose proof (four_points plane (edge_plane plane u b) x y u z plane_ok
+      (Planar x Ix) (Planar y Iy) (Planar u I) Z) as D.
+    fold (area plane u b z) (area plane u b x) (area plane u b y)
+      (area plane u b u) in D.
+    assert (area plane u b u == 0) as Uu by (expand; ring).
+    assert (area plane u b x == 0) as Ux by lra.
+    assert (area plane u b y == 0) as Uy by lra.
+    rewrite Uu, Ux, Uy in D.
+    assert (area plane x y u * area plane u b z == 0) as D' by lra.
+    apply Qmult_integral in D'; destruct D'; [|contradiction].
+    assert (0 < c * g u) by nra; lra.
+Qed.
+
+
 End Cut.
 
 (** ** The parts that the walk of [Split.v] gives *)
@@ -1083,14 +1495,21 @@ Proof.
     (exists w; split; [exact Iw | rewrite ?value_at_reversed; lra]).
 Qed.
 
-(** S2.L6: both parts are convex polygons, in the sense of S1.3, no vertex
-    being repeated by the next. *)
+(** S2.L6: both parts are convex polygons, in the sense of S1.3. *)
 Theorem parts_are_convex_polygons : forall side splitter, side <> kOn ->
   polygon_ok plane (Split.vertices (Split.part_of side f h splitter)).
 Proof.
   intros side splitter N; rewrite walk_emits by exact N.
   destruct (spans side N) as [A B].
   apply part_is_convex; auto using crossing_at.
+Qed.
+
+(** S2.3: no two corners of a part are one point, however far apart. *)
+Theorem parts_visit_once : forall side splitter, side <> kOn ->
+  visits_once (Split.vertices (Split.part_of side f h splitter)).
+Proof.
+  intros side splitter N.
+  exact (ok_once _ _ (parts_are_convex_polygons side splitter N)).
 Qed.
 
 (** S2.3: on the splitter a part has the corners of one edge, two points. *)

@@ -376,6 +376,7 @@ Proof.
       dot, difference, normal; simpl; ring_simplify; nra.
   - intros p q [E | [E | [E | [E | []]]]]; injection E as <- <-;
       intros (A & B & C); simpl in *; lra.
+  - repeat constructor; intros (A & B & C); simpl in *; lra.
   - eexists; eexists; eexists; split; [left; reflexivity|]; simpl.
     split; [right; right; left; reflexivity|]; unfold value_at, edge_plane,
       cross, dot, difference, normal; simpl; ring_simplify; nra.
@@ -385,6 +386,7 @@ Proof.
       dot, difference, normal; simpl; ring_simplify; nra.
   - intros p q [E | [E | [E | [E | []]]]]; injection E as <- <-;
       intros (A & B & C); simpl in *; lra.
+  - repeat constructor; intros (A & B & C); simpl in *; lra.
   - eexists; eexists; eexists; split; [left; reflexivity|]; simpl.
     split; [right; right; left; reflexivity|]; unfold value_at, edge_plane,
       cross, dot, difference, normal; simpl; ring_simplify; nra.
