@@ -90,16 +90,19 @@ void expect_cubes(const Solid& solid, const Cubes& cubes) {
   ASSERT_EQ(volume6(exported(least)), 6.0 * static_cast<double>(count));
 }
 
-/// The number of pairs: more where the environment asks for a campaign.
-int pair_count() {
-  const char* asked = std::getenv("HALFSPACE_LATTICE_PAIRS");
-  return asked != nullptr ? std::atoi(asked) : 40;
+/// What is checked of a campaign's many pairs: the surface, and that merged it
+/// is the least.
+void expect_surface(const Solid& solid, const Cubes& cubes) {
+  ASSERT_TRUE(bad_edges(solid).empty());
+  bool whole = false;
+  ASSERT_TRUE(lattice::outline(solid, whole) == lattice::outline(cubes));
+  ASSERT_TRUE(whole);
+  ASSERT_TRUE(lattice::is_least(merged(solid, Merge::kPlane)));
 }
 
 TEST(FastBoolean, SolidsOfCubesAreCombinedCubeByCube) {
   std::uint64_t state = 17;
-  const int count = pair_count();
-  for (int pair = 0; pair < count; ++pair) {
+  for (int pair = 0; pair < 40; ++pair) {
     SCOPED_TRACE("pair " + std::to_string(pair));
     const int lump = pair % 4 == 0 ? 1 : pair % 4 == 3 ? 4 : 2;
     const Cubes a = lattice::random_cubes(lump, state);
@@ -119,6 +122,34 @@ TEST(FastBoolean, SolidsOfCubesAreCombinedCubeByCube) {
       ASSERT_NO_FATAL_FAILURE(
           expect_cubes(boolean(then, third, merged(result, Merge::kPlane)),
                        combined(then, c, cubes)));
+    }
+  }
+}
+
+/// The number that the environment gives; else the other one.
+std::uint64_t asked(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+TEST(FastBoolean, ManyPairsOfSolidsOfCubes) {
+  const std::uint64_t count = asked("HALFSPACE_LATTICE_PAIRS", 100);
+  std::uint64_t state = asked("HALFSPACE_LATTICE_SEED", 1) << 40;
+  for (std::uint64_t pair = 0; pair < count; ++pair) {
+    SCOPED_TRACE("pair " + std::to_string(pair));
+    const auto lump_of = [](std::uint64_t k) {
+      return k == 0 ? 1 : k == 1 ? 4 : 2;
+    };
+    const Cubes a = lattice::random_cubes(lump_of(pair % 8), state);
+    const Cubes b = lattice::random_cubes(lump_of(pair % 7), state);
+    Solid first = to_solid(lattice::surface(a));
+    Solid second = to_solid(lattice::surface(b), first);
+    // In unit squares, and in as few faces as can be.
+    if (pair % 16 != 0) first = merged(first, Merge::kPlane);
+    if (pair % 16 > 1) second = merged(second, Merge::kPlane);
+    for (const BooleanOp operation : kOperations) {
+      ASSERT_NO_FATAL_FAILURE(expect_surface(boolean(operation, first, second),
+                                             combined(operation, a, b)));
     }
   }
 }

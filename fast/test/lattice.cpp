@@ -1,7 +1,6 @@
 #include "lattice.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "halfspace/assert.hpp"
@@ -11,7 +10,10 @@ namespace halfspace::lattice {
 namespace {
 
 using Place = std::array<int, 3>;
-using Uses = std::map<Step, int>;
+
+/// Grid points along an axis.
+constexpr int kPoints = kSize + 1;
+constexpr std::size_t kSteps = 3 * kPoints * 2 * 2 * kPoints * kSize;
 
 std::size_t number(int i, int j, int k) {
   return static_cast<std::size_t>((i * kSize + j) * kSize + k);
@@ -21,7 +23,7 @@ bool at(const Cubes& cubes, const Place& p) {
   return cubes.at(p[0], p[1], p[2]);
 }
 
-/// Calls `found(corners, axis, plane, positive)` for all squares.
+/// Calls `found(corners, axis, positive)` for all squares.
 template <class Found>
 void for_squares(const Cubes& cubes, Found&& found) {
   for (int n = 0; n < kSize * kSize * kSize; ++n) {
@@ -40,39 +42,25 @@ void for_squares(const Cubes& cubes, Found&& found) {
           corners[c][(axis + 2) % 3] += c >= 2;
         }
         if (!positive) std::reverse(corners.begin(), corners.end());
-        found(corners, static_cast<int>(axis), corners[0][axis], positive);
+        found(corners, static_cast<int>(axis), positive);
       }
     }
   }
 }
 
 /// Counts the steps from one place to another, as against steps back.
-void add_edge(int axis, int plane, bool positive, const Place& from,
-              const Place& to, Uses& uses) {
-  std::size_t along = 0;
-  while (from[along] == to[along]) ++along;
-  const bool up = from[along] < to[along];
-  Place place = up ? from : to;
-  const int last = up ? to[along] : from[along];
-  for (; place[along] < last; ++place[along]) {
-    const Step step{axis, plane, positive, static_cast<int>(along), place, up};
-    Step back = step;
-    std::get<5>(back) = !up;
-    const auto opposite = uses.find(back);
-    if (opposite == uses.end()) {
-      ++uses[step];
-    } else if (--opposite->second == 0) {
-      uses.erase(opposite);
-    }
-  }
-}
-
-std::vector<Step> steps_of(const Uses& uses) {
-  std::vector<Step> steps;
-  for (const auto& [step, count] : uses) {
-    for (int i = 0; i < count; ++i) steps.push_back(step);
-  }
-  return steps;
+void add_edge(int axis, bool positive, const Place& from, const Place& to,
+              Outline& outline) {
+  const auto across = static_cast<std::size_t>(axis);
+  const bool second = from[(across + 1) % 3] == to[(across + 1) % 3];
+  const std::size_t along = (across + (second ? 2 : 1)) % 3;
+  const std::size_t beside = (across + (second ? 1 : 2)) % 3;
+  const int row =
+      ((axis * kPoints + from[across]) * 2 + (positive ? 1 : 0)) * 2 +
+      (second ? 1 : 0);
+  std::int8_t* steps = outline.data() + (row * kPoints + from[beside]) * kSize;
+  for (int i = from[along]; i < to[along]; ++i) ++steps[i];
+  for (int i = to[along]; i < from[along]; ++i) --steps[i];
 }
 
 Place place_of(const fast::Solid& solid, std::int32_t v) {
@@ -80,7 +68,16 @@ Place place_of(const fast::Solid& solid, std::int32_t v) {
   return {static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z)};
 }
 
-/// Whether the vertices are on the grid and the edges along it.
+bool is_in_block(const Place& p) {
+  return std::all_of(p.begin(), p.end(),
+                     [](int c) { return 0 <= c && c <= kSize; });
+}
+
+std::size_t point_number(const Place& p) {
+  return static_cast<std::size_t>((p[0] * kPoints + p[1]) * kPoints + p[2]);
+}
+
+/// Whether the vertices are on the block's grid and the edges along it.
 bool is_on_grid(const fast::Solid& solid) {
   return std::all_of(
       solid.edges.begin(), solid.edges.end(), [&](const fast::SolidEdge& e) {
@@ -89,7 +86,8 @@ bool is_on_grid(const fast::Solid& solid) {
           return false;
         const Place p = place_of(solid, e.from);
         const Place q = place_of(solid, e.to);
-        return (p[0] == q[0]) + (p[1] == q[1]) + (p[2] == q[2]) == 2;
+        return is_in_block(p) && is_in_block(q) &&
+               (p[0] == q[0]) + (p[1] == q[1]) + (p[2] == q[2]) == 2;
       });
 }
 
@@ -118,13 +116,15 @@ Cubes random_cubes(int lump, std::uint64_t& state) {
 
 Solid surface(const Cubes& cubes) {
   SceneData data;
-  std::map<Place, VertexId> ids;
-  for_squares(cubes, [&](const std::array<Place, 4>& corners, int, int, bool) {
+  std::vector<VertexId> ids(kPoints * kPoints * kPoints, -1);
+  for_squares(cubes, [&](const std::array<Place, 4>& corners, int, bool) {
     for (const Place& p : corners) {
-      const auto next = static_cast<VertexId>(data.vertices.size());
-      const auto [known, is_new] = ids.try_emplace(p, next);
-      if (is_new) data.vertices.push_back({p[0], p[1], p[2]});
-      data.corners.push_back(known->second);
+      VertexId& id = ids[point_number(p)];
+      if (id < 0) {
+        id = static_cast<VertexId>(data.vertices.size());
+        data.vertices.push_back({p[0], p[1], p[2]});
+      }
+      data.corners.push_back(id);
     }
     data.first_corner.push_back(
         static_cast<std::uint32_t>(data.corners.size()));
@@ -137,20 +137,20 @@ Solid surface(const Cubes& cubes) {
   return *std::move(solid);
 }
 
-std::vector<Step> outline(const Cubes& cubes) {
-  Uses uses;
-  for_squares(cubes, [&](const std::array<Place, 4>& corners, int axis,
-                         int plane, bool positive) {
-    for (std::size_t c = 0; c < 4; ++c)
-      add_edge(axis, plane, positive, corners[c], corners[(c + 1) % 4], uses);
-  });
-  return steps_of(uses);
+Outline outline(const Cubes& cubes) {
+  Outline result(kSteps);
+  for_squares(
+      cubes, [&](const std::array<Place, 4>& corners, int axis, bool positive) {
+        for (std::size_t c = 0; c < 4; ++c)
+          add_edge(axis, positive, corners[c], corners[(c + 1) % 4], result);
+      });
+  return result;
 }
 
-std::vector<Step> outline(const fast::Solid& solid, bool& whole) {
+Outline outline(const fast::Solid& solid, bool& whole) {
   whole = is_on_grid(solid);
   if (!whole) return {};
-  Uses uses;
+  Outline result(kSteps);
   for (const fast::Face& face : solid.faces) {
     const auto plane = fast::plane_at(solid, face.plane);
     int axis = 0;
@@ -158,34 +158,41 @@ std::vector<Step> outline(const fast::Solid& solid, bool& whole) {
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const auto& edge = solid.edges[face.first_edge + i];
       const Place from = place_of(solid, edge.from);
-      add_edge(axis, from[static_cast<std::size_t>(axis)], !face.turned, from,
-               place_of(solid, edge.to), uses);
+      const Place to = place_of(solid, edge.to);
+      whole = whole && from[static_cast<std::size_t>(axis)] ==
+                           to[static_cast<std::size_t>(axis)];
+      add_edge(axis, !face.turned, from, to, result);
     }
   }
-  return steps_of(uses);
+  return result;
 }
 
 bool is_least(const fast::Solid& solid) {
-  std::map<Place, std::set<int>> axes;
-  for (const fast::SolidEdge& edge : solid.edges) {
-    axes[place_of(solid, edge.from)];
-    axes[place_of(solid, edge.to)];
-  }
+  // By point: 8 for a vertex, and the axes along which edges go from it.
+  std::vector<std::uint8_t> marks(kPoints * kPoints * kPoints);
   for (const fast::SolidEdge& edge : solid.edges) {
     const Place from = place_of(solid, edge.from);
     const Place to = place_of(solid, edge.to);
     std::size_t along = 0;
     while (from[along] == to[along]) ++along;
-    axes[from].insert(static_cast<int>(along));
-    axes[to].insert(static_cast<int>(along));
-    Place place = from;
-    const int step = from[along] < to[along] ? 1 : -1;
-    for (place[along] += step; place != to; place[along] += step) {
-      if (axes.count(place) != 0) return false;
+    for (const Place& end : {from, to}) {
+      std::uint8_t& mark = marks[point_number(end)];
+      mark = static_cast<std::uint8_t>(mark | 8 | 1 << along);
     }
   }
-  return std::all_of(axes.begin(), axes.end(), [](const auto& vertex) {
-    return vertex.second.size() > 1;
+  for (const fast::SolidEdge& edge : solid.edges) {
+    Place place = place_of(solid, edge.from);
+    const Place to = place_of(solid, edge.to);
+    std::size_t along = 0;
+    while (place[along] == to[along]) ++along;
+    const int step = place[along] < to[along] ? 1 : -1;
+    for (place[along] += step; place != to; place[along] += step) {
+      if (marks[point_number(place)] != 0) return false;
+    }
+  }
+  // At a vertex with edges along one axis nothing turns.
+  return std::none_of(marks.begin(), marks.end(), [](std::uint8_t mark) {
+    return mark == 9 || mark == 10 || mark == 12;
   });
 }
 

@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <tuple>
 #include <vector>
 
 #include "halfspace/boolean.hpp"
@@ -26,14 +24,15 @@ Cubes random_cubes(int lump, std::uint64_t& state);
 /// The surface in unit squares.
 Solid surface(const Cubes& cubes);
 
-/// A directed edge of one grid step along `axis`, of a face in the plane with
-/// the number `plane` along its axis, and which way the face looks.
-using Step = std::tuple<int, int, bool, int, std::array<int, 3>, bool>;
+/// The outlines of a surface's faces: for each grid step in each plane, and
+/// each way that a face may look, how often it is gone forwards rather than
+/// backwards. A flat list, for it is compared a million times.
+using Outline = std::vector<std::int8_t>;
 
-/// The steps round the faces of the surface, without those that cancel.
-std::vector<Step> outline(const Cubes& cubes);
-/// Likewise. Empty, with `whole` false, if something is not on the grid.
-std::vector<Step> outline(const fast::Solid& solid, bool& whole);
+Outline outline(const Cubes& cubes);
+/// Likewise. Empty, with `whole` false, if something is not on the block's
+/// grid.
+Outline outline(const fast::Solid& solid, bool& whole);
 
 /// Whether no vertex lies within an edge, and at every vertex something turns.
 bool is_least(const fast::Solid& solid);

@@ -1,0 +1,130 @@
+// Checks what holds for the booleans of every two of the meshes that are named.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/crossings.hpp"
+#include "identities.hpp"
+#include "placing.hpp"
+
+namespace halfspace::identities {
+namespace {
+
+struct Model {
+  std::string path;
+  Solid solid;
+  std::size_t size = 0;
+};
+
+/// The models that are closed and do not cross themselves, by their size.
+std::vector<Model> usable(const std::vector<std::string>& paths,
+                          std::size_t most) {
+  std::vector<Model> models;
+  for (const std::string& path : paths) {
+    const Result<Solid> solid = load(path);
+    if (!solid) {
+      std::printf("left out: %s: %s\n", path.c_str(),
+                  solid.error().message.c_str());
+      continue;
+    }
+    const std::size_t size = solid->scene().polygon_count();
+    if (size > most) {
+      std::printf("left out: %s: %zu polygons\n", path.c_str(), size);
+      continue;
+    }
+    const auto found = fast::crossings(fast::to_solid(*solid));
+    if (!found.empty()) {
+      std::printf("left out: %s: crosses itself, %zu pairs of polygons\n",
+                  path.c_str(), found.size());
+      continue;
+    }
+    models.push_back({path, *solid, size});
+  }
+  std::stable_sort(
+      models.begin(), models.end(),
+      [](const Model& a, const Model& b) { return a.size < b.size; });
+  return models;
+}
+
+/// What is wrong with the pair in one position; nothing if it cannot be.
+bool check(const Model& a, const Model& b, Position position,
+           std::size_t& checked) {
+  const auto pair = placed(a.solid, b.solid, position);
+  if (!pair) return true;
+  const fast::Solid first = fast::to_solid(pair->first, 0);
+  const fast::Solid second = fast::to_solid(pair->second, first, 1);
+  ++checked;
+  const auto broken = broken_identities(first, second, fast::boolean);
+  for (const std::string& what : broken) {
+    std::printf("WRONG: %s, %s, %s: %s\n", a.path.c_str(), b.path.c_str(),
+                name_of(position), what.c_str());
+  }
+  return broken.empty();
+}
+
+int run(const std::vector<std::string>& paths, std::size_t most,
+        double seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto models = usable(paths, most);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    for (std::size_t j = 0; j < models.size(); ++j) pairs.emplace_back(i, j);
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](const auto& x, const auto& y) {
+                     return models[x.first].size + models[x.second].size <
+                            models[y.first].size + models[y.second].size;
+                   });
+  std::size_t checked = 0, wrong = 0, done = 0;
+  for (const auto& [i, j] : pairs) {
+    const std::chrono::duration<double> passed =
+        std::chrono::steady_clock::now() - start;
+    if (passed.count() > seconds) break;
+    for (const Position position : kPositions)
+      if (!check(models[i], models[j], position, checked)) ++wrong;
+    ++done;
+    if (done % 100 == 0) {
+      std::printf("%zu pairs, up to %zu polygons together\n", done,
+                  models[i].size + models[j].size);
+    }
+    std::fflush(stdout);
+  }
+  std::printf(
+      "%zu models, %zu of %zu ordered pairs, %zu positions: %zu wrong\n",
+      models.size(), done, pairs.size(), checked, wrong);
+  return wrong == 0 && checked > 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace halfspace::identities
+
+int main(int argc, char** argv) {
+  std::size_t most = 100000;
+  double seconds = 1e9;
+  std::vector<std::string> paths;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--max-polygons" && i + 1 < argc) {
+      most = std::strtoull(argv[++i], nullptr, 10);
+    } else if (word == "--seconds" && i + 1 < argc) {
+      seconds = std::strtod(argv[++i], nullptr);
+    } else {
+      paths.push_back(word);
+    }
+  }
+  if (paths.empty()) {
+    std::fprintf(stderr,
+                 "usage: check_identities [--max-polygons N] [--seconds S] "
+                 "MESH...\n");
+    return 2;
+  }
+  return halfspace::identities::run(paths, most, seconds);
+}
