@@ -1013,7 +1013,8 @@ Qed.
 Lemma goes_on : forall k r s v m v', edge r s ->
   value_at k s < value_at k r ->
   In v corners -> In m corners -> edge v v' ->
-  area plane r s v == 0 -> area plane r s m == 0 -> value_at k m < value_at k v ->
+  area plane r s v == 0 -> area plane r s m == 0 ->
+  value_at k m < value_at k v ->
   area plane r s v' == 0 /\ value_at k v' < value_at k v.
 Proof.
   intros k r s v m v' E D V M F Av Am L.
@@ -1294,7 +1295,8 @@ Proof.
         ~ same v w) l) as K; [|now apply K; [apply incl_refl|]].
     induction l as [|a l IH]; intros I O; [constructor|].
     inversion O as [|? ? Oa Ol]; subst; constructor.
-    + rewrite Forall_forall in *; intros b B v w; apply Apart; [| |now apply Oa].
+    + rewrite Forall_forall in *; intros b B v w.
+      apply Apart; [| |now apply Oa].
       * rewrite <- surjective_pairing; apply I; now left.
       * rewrite <- surjective_pairing; apply I; now right.
     + apply IH; [intros b B; apply I; now right | exact Ol].

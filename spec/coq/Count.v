@@ -35,7 +35,8 @@ Proof.
   intros h p q; unfold leaves, side_of; simpl.
   destruct (sign_cases (value_at h p)) as [[A P] | [[A P] | [A P]]];
     destruct (sign_cases (value_at h q)) as [[B R] | [[B R] | [B R]]];
-    rewrite A, ?B; split; intros H; try discriminate; lra || reflexivity || idtac.
+    rewrite A, ?B; split; intros H; try discriminate;
+    lra || reflexivity || idtac.
 Qed.
 
 Lemma comes_back_tells : forall h p q, comes_back h (p, q) = true <->
@@ -44,7 +45,8 @@ Proof.
   intros h p q; unfold comes_back, side_of; simpl.
   destruct (sign_cases (value_at h p)) as [[A P] | [[A P] | [A P]]];
     destruct (sign_cases (value_at h q)) as [[B R] | [[B R] | [B R]]];
-    rewrite A, ?B; split; intros H; try discriminate; lra || reflexivity || idtac.
+    rewrite A, ?B; split; intros H; try discriminate;
+    lra || reflexivity || idtac.
 Qed.
 
 (** Where no edge lies in the plane, a corner on it and an edge that crosses it
@@ -62,7 +64,8 @@ Proof.
     (Split.on_plane [side_of h p] +
      (if Split.crosses (side_of h p) (side_of h q) then 1 else 0) =
      count (leaves h) [(p, q)] + count (comes_back h) [(p, q)])%nat) as One.
-  { intros q rest E; rewrite E in Flat; specialize (Flat p q (or_introl eq_refl)).
+  { intros q rest E; rewrite E in Flat.
+    specialize (Flat p q (or_introl eq_refl)).
     unfold count, leaves, comes_back, side_of; simpl.
     destruct (sign_cases (value_at h p)) as [[-> P] | [[-> P] | [-> P]]];
       destruct (sign_cases (value_at h q)) as [[-> R] | [[-> R] | [-> R]]];
@@ -161,7 +164,8 @@ Theorem passes_twice :
    Split.crossings (Split.sides_of f h) = 2)%nat.
 Proof.
   pose proof leaves_once as L; pose proof comes_back_once as C.
-  pose proof flat_edges as Flat; unfold Split.sides_of, Split.crossings, round in *.
+  pose proof flat_edges as Flat.
+  unfold Split.sides_of, Split.crossings, round in *.
   destruct corners as [|p l]; [discriminate|].
   pose proof (passages_along h p (p :: l) Flat) as P; simpl map in *; lia.
 Qed.
