@@ -58,10 +58,10 @@ SeenPlane<kBits> see(const ExactPlane<kBits>& plane, const CameraData& camera) {
            multiply<kWords>(Int128{plane.normal.y}, v.y) +
            multiply<kWords>(Int128{plane.normal.z}, v.z);
   };
-  const Int128 step = Int128{1} << kLatticeBits;
+  constexpr Int128 kStep = Int128{1} << kLatticeBits;
   const GridPoint& p = plane.origin;
   const auto above = [&](const LatticeVector& v) {
-    return along({v.x - step * p.x, v.y - step * p.y, v.z - step * p.z});
+    return along({v.x - kStep * p.x, v.y - kStep * p.y, v.z - kStep * p.z});
   };
   const Wide<kWords> offset = above(camera.s0);
   return {camera.perspective ? above(camera.eye) : along(camera.eye),
@@ -90,9 +90,9 @@ ImageLine<Grid<kBits>::kWords> meet_line(const SeenPlane<kBits>& p,
 /// 2 (s0 - e), n + 15, three times 3n + 47, so 209 at most; 226 at a pixel.
 inline ImageLine<4> edge_line(const GridPoint& p, const GridPoint& q,
                               const CameraData& camera) {
-  const Int128 step = Int128{1} << kLatticeBits;
-  const auto lattice = [step](const GridPoint& g) {
-    return LatticeVector{step * g.x, step * g.y, step * g.z};
+  constexpr Int128 kStep = Int128{1} << kLatticeBits;
+  const auto lattice = [](const GridPoint& g) {
+    return LatticeVector{kStep * g.x, kStep * g.y, kStep * g.z};
   };
   const auto minus = [](const LatticeVector& u, const LatticeVector& v) {
     return LatticeVector{u.x - v.x, u.y - v.y, u.z - v.z};
