@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "halfspace/assert.hpp"
@@ -20,8 +21,11 @@ struct Sample {
   std::int32_t i = 0;  ///< in the whole image
   std::int32_t j = 0;
   PolygonId shown = kBackground;
+  Rgb color;                ///< that is shown, if colours are checked
   bool is_covered = false;  ///< by `shown`, certainly
   bool is_sure = true;      ///< no other polygon may hide it
+  /// What is surely no nearer cannot hide `shown`.
+  double nearness = -HUGE_VAL;
 };
 
 /// Pixels of a part of an image: one of every `step` in the order of rows.
@@ -30,48 +34,84 @@ class Samples {
   Samples(const Shown& shown, const Options& how)
       : left_(shown.left),
         top_(shown.top),
-        width_(static_cast<std::size_t>(shown.items.width_px)),
-        step_(static_cast<std::size_t>(
-            std::clamp(std::floor(1 / how.share), 1.0, 0x1p40))),
-        inverse_(1 / static_cast<double>(step_)) {
+        right_(shown.left + shown.items.width_px - 1),
+        bottom_(shown.top + shown.items.height_px - 1) {
+    const auto step = static_cast<std::size_t>(
+        std::clamp(std::floor(1 / how.share), 1.0, 0x1p40));
+    const auto width = static_cast<std::size_t>(shown.items.width_px);
     const std::size_t pixels = shown.items.pixels.size();
+    all_.reserve((pixels + step - 1) / step);
     std::uint64_t state = how.seed;
-    for (std::size_t first = 0; first < pixels; first += step_) {
-      const std::size_t length = std::min(step_, pixels - first);
+    for (std::size_t first = 0; first < pixels; first += step) {
+      const std::size_t length = std::min(step, pixels - first);
       const std::size_t at = first + next(state) % length;
-      all_.push_back({left_ + static_cast<std::int32_t>(at % width_),
-                      top_ + static_cast<std::int32_t>(at / width_),
-                      shown.items.pixels[at]});
+      Sample sample;
+      sample.i = left_ + static_cast<std::int32_t>(at % width);
+      sample.j = top_ + static_cast<std::int32_t>(at / width);
+      sample.shown = shown.items.pixels[at];
+      // Here, not where it is looked at: memory answers many at a time.
+      if (!shown.colors.pixels.empty()) sample.color = shown.colors.pixels[at];
+      all_.push_back(sample);
     }
+    // Few enough in a tile to be looked at, and enough to be worth a tile.
+    while (shift_ < 16 && (std::size_t{1} << 2 * shift_) < 2 * step) ++shift_;
+    across_ = tile(right_ - left_) + 1;
+    begin_.resize(static_cast<std::size_t>(across_) *
+                      (static_cast<std::size_t>(tile(bottom_ - top_)) + 1) +
+                  1);
   }
 
   std::vector<Sample>& all() { return all_; }
 
-  /// Calls `visit` with every sample within the bounds.
+  /// Sorts them by tiles, as they are now, for within().
+  void sort() {
+    // Count, add up, and fill from the back: within a tile the last comes last.
+    for (const Sample& sample : all_) ++begin_[tile_of(sample) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    places_.resize(all_.size());
+    std::vector<std::uint32_t> free(begin_.begin(), begin_.end() - 1);
+    for (std::size_t n = 0; n < all_.size(); ++n) {
+      const Sample& sample = all_[n];
+      places_[free[tile_of(sample)]++] = {sample.nearness, sample.i, sample.j,
+                                          static_cast<std::uint32_t>(n)};
+    }
+  }
+
+  /// Calls `visit` with every sample within the bounds that does not show what
+  /// is certainly nearer.
   template <class Visit>
-  void within(const Bounds& bounds, const Visit& visit) {
-    const std::int32_t right = left_ + static_cast<std::int32_t>(width_) - 1;
-    const std::int32_t first_column = std::max(bounds.left, left_);
-    const std::int32_t last_column = std::min(bounds.right, right);
-    if (first_column > last_column) return;
-    // A product is soon made and may be off by one: so one more at either end.
-    const auto last_sample = static_cast<std::ptrdiff_t>(all_.size()) - 1;
-    for (std::int32_t j = std::max(bounds.top, top_); j <= bounds.bottom; ++j) {
-      const auto first =
-          std::max<std::ptrdiff_t>(near(offset(first_column, j)) - 1, 0);
-      if (first > last_sample) return;
-      const auto last = std::min(near(offset(last_column, j)) + 1, last_sample);
-      for (std::ptrdiff_t n = first; n <= last; ++n) {
-        Sample& sample = all_[static_cast<std::size_t>(n)];
-        if (sample.j == j && sample.i >= first_column &&
-            sample.i <= last_column) {
-          visit(sample);
+  void within(const Bounds& bounds, double nearness, const Visit& visit) {
+    const std::int32_t left = std::max(bounds.left, left_);
+    const std::int32_t right = std::min(bounds.right, right_);
+    const std::int32_t top = std::max(bounds.top, top_);
+    const std::int32_t bottom = std::min(bounds.bottom, bottom_);
+    if (left > right || top > bottom) return;
+    const std::int32_t first_tile = tile(left - left_);
+    const std::int32_t last_tile = tile(right - left_);
+    for (std::int32_t row = tile(top - top_); row <= tile(bottom - top_);
+         ++row) {
+      const auto at =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(across_);
+      const auto end = begin_[at + static_cast<std::size_t>(last_tile) + 1];
+      for (auto n = begin_[at + static_cast<std::size_t>(first_tile)]; n < end;
+           ++n) {
+        const Place& place = places_[n];
+        if (place.i >= left && place.i <= right && place.j >= top &&
+            place.j <= bottom && !(nearness < place.nearness)) {
+          visit(all_[place.sample]);
         }
       }
     }
   }
 
  private:
+  /// What within() looks at of a sample.
+  struct Place {
+    double nearness;
+    std::int32_t i, j;
+    std::uint32_t sample;
+  };
+
   /// The generator splitmix64.
   static std::uint64_t next(std::uint64_t& state) {
     std::uint64_t z = state += 0x9e3779b97f4a7c15;
@@ -79,21 +119,22 @@ class Samples {
     z = (z ^ z >> 27) * 0x94d049bb133111eb;
     return z ^ z >> 31;
   }
-  std::size_t offset(std::int32_t i, std::int32_t j) const {
-    return static_cast<std::size_t>(j - top_) * width_ +
-           static_cast<std::size_t>(i - left_);
+  std::int32_t tile(std::int32_t pixels) const { return pixels >> shift_; }
+  std::size_t tile_of(const Sample& sample) const {
+    return static_cast<std::size_t>(tile(sample.j - top_)) *
+               static_cast<std::size_t>(across_) +
+           static_cast<std::size_t>(tile(sample.i - left_));
   }
 
-  /// The number of the sample chosen around a pixel, or one off.
-  std::ptrdiff_t near(std::size_t offset) const {
-    return static_cast<std::ptrdiff_t>(static_cast<double>(offset) * inverse_);
-  }
-
-  std::int32_t left_, top_;
-  std::size_t width_, step_;
-  double inverse_;
+  std::int32_t left_, top_, right_, bottom_;
+  int shift_ = 0;  ///< tiles have 2^shift_ by 2^shift_ pixels
+  std::int32_t across_;
   std::vector<Sample> all_;
+  std::vector<std::uint32_t> begin_;  ///< of each tile in places_
+  std::vector<Place> places_;
 };
+
+constexpr std::int32_t kNotPrepared = -1;
 
 class Checker {
  public:
@@ -105,13 +146,13 @@ class Checker {
         shown_(shown),
         how_(how),
         polygons_(scene, camera, options),
-        samples_(shown, how),
-        prepared_(scene.polygon_count()) {}
+        samples_(shown, how) {}
 
   Report run() {
     if (!how_.by_reference_only) {
-      prepare();
-      for (const auto& [sample, id] : near_) judge(*sample, id);
+      judge_shown();
+      samples_.sort();
+      judge_others();
     }
     std::sort(rivals_.begin(), rivals_.end());
     report_.pixels = samples_.all().size();
@@ -120,38 +161,62 @@ class Checker {
   }
 
  private:
-  bool is_id(PolygonId id) const {
-    return id >= 0 && id < std::ssize(prepared_);
+  PolygonId polygon_count() const {
+    return static_cast<PolygonId>(scene_.polygon_count());
   }
+  bool is_id(PolygonId id) const { return id >= 0 && id < polygon_count(); }
+
+  /// Of a polygon that some sample shows.
   const Prepared& prepared(PolygonId id) const {
-    return prepared_[static_cast<std::size_t>(id)];
+    return prepared_[static_cast<std::size_t>(
+        number_[static_cast<std::size_t>(id)])];
   }
 
-  /// Prepares the polygons that are near a sample.
-  void prepare() {
-    for (PolygonId id = 0; id < std::ssize(prepared_); ++id) {
-      const std::size_t before = near_.size();
-      samples_.within(polygons_.bounds_of(id), [&](Sample& sample) {
-        near_.push_back({&sample, id});
-      });
-      if (near_.size() > before)
-        prepared_[static_cast<std::size_t>(id)] = polygons_.prepare(id);
+  /// Compares the samples with what they show.
+  void judge_shown() {
+    number_.assign(scene_.polygon_count(), kNotPrepared);
+    for (Sample& sample : samples_.all()) {
+      if (!is_id(sample.shown)) continue;
+      std::int32_t& number = number_[static_cast<std::size_t>(sample.shown)];
+      if (number == kNotPrepared) {
+        number = static_cast<std::int32_t>(prepared_.size());
+        prepared_.push_back(polygons_.prepare(sample.shown));
+      }
+      const Prepared& polygon = prepared(sample.shown);
+      if (!polygon.certain) continue;
+      sample.is_covered =
+          polygons_.covers(polygon, sample.i, sample.j) == Verdict::kYes;
+      const Bounded nearness =
+          Polygons::nearness_at(polygon, sample.i, sample.j);
+      const double least = nearness.value - nearness.error;
+      // Where it is no number nothing is certain.
+      if (least > -HUGE_VAL) sample.nearness = least;
     }
   }
 
-  /// Compares the polygon with what the sample shows.
-  void judge(Sample& sample, PolygonId id) {
-    const Prepared& polygon = prepared(id);
-    const Verdict verdict = polygons_.covers(polygon, sample.i, sample.j);
-    if (verdict == Verdict::kNo) return;
-    if (id == sample.shown) {
-      sample.is_covered = verdict == Verdict::kYes;
-      return;
+  /// Notes which other polygons may hide what the samples show.
+  void judge_others() {
+    for (PolygonId id = 0; id < polygon_count(); ++id) {
+      std::optional<Prepared> own;
+      samples_.within(polygons_.bounds_of(id), polygons_.nearness_of(id),
+                      [&](Sample& sample) {
+                        if (id == sample.shown) return;
+                        const bool is_shown =
+                            number_[static_cast<std::size_t>(id)] !=
+                            kNotPrepared;
+                        if (!is_shown && !own) own = polygons_.prepare(id);
+                        judge(sample, id, is_shown ? prepared(id) : *own);
+                      });
+      if (own) polygons_.forget(*own);
     }
-    if (is_id(sample.shown) &&
-        Polygons::is_nearer(prepared(sample.shown), polygon, sample.i,
-                            sample.j)) {
-      return;
+  }
+
+  void judge(Sample& sample, PolygonId id, const Prepared& polygon) {
+    if (polygons_.covers(polygon, sample.i, sample.j) == Verdict::kNo) return;
+    if (polygon.certain) {
+      const Bounded nearness =
+          Polygons::nearness_at(polygon, sample.i, sample.j);
+      if (nearness.value + nearness.error < sample.nearness) return;
     }
     sample.is_sure = false;
     rivals_.push_back({&sample, id});
@@ -178,19 +243,24 @@ class Checker {
   }
 
   PolygonId cast_at_all(const Sample& sample) const {
-    std::vector<PolygonId> ids(prepared_.size());
+    std::vector<PolygonId> ids(scene_.polygon_count());
     std::iota(ids.begin(), ids.end(), PolygonId{0});
     return ref::raycast_at(scene_, camera_, options_, sample.i, sample.j, ids);
   }
 
   /// The same, without the polygons that doubles rule out.
-  PolygonId cast_at_near(const Sample& sample) const {
+  PolygonId cast_at_near(const Sample& sample) {
     std::vector<PolygonId> ids;
-    for (const auto& [near, id] : near_) {
-      if (near == &sample &&
-          polygons_.covers(prepared(id), sample.i, sample.j) != Verdict::kNo) {
-        ids.push_back(id);
+    for (PolygonId id = 0; id < polygon_count(); ++id) {
+      const Bounds bounds = polygons_.bounds_of(id);
+      if (sample.i < bounds.left || sample.i > bounds.right ||
+          sample.j < bounds.top || sample.j > bounds.bottom) {
+        continue;
       }
+      const Prepared polygon = polygons_.prepare(id);
+      if (polygons_.covers(polygon, sample.i, sample.j) != Verdict::kNo)
+        ids.push_back(id);
+      polygons_.forget(polygon);
     }
     return ref::raycast_at(scene_, camera_, options_, sample.i, sample.j, ids);
   }
@@ -220,8 +290,7 @@ class Checker {
     const PolygonId seen = is_right ? sample.shown : seen_at(sample);
     Mismatch found{sample.i, sample.j, sample.shown, seen, {}, {}};
     if (!shown_.colors.pixels.empty()) {
-      found.shown_color =
-          shown_.colors.at(sample.i - shown_.left, sample.j - shown_.top);
+      found.shown_color = sample.color;
       found.expected_color = color_of(sample, seen, found.shown_color);
     }
     if (found.shown == found.expected &&
@@ -239,9 +308,10 @@ class Checker {
   const Options& how_;
   Polygons polygons_;
   Samples samples_;
+  /// Where in `prepared_` each polygon is, or kNotPrepared: only what samples
+  /// show is kept, since memory is what most of the time goes into.
+  std::vector<std::int32_t> number_;
   std::vector<Prepared> prepared_;
-  /// Samples, and the polygons around them, which alone they may see.
-  std::vector<std::pair<Sample*, PolygonId>> near_;
   /// Polygons that may hide what a sample shows, by sample.
   std::vector<std::pair<const Sample*, PolygonId>> rivals_;
   Report report_;

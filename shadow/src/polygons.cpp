@@ -43,12 +43,17 @@ Affine operator*(const Bounded& a, const Affine& f) {
   return {a * f.c, a * f.dx, a * f.dy};
 }
 
+Affine operator/(const Affine& f, const Bounded& a) {
+  return {f.c / a, f.dx / a, f.dy / a};
+}
+
 double centre(std::int32_t pixel) { return pixel + 0.5; }
 
 /// A pixel number from a coordinate, clamped to just outside of the image.
+/// Between -1 and 0 it is 0, which only adds a pixel.
 std::int32_t pixel(double value, std::int32_t size) {
   return static_cast<std::int32_t>(
-      std::clamp(std::floor(value), -1.0, static_cast<double>(size)));
+      std::clamp(value, -1.0, static_cast<double>(size)));
 }
 
 }  // namespace
@@ -90,13 +95,45 @@ Projected Polygons::project(const GridPoint& p) const {
   place.t = dot(rows_[2], v);
   place.w = camera_->perspective ? place.t : exactly(1);
   if (!is_positive(place.w)) return place;
-  const Bounded column = place.x / place.w;
-  const Bounded row = place.y / place.w;
-  place.column = column.value;
-  place.row = row.value;
-  // Not so for what is no number.
-  place.is_placed = column.error < 1 && row.error < 1;
+  const double t = camera_->perspective ? place.t.value - place.t.error
+                                        : place.t.error - place.t.value;
+  constexpr double kUp = 1 + 0x1p-50;
+  // In perspective t is positive, since it is w; else kTiny is next to nothing.
+  place.nearness =
+      camera_->perspective ? kUp / t : t + 0x1p-50 * std::abs(t) + kTiny;
+  if (std::isnan(place.nearness)) place.nearness = HUGE_VAL;
+  place.column = place.x.value / place.w.value;
+  place.row = place.y.value / place.w.value;
+  // A quotient is off by less than a pixel if that, times the divisor, is more
+  // than the errors come to. Not so for what is no number.
+  const double least = (place.w.value - place.w.error) / 2;
+  const auto is_close = [&](const Bounded& numerator, double quotient) {
+    return std::abs(quotient) < 0x1p40 &&
+           numerator.error + std::abs(quotient) * place.w.error < least;
+  };
+  place.is_placed =
+      is_close(place.x, place.column) && is_close(place.y, place.row);
   return place;
+}
+
+Plain Polygons::plain(const Affine& f) const {
+  // Four roundings at most, each of what is less than the sum of the sizes.
+  const double x = camera_->width_px;
+  const double y = camera_->height_px;
+  const double size =
+      std::abs(f.c.value) + x * std::abs(f.dx.value) + y * std::abs(f.dy.value);
+  const double error = f.c.error + x * f.dx.error + y * f.dy.error;
+  return {f.c.value, f.dx.value, f.dy.value,
+          kSlack * (error + 4 * kUnit * size) + kTiny};
+}
+
+double Polygons::nearness_of(PolygonId polygon) const {
+  double nearness = -HUGE_VAL;
+  for (const VertexId vertex : scene_.corners(polygon)) {
+    nearness = std::max(nearness,
+                        vertices_[static_cast<std::size_t>(vertex)].nearness);
+  }
+  return nearness;
 }
 
 Bounds Polygons::bounds_of(PolygonId polygon) const {
@@ -123,6 +160,16 @@ Bounds Polygons::bounds_of(PolygonId polygon) const {
           std::min(pixel(bottom + 1, height), height - 1)};
 }
 
+Affine Polygons::beyond_near(const Affine& nearness,
+                             const Bounded& scale) const {
+  // T > near / 2^16, with T = scale / nearness, or -nearness / scale.
+  const Bounded unit = exactly(1 << kNearBits);
+  const Bounded near = exactly(static_cast<double>(*camera_->near));
+  const Affine constant{scale, {}, {}};
+  return camera_->perspective ? unit * constant + -(near * nearness)
+                              : -(unit * nearness) + -(near * constant);
+}
+
 Prepared Polygons::prepare(PolygonId polygon) {
   Prepared prepared;
   const auto corners = scene_.corners(polygon);
@@ -130,61 +177,54 @@ Prepared Polygons::prepare(PolygonId polygon) {
   const auto corner = [&](std::size_t k) -> const Projected& {
     return vertices_[static_cast<std::size_t>(corners[k % count])];
   };
-  const std::size_t first = insides_.size();
-  prepared.first = static_cast<std::uint32_t>(first);
-  prepared.count = static_cast<std::uint32_t>(count);
+  lines_.clear();
+  prepared.first = static_cast<std::uint32_t>(insides_.size());
   for (std::size_t k = 0; k < count; ++k)
-    insides_.push_back(line_through(corner(k), corner(k + 1)));
+    lines_.push_back(line_through(corner(k), corner(k + 1)));
 
   // Three corners in a row span the plane, best where their volume is greatest;
   // a triangle's is always the same.
   const bool is_triangle = count == 3;
+  Bounded scale;
   std::size_t at = 0;
   for (std::size_t k = 0; k < (is_triangle ? 1 : count); ++k) {
-    const Bounded here = volume(insides_[first + k], corner(k + 2));
-    if (k > 0 && !(std::abs(here.value) > std::abs(prepared.scale.value)))
-      continue;
-    prepared.scale = here;
+    const Bounded here = volume(lines_[k], corner(k + 2));
+    if (k > 0 && !(std::abs(here.value) > std::abs(scale.value))) continue;
+    scale = here;
     at = k;
   }
-  const bool turned = is_negative(prepared.scale);
-  if (!turned && !is_positive(prepared.scale)) return prepared;
+  const bool turned = is_negative(scale);
+  if (!turned && !is_positive(scale)) return prepared;
   // P(e) is -scale * volume_, as it stands before it is turned.
   if (cull_) {
-    if (is_positive(prepared.scale * volume_)) {
-      insides_[first] = {exactly(-1), {}, {}};
+    if (is_positive(scale * volume_)) {
+      insides_.push_back({-1, 0, 0, 0});
       prepared.count = 1;
       prepared.certain = true;
       return prepared;
     }
-    if (!is_negative(prepared.scale * volume_)) return prepared;
+    if (!is_negative(scale * volume_)) return prepared;
   }
 
   // d = (x, y, 1) is a sum of the three, with these as weights over `scale`.
-  const Affine ab = insides_[first + at];
-  const Affine bc = insides_[first + (at + 1) % count];
-  const Affine ca = is_triangle ? insides_[first + 2]
-                                : line_through(corner(at + 2), corner(at));
-  prepared.nearness = camera_->perspective
-                          ? ab + bc + ca
-                          : -(corner(at).t * bc + corner(at + 1).t * ca +
-                              corner(at + 2).t * ab);
+  const Affine ab = lines_[at];
+  const Affine bc = lines_[(at + 1) % count];
+  const Affine ca =
+      is_triangle ? lines_[2] : line_through(corner(at + 2), corner(at));
+  Affine nearness = camera_->perspective
+                        ? ab + bc + ca
+                        : -(corner(at).t * bc + corner(at + 1).t * ca +
+                            corner(at + 2).t * ab);
   if (turned) {
-    for (std::size_t k = 0; k < count; ++k)
-      insides_[first + k] = -insides_[first + k];
-    prepared.nearness = -prepared.nearness;
-    prepared.scale = -prepared.scale;
+    for (Affine& line : lines_) line = -line;
+    nearness = -nearness;
+    scale = -scale;
   }
-  if (camera_->near && (*camera_->near != 0 || !camera_->perspective)) {
-    // T > near / 2^16, with T = scale / nearness, or -nearness / scale.
-    const Bounded unit = exactly(1 << kNearBits);
-    const Bounded near = exactly(static_cast<double>(*camera_->near));
-    const Affine scale{prepared.scale, {}, {}};
-    ++prepared.count;
-    insides_.push_back(camera_->perspective
-                           ? unit * scale + -(near * prepared.nearness)
-                           : -(unit * prepared.nearness) + -(near * scale));
-  }
+  if (camera_->near && (*camera_->near != 0 || !camera_->perspective))
+    lines_.push_back(beyond_near(nearness, scale));
+  for (const Affine& line : lines_) insides_.push_back(plain(line));
+  prepared.count = static_cast<std::uint32_t>(lines_.size());
+  prepared.nearness = plain(nearness / scale);
   prepared.certain = true;
   return prepared;
 }
@@ -201,13 +241,9 @@ Verdict Polygons::covers(const Prepared& polygon, std::int32_t i,
   return verdict;
 }
 
-bool Polygons::is_nearer(const Prepared& one, const Prepared& other,
-                         std::int32_t i, std::int32_t j) {
-  if (!one.certain || !other.certain) return false;
-  const double x = centre(i);
-  const double y = centre(j);
-  return is_positive(one.nearness.at(x, y) * other.scale -
-                     other.nearness.at(x, y) * one.scale);
+Bounded Polygons::nearness_at(const Prepared& polygon, std::int32_t i,
+                              std::int32_t j) {
+  return polygon.nearness.at(centre(i), centre(j));
 }
 
 bool Polygons::has_color(PolygonId polygon, const Prepared& prepared,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,8 @@ struct Projected {
   Bounded x, y, w, t;
   double column = 0;  ///< X/W, to less than a pixel, if that is known
   double row = 0;     ///< Y/W likewise
+  /// No less than 1/T in perspective, else than -T.
+  double nearness = HUGE_VAL;
   bool is_placed = false;
 };
 
@@ -30,9 +33,15 @@ struct Bounds {
 /// The function c + x dx + y dy of the image point.
 struct Affine {
   Bounded c, dx, dy;
-  Bounded at(double x, double y) const {
-    return c + exactly(x) * dx + exactly(y) * dy;
-  }
+};
+
+/// The same with one bound for all pixels' centres: less to keep, and to do.
+struct Plain {
+  double c = 0, dx = 0, dy = 0;
+  double error = HUGE_VAL;
+
+  double value_at(double x, double y) const { return c + x * dx + y * dy; }
+  Bounded at(double x, double y) const { return {value_at(x, y), error}; }
 };
 
 /// What is certain.
@@ -44,9 +53,7 @@ struct Prepared {
   /// (S4.5), near included: from this one of Polygons::insides_ on, so many.
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  /// nearness / scale is 1/T in perspective, else -T: the greater, the nearer.
-  Affine nearness;
-  Bounded scale;         ///< positive
+  Plain nearness;        ///< 1/T in perspective, else -T
   bool certain = false;  ///< false: nothing is known of it
 };
 
@@ -59,14 +66,20 @@ class Polygons {
   /// Pixels that may see the polygon: no other can. Empty where it covers none.
   Bounds bounds_of(PolygonId polygon) const;
 
+  /// No less than the nearness of any of its points.
+  double nearness_of(PolygonId polygon) const;
+
   Prepared prepare(PolygonId polygon);
+
+  /// Takes back what prepare() did last.
+  void forget(const Prepared& polygon) { insides_.resize(polygon.first); }
 
   /// Whether the centre of pixel (i, j) is within the polygon.
   Verdict covers(const Prepared& polygon, std::int32_t i, std::int32_t j) const;
 
-  /// Whether one is certainly nearer than the other at the centre.
-  static bool is_nearer(const Prepared& one, const Prepared& other,
-                        std::int32_t i, std::int32_t j);
+  /// What the polygon's nearness at the centre is between.
+  static Bounded nearness_at(const Prepared& polygon, std::int32_t i,
+                             std::int32_t j);
 
   /// Whether the polygon, a triangle, certainly has this Gouraud colour at the
   /// centre (S5.4).
@@ -75,6 +88,9 @@ class Polygons {
 
  private:
   Projected project(const GridPoint& p) const;
+  Plain plain(const Affine& f) const;
+  /// Positive where the plane of this nearness is beyond the near distance.
+  Affine beyond_near(const Affine& nearness, const Bounded& scale) const;
 
   const Scene& scene_;
   const Camera& camera_;
@@ -83,7 +99,9 @@ class Polygons {
   Bounded rows_[3][3];  ///< X, Y and T from the point less the origin
   Bounded volume_;      ///< of sx, sy and the depth
   std::vector<Projected> vertices_;
-  std::vector<Affine> insides_;
+  std::vector<Plain> insides_;
+  /// Of the polygon that is being prepared.
+  std::vector<Affine> lines_;
 };
 
 }  // namespace halfspace::shadow
