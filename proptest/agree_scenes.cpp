@@ -164,7 +164,10 @@ LatticeVector random_eye(const Scene& scene, std::int64_t size, Draws& draws) {
     return {p.x + q.x - r.x, p.y + q.y - r.y, p.z + q.z - r.z};
   }
   if (draws.one_in(3)) return random_lattice(size, draws);
-  return random_lattice(4 * size, draws);
+  if (size <= std::int64_t{1} << 60) return random_lattice(4 * size, draws);
+  // So far away there are points that 64 bits do not hold.
+  const LatticeVector p = random_lattice(size, draws);
+  return {4 * p.x, 4 * p.y, 4 * p.z};
 }
 
 }  // namespace
