@@ -1,7 +1,8 @@
 (** * Words that all theories share.
 
-    Points and planes have rational coordinates, as in [ref/]; nothing here or
-    in any other theory rests on an axiom. *)
+    Read beside [value_at] and [side_of] in ref/src/predicate.cpp. Points and
+    planes have rational coordinates, as in [ref/]; nothing here or in any other
+    theory rests on an axiom. *)
 
 From Coq Require Import QArith Lqa List.
 Import ListNotations.

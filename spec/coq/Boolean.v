@@ -61,7 +61,7 @@ Definition class_in_plane (positive negative : SolidClass) (agrees : bool)
 
 (** * The rule: a boundary is where membership changes *)
 
-(** What a set is right beside a point of pa plane: off the plane, its
+(** What a set is right beside a point of a plane: off the plane, its
     membership on the positive side and on the negative side. *)
 Record Sides := { on_positive : bool; on_negative : bool }.
 

@@ -16,7 +16,7 @@ Variable options : Options.
 (** The pixel. *)
 Variables i j : Z.
 
-Local Notation eye_side := (fun s => View.eye_side camera (plane s)).
+Local Notation side_of_eye := (fun s => View.side_of_eye camera (plane s)).
 Local Notation covers := (View.covers camera options i j).
 Local Notation side_at := (fun f s => View.side_at camera i j f (plane s)).
 Local Notation plane_ok := (fun s => not_zero (plane s)).
@@ -82,11 +82,11 @@ Qed.
 (** S5.5: what the four programs show at the pixel. *)
 Definition render (tree : Tree) : option Z :=
   render_pixel Fragment source covers
-    (front_to_back Fragment Splitter eye_side tree).
+    (front_to_back Fragment Splitter side_of_eye tree).
 
 Definition paint (tree : Tree) : option Z :=
   paint_pixel Fragment source covers
-    (back_to_front Fragment Splitter eye_side tree).
+    (back_to_front Fragment Splitter side_of_eye tree).
 
 Definition zbuffer (polygons : list Fragment) : option Z :=
   zbuffer_pixel Fragment source covers is_nearer polygons.
@@ -175,7 +175,7 @@ Lemma trees_agree : forall polygons others tree,
   render tree = paint tree /\ render tree = zbuffer others.
 Proof.
   intros polygons others tree T P.
-  destruct (algorithms_agree Fragment Splitter source eye_side valid plane_ok
+  destruct (algorithms_agree Fragment Splitter source side_of_eye valid plane_ok
     covers side_at is_nearer
     (fun f g s _ _ => nearer_side camera options i j f g (plane s))
     (fun f g s _ _ => both_on camera options i j f g (plane s))
@@ -230,11 +230,12 @@ Qed.
 (** S3.7: front to back no fragment is hidden by a later one. *)
 Theorem scene_front_to_back : forall choose_root scene, scene_ok scene ->
   ForallOrdPairs (not_hidden Fragment source covers is_nearer)
-    (front_to_back Fragment Splitter eye_side (build_scene choose_root scene)).
+    (front_to_back Fragment Splitter side_of_eye
+       (build_scene choose_root scene)).
 Proof.
   intros choose_root scene O.
   destruct (build_scene_tree choose_root scene O) as (S & V & _).
-  apply (front_to_back_order Fragment Splitter source eye_side valid plane_ok
+  apply (front_to_back_order Fragment Splitter source side_of_eye valid plane_ok
     covers side_at is_nearer
     (fun f g s _ _ => nearer_side camera options i j f g (plane s))
     (fun f g s _ _ => both_on camera options i j f g (plane s))
@@ -264,7 +265,7 @@ Theorem merged_line_is_the_image : forall tree line i, (0 <= i < width)%Z ->
   Spans.render_line
     (map (fun f => (source f, segments f))
        (front_to_back Fragment Splitter
-          (fun s => View.eye_side camera (plane s)) tree))
+          (fun s => View.side_of_eye camera (plane s)) tree))
     (Spans.whole_line width) line i =
   match render camera options i j tree with
   | Some id => id
@@ -277,7 +278,7 @@ Proof.
   rewrite <- map_rev; unfold render.
   rewrite <- first_writer_is_last; unfold paint_pixel.
   generalize (rev (front_to_back Fragment Splitter
-    (fun s => View.eye_side camera (plane s)) tree)); intros l.
+    (fun s => View.side_of_eye camera (plane s)) tree)); intros l.
   assert (forall seen m, m i = match seen with
                                | Some id => id
                                | None => line i

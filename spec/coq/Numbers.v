@@ -621,3 +621,189 @@ Proof.
   assert (G := Z.le_lt_trans _ _ _ B E).
   split; [ exact G | exact (Z.lt_le_trans _ _ _ G F) ].
 Qed.
+
+(** ** The other rows of the camera's side *)
+
+Lemma fits : forall n b v, is_grid n -> b <= 64 * kWords n -> 1 <= b ->
+  has_bits b v -> has_bits (64 * kWords n) v.
+Proof.
+  intros n b v Hn Hb Hb1 H. unfold has_bits in *.
+  refine (Z.lt_le_trans _ _ _ H _). apply Z.pow_le_mono_r; lia.
+Qed.
+
+(** The values' bounds, as [scaled_value_bound] has them. *)
+Definition value_at_most (n scale K : Z) : Z :=
+  3 * (bound_L n * bound_L n * K) +
+  scale * (4 * (bound_M n * bound_M n * bound_M n)).
+
+Definition eye_within (n x y z : Z) : Prop :=
+  Z.abs x <= 2 ^ (n + 13) /\ Z.abs y <= 2 ^ (n + 13) /\
+  Z.abs z <= 2 ^ (n + 13).
+
+Definition image_within (n x y z : Z) : Prop :=
+  Z.abs x <= 2 ^ (n + 31) /\ Z.abs y <= 2 ^ (n + 31) /\
+  Z.abs z <= 2 ^ (n + 31).
+
+Lemma scaled_at_most : forall n P scale x y z K, is_grid n ->
+  plane_of_grid n P -> 0 <= scale ->
+  Z.abs x <= K -> Z.abs y <= K -> Z.abs z <= K ->
+  Z.abs (scaled_value P scale x y z) <= value_at_most n scale K.
+Proof.
+  intros n P scale x y z K Hn HP Hs X Y Z. assert (One := grid_positive n Hn).
+  destruct (bounds_of_a_grid n One) as [HM HL].
+  exact (scaled_value_bound _ _ P scale x y z K
+           (plane_of_grid_within n P One HP) Hs X Y Z).
+Qed.
+
+(** The derivatives of an edge sign: in the place of 2^9 Q(s) the change of
+    Q(s) by one column or line of pixels. *)
+Theorem bits_of_a_derivative : forall n P Q ex ey ez dx dy dz, is_grid n ->
+  plane_of_grid n P -> plane_of_grid n Q ->
+  eye_within n ex ey ez -> eye_within n dx dy dz ->
+  has_bits (6 * n + 32)
+    (scaled_value P (2 ^ 8) ex ey ez * scaled_value Q 0 dx dy dz -
+     scaled_value Q (2 ^ 8) ex ey ez * scaled_value P 0 dx dy dz).
+Proof.
+  intros n P Q ex ey ez dx dy dz Hn HP HQ [E1 [E2 E3]] [D1 [D2 D3]].
+  assert (Z8 : 0 <= 2 ^ 8) by discriminate.
+  assert (B := edge_sign_bound _ _ _ _ _ _
+    (scaled_at_most n P _ _ _ _ _ Hn HP Z8 E1 E2 E3)
+    (scaled_at_most n Q _ _ _ _ _ Hn HQ Z8 E1 E2 E3)
+    (scaled_at_most n P 0 _ _ _ _ Hn HP (Z.le_refl 0) D1 D2 D3)
+    (scaled_at_most n Q 0 _ _ _ _ Hn HQ (Z.le_refl 0) D1 D2 D3)).
+  assert (F : 2 * (value_at_most n (2 ^ 8) (2 ^ (n + 13)) *
+                   value_at_most n 0 (2 ^ (n + 13))) < 2 ^ (6 * n + 32 - 1))
+    by (of_grid n Hn).
+  exact (Z.le_lt_trans _ _ _ B F).
+Qed.
+
+(** S4.5.3, in perspective, times 2^9: (2^16 - k) P(e) + k P(s). *)
+Definition near_in_perspective (k pe ps : Z) : Z :=
+  (2 ^ 16 - k) * (2 * pe) + k * ps.
+
+(** And for an eye at infinity: 2^16 P(s) - k n.d. *)
+Definition near_at_infinity (k nd ps : Z) : Z := 2 ^ 16 * ps - k * (2 * nd).
+
+Theorem bits_of_a_near_distance : forall n P ex ey ez sx sy sz k, is_grid n ->
+  plane_of_grid n P -> eye_within n ex ey ez -> image_within n sx sy sz ->
+  Z.abs k <= 2 ^ 32 ->
+  has_bits (3 * n + 66) (near_in_perspective k
+    (scaled_value P (2 ^ 8) ex ey ez) (scaled_value P (2 ^ 9) sx sy sz)) /\
+  has_bits (3 * n + 51) (near_at_infinity k
+    (scaled_value P 0 ex ey ez) (scaled_value P (2 ^ 9) sx sy sz)).
+Proof.
+  intros n P ex ey ez sx sy sz k Hn HP [E1 [E2 E3]] [S1 [S2 S3]] K.
+  assert (Z8 : 0 <= 2 ^ 8) by discriminate.
+  assert (Z9 : 0 <= 2 ^ 9) by discriminate.
+  assert (Pe := scaled_at_most n P _ _ _ _ _ Hn HP Z8 E1 E2 E3).
+  assert (Nd := scaled_at_most n P 0 _ _ _ _ Hn HP (Z.le_refl 0) E1 E2 E3).
+  assert (Ps := scaled_at_most n P _ _ _ _ _ Hn HP Z9 S1 S2 S3).
+  set (pe := scaled_value P (2 ^ 8) ex ey ez) in *.
+  set (nd := scaled_value P 0 ex ey ez) in *.
+  set (ps := scaled_value P (2 ^ 9) sx sy sz) in *.
+  assert (Two : Z.abs 2 <= 2) by discriminate.
+  assert (K' : Z.abs (2 ^ 16 - k) <= 2 ^ 16 + 2 ^ 32)
+    by (apply abs_difference; [ discriminate | exact K ]).
+  unfold near_in_perspective, near_at_infinity, has_bits. split.
+  - assert (B := abs_sum2 _ _ _ _
+      (abs_product _ _ _ _ K' (abs_product _ _ _ _ Two Pe))
+      (abs_product _ _ _ _ K Ps)).
+    assert (F : (2 ^ 16 + 2 ^ 32) *
+      (2 * value_at_most n (2 ^ 8) (2 ^ (n + 13))) +
+      2 ^ 32 * value_at_most n (2 ^ 9) (2 ^ (n + 31)) < 2 ^ (3 * n + 66 - 1))
+      by (of_grid n Hn).
+    exact (Z.le_lt_trans _ _ _ B F).
+  - assert (Sixteen : Z.abs (2 ^ 16) <= 2 ^ 16) by discriminate.
+    assert (B := abs_difference _ _ _ _ (abs_product _ _ _ _ Sixteen Ps)
+      (abs_product _ _ _ _ K (abs_product _ _ _ _ Two Nd))).
+    assert (F : 2 ^ 16 * value_at_most n (2 ^ 9) (2 ^ (n + 31)) +
+      2 ^ 32 * (2 * value_at_most n 0 (2 ^ (n + 13))) < 2 ^ (3 * n + 51 - 1))
+      by (of_grid n Hn).
+    exact (Z.le_lt_trans _ _ _ B F).
+Qed.
+
+(** The determinant of the eye, an image point and two grid points, the first
+    two scaled by [ew] and [sw]: on which side of the edge the image point is.
+    By pairs of columns. *)
+Definition det_of_edge (ex ey ez ew sx sy sz sw : Z) (p q : GridPoint) : Z :=
+  (ex * sy - ey * sx) * (gz p - gz q) - (ex * sz - ez * sx) * (gy p - gy q) +
+  (ey * sz - ez * sy) * (gx p - gx q) +
+  ((ex * sw - ew * sx) * (gy p * gz q - gz p * gy q) -
+   (ey * sw - ew * sy) * (gx p * gz q - gz p * gx q) +
+   (ez * sw - ew * sz) * (gx p * gy q - gy p * gx q)).
+
+Theorem bits_of_a_source_edge : forall n ex ey ez ew sx sy sz sw p q,
+  is_grid n -> eye_within n ex ey ez -> image_within n sx sy sz ->
+  Z.abs ew <= 2 ^ 8 -> Z.abs sw <= 2 ^ 9 -> in_grid n p -> in_grid n q ->
+  has_bits (3 * n + 48) (det_of_edge ex ey ez ew sx sy sz sw p q).
+Proof.
+  intros n ex ey ez ew sx sy sz sw p q Hn [E1 [E2 E3]] [S1 [S2 S3]] Ew Sw HP HQ.
+  assert (One := grid_positive n Hn).
+  destruct (bounds_of_a_grid n One) as [HM HL].
+  assert (WP := in_grid_within n p HP One).
+  assert (WQ := in_grid_within n q HQ One).
+  destruct (difference_bound _ _ q p WQ WP) as [Dx [Dy Dz]].
+  destruct (within_size _ _ HL p WP) as [Px [Py Pz]].
+  destruct (within_size _ _ HL q WQ) as [Qx [Qy Qz]].
+  assert (Minor : forall a b c d A B, Z.abs a <= A -> Z.abs c <= A ->
+    Z.abs b <= B -> Z.abs d <= B -> Z.abs (a * b - c * d) <= A * B + A * B).
+  { intros a b c d A B Ha Hc Hb Hd. apply abs_difference;
+      apply abs_product; assumption. }
+  assert (Mixed : forall e s, Z.abs e <= 2 ^ (n + 13) ->
+    Z.abs s <= 2 ^ (n + 31) ->
+    Z.abs (e * sw - ew * s) <= 2 ^ (n + 13) * 2 ^ 9 + 2 ^ 8 * 2 ^ (n + 31)).
+  { intros e s He Hs. apply abs_difference; apply abs_product; assumption. }
+  assert (Six : forall u v w x y z a b, Z.abs u <= a -> Z.abs v <= a ->
+    Z.abs w <= a -> Z.abs x <= b -> Z.abs y <= b -> Z.abs z <= b ->
+    Z.abs (u - v + w + (x - y + z)) <= 3 * a + 3 * b).
+  { clear. intros. lia. }
+  unfold det_of_edge, has_bits.
+  refine (Z.le_lt_trans _ _ _ (Six _ _ _ _ _ _ _ _
+    (abs_product _ _ _ _ (Minor _ _ _ _ _ _ E1 E2 S2 S1) Dz)
+    (abs_product _ _ _ _ (Minor _ _ _ _ _ _ E1 E3 S3 S1) Dy)
+    (abs_product _ _ _ _ (Minor _ _ _ _ _ _ E2 E3 S3 S2) Dx)
+    (abs_product _ _ _ _ (Mixed _ _ E1 S1) (Minor _ _ _ _ _ _ Py Pz Qz Qy))
+    (abs_product _ _ _ _ (Mixed _ _ E2 S2) (Minor _ _ _ _ _ _ Px Pz Qz Qx))
+    (abs_product _ _ _ _ (Mixed _ _ E3 S3) (Minor _ _ _ _ _ _ Px Py Qy Qx)))
+    _).
+  of_grid n Hn.
+Qed.
+
+(** S5.4: whether a channel, with three such determinants as weights, reaches
+    [v - 1/2], where rounding goes up to [v]. *)
+Definition against_a_step (d0 d1 d2 c0 c1 c2 v : Z) : Z :=
+  d0 * (2 * c0 - (2 * v - 1)) + d1 * (2 * c1 - (2 * v - 1)) +
+  d2 * (2 * c2 - (2 * v - 1)).
+
+Theorem bits_of_a_color : forall n d0 d1 d2 c0 c1 c2 v, is_grid n ->
+  has_bits (3 * n + 48) d0 -> has_bits (3 * n + 48) d1 ->
+  has_bits (3 * n + 48) d2 ->
+  0 <= c0 <= 255 -> 0 <= c1 <= 255 -> 0 <= c2 <= 255 -> 0 <= v <= 255 ->
+  has_bits (3 * n + 59) (against_a_step d0 d1 d2 c0 c1 c2 v).
+Proof.
+  intros n d0 d1 d2 c0 c1 c2 v Hn H0 H1 H2 C0 C1 C2 V. unfold has_bits in *.
+  apply Z.lt_le_pred in H0, H1, H2.
+  assert (Step : forall c, 0 <= c <= 255 ->
+    Z.abs (2 * c - (2 * v - 1)) <= 511)
+    by (intros c C; clear - C V; lia).
+  refine (Z.le_lt_trans _ _ _ (abs_sum3 _ _ _ _ _ _
+    (abs_product _ _ _ _ H0 (Step _ C0)) (abs_product _ _ _ _ H1 (Step _ C1))
+    (abs_product _ _ _ _ H2 (Step _ C2))) _).
+  of_grid n Hn.
+Qed.
+
+(** All rows fit in the words of their grid, at 26 bits in 256 bits. *)
+Theorem all_rows_fit : forall n v, is_grid n ->
+  has_bits (6 * n + 50) v \/ has_bits (6 * n + 32) v \/
+  has_bits (3 * n + 66) v \/ has_bits (3 * n + 59) v \/
+  has_bits (3 * n + 51) v \/ has_bits (3 * n + 48) v ->
+  has_bits (64 * kWords n) v.
+Proof.
+  intros n v Hn H.
+  assert (K : 6 * n + 50 <= 64 * kWords n /\ 3 * n + 66 <= 64 * kWords n /\
+              1 <= n)
+    by (clear - Hn; destruct Hn as [-> | [-> | ->]]; vm_compute;
+        repeat split; discriminate).
+  destruct H as [H | [H | [H | [H | [H | H]]]]];
+    revert H; apply fits; try assumption; clear - K; lia.
+Qed.

@@ -21,7 +21,7 @@ Variable relation : Fragment -> Plane -> Relation.
 Variable split : Fragment -> Plane -> Fragment * Fragment.
 
 (** S4.2: the eye's side of a plane. *)
-Variable eye_side : Plane -> Side.
+Variable side_of_eye : Plane -> Side.
 
 (** ** Traversal *)
 
@@ -41,24 +41,24 @@ Definition shown_of (eye : Side) (coincident : list Fragment) :=
   | _ => coincident
   end.
 
-Fixpoint front_to_back (tree : BspTree Fragment Plane) : list Fragment :=
-  match tree with
-  | Nothing => []
-  | Node plane coincident positive negative =>
-    let eye := eye_side plane in
-    let '(near, far) :=
-      children_of eye (front_to_back positive) (front_to_back negative) in
-    near ++ shown_of eye coincident ++ far
-  end.
-
 Fixpoint back_to_front (tree : BspTree Fragment Plane) : list Fragment :=
   match tree with
   | Nothing => []
   | Node plane coincident positive negative =>
-    let eye := eye_side plane in
+    let eye := side_of_eye plane in
     let '(near, far) :=
       children_of eye (back_to_front positive) (back_to_front negative) in
     far ++ rev (shown_of eye coincident) ++ near
+  end.
+
+Fixpoint front_to_back (tree : BspTree Fragment Plane) : list Fragment :=
+  match tree with
+  | Nothing => []
+  | Node plane coincident positive negative =>
+    let eye := side_of_eye plane in
+    let '(near, far) :=
+      children_of eye (front_to_back positive) (front_to_back negative) in
+    near ++ shown_of eye coincident ++ far
   end.
 
 (** The fragments in nodes whose splitter holds the eye. *)
@@ -66,7 +66,7 @@ Fixpoint edge_on (tree : BspTree Fragment Plane) : list Fragment :=
   match tree with
   | Nothing => []
   | Node plane coincident positive negative =>
-    match eye_side plane with kOn => coincident | _ => [] end ++
+    match side_of_eye plane with kOn => coincident | _ => [] end ++
     edge_on positive ++ edge_on negative
   end.
 
@@ -75,7 +75,7 @@ Theorem back_to_front_is_reverse : forall tree,
 Proof.
   induction tree as [|h c p IHp n IHn]; simpl; [reflexivity|].
   rewrite IHp, IHn.
-  destruct (eye_side h); simpl; now rewrite !rev_app_distr, <- ?app_assoc.
+  destruct (side_of_eye h); simpl; now rewrite !rev_app_distr, <- ?app_assoc.
 Qed.
 
 Ltac exchange :=
@@ -91,7 +91,7 @@ Proof.
   induction tree as [|h c p IHp n IHn]; simpl; [constructor|].
   rewrite <- IHp, <- IHn; clear IHp IHn.
   generalize (front_to_back p) (front_to_back n) (edge_on p) (edge_on n).
-  intros fp fn ep en; destruct (eye_side h); simpl.
+  intros fp fn ep en; destruct (side_of_eye h); simpl.
   - transitivity ((c ++ fp ++ fn) ++ ep ++ en); [|exchange].
     apply Permutation_app_tail.
     rewrite (Permutation_app_comm fn), <- app_assoc; reflexivity.
@@ -139,17 +139,17 @@ Hypothesis relation_side_at : forall f h, valid f -> covers f = true ->
 (** The ray comes from the eye's side of a plane, and crosses it once. *)
 Hypothesis nearer_side : forall f g h,
   valid f -> valid g -> covers f = true -> covers g = true ->
-  eye_side h <> kOn -> side_at f h <> opposite (eye_side h) ->
-  side_at g h <> eye_side h -> side_at f h <> side_at g h ->
+  side_of_eye h <> kOn -> side_at f h <> opposite (side_of_eye h) ->
+  side_at g h <> side_of_eye h -> side_at f h <> side_at g h ->
   is_nearer g f = false /\ is_nearer f g = true.
 Hypothesis both_on : forall f g h,
   valid f -> valid g -> covers f = true -> covers g = true ->
-  eye_side h <> kOn -> side_at f h = kOn -> side_at g h = kOn ->
+  side_of_eye h <> kOn -> side_at f h = kOn -> side_at g h = kOn ->
   is_nearer f g = false.
 (** With the eye on a plane, all is seen on one side of it. *)
 Hypothesis eye_on_plane : forall f g h,
   valid f -> valid g -> plane_ok h -> covers f = true -> covers g = true ->
-  eye_side h = kOn -> side_at f h <> kOn /\ side_at f h = side_at g h.
+  side_of_eye h = kOn -> side_at f h <> kOn /\ side_at f h = side_at g h.
 
 (** ** The sides of a tree *)
 
@@ -355,7 +355,7 @@ Proof.
   specialize (IHp S6 V2); specialize (IHn S7 V3).
   rewrite Forall_forall in S3, S4, S5, V1, V2, V3.
   unfold within in S3, S4, S5.
-  assert (eye_side h <> kOn -> ForallOrdPairs not_hidden c) as Oc.
+  assert (side_of_eye h <> kOn -> ForallOrdPairs not_hidden c) as Oc.
   { intros E; clear - S2 S3 V1 E both_on; induction c as [|f c IH];
       [constructor|].
     inversion S2 as [|? ? A B]; subst; constructor.
@@ -364,7 +364,7 @@ Proof.
       rewrite (both_on g f h), (both_on f g h); auto; simpl.
       apply Z.ltb_ge; auto.
     - apply IH; auto; intros; [apply S3 | apply V1]; simpl; auto. }
-  simpl; destruct (eye_side h) eqn:E; simpl.
+  simpl; destruct (side_of_eye h) eqn:E; simpl.
   - apply ordered_app; [exact IHn | apply ordered_app |].
     + apply Oc; congruence.
     + exact IHp.
@@ -404,7 +404,7 @@ Proof.
   simpl in S, V, F; rewrite !Forall_app in V.
   destruct S as (S1 & S2 & S3 & S4 & S5 & S6 & S7), V as (V1 & V2 & V3).
   apply in_app_or in F; destruct F as [F | F].
-  - destruct (eye_side h) eqn:E; [destruct F | | destruct F].
+  - destruct (side_of_eye h) eqn:E; [destruct F | | destruct F].
     rewrite Forall_forall in S3, V1.
     destruct (covers f) eqn:C; [exfalso | reflexivity].
     destruct (eye_on_plane f f h) as [N _]; auto.

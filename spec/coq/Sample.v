@@ -1,7 +1,8 @@
 (** * S4.4, S4.5: the sample of a pixel.
 
-    A sample is infinitely near its pixel's centre; its signs are those of a
-    value, else of the x-derivative, else of the y-derivative. *)
+    Read beside [sign_at_sample] and [covers] in ref/src/zbuffer.cpp. A sample
+    is infinitely near its pixel's centre; its signs are those of a value, else
+    of the x-derivative, else of the y-derivative. *)
 
 From Coq Require Import QArith Qabs Qminmax Lqa Lia List Bool.
 From Halfspace Require Import Base.

@@ -52,7 +52,7 @@ Lemma same_oriented : forall P f x e, near_sample f i j e == x ->
   near_sample (oriented camera P f) i j e ==
   Ray.oriented (perspective camera) (eye camera) P x.
 Proof.
-  intros P f x e E; unfold Ray.oriented, oriented, eye_side.
+  intros P f x e E; unfold Ray.oriented, oriented, side_of_eye.
   rewrite (sign_proper _ _ (same_at_eye P)).
   destruct (sign (at_eye camera P)); [|exact E | exact E].
   rewrite <- E; unfold near_sample, negated, scale, at_image; simpl; ring.
@@ -110,7 +110,7 @@ Definition deciding (f : Fragment) : list Affine :=
 Theorem covers_is_seen : forall f, valid f ->
   exists e0, 0 < e0 /\ forall e, 0 < e -> e <= e0 ->
   (covers camera options i j f = true <->
-   eye_side camera (support f) <> kOn /\
+   side_of_eye camera (support f) <> kOn /\
    not_culled camera options (support f) = true /\ ray_meets f e).
 Proof.
   intros f V; destruct (near_enough (deciding f)) as (e0 & E0 & H).
@@ -135,11 +135,11 @@ Proof.
     setoid_replace (value_of h q w) with (Ray.value_of h q w); [now apply A|].
     unfold value_of, Ray.value_of, dot, normal; simpl; ring. }
   unfold covers; fold P; rewrite !andb_true_iff, negb_true_iff, D.
-  assert (side_eqb (eye_side camera P) kOn = false <->
-          eye_side camera P <> kOn) as O.
+  assert (side_eqb (side_of_eye camera P) kOn = false <->
+          side_of_eye camera P <> kOn) as O.
   { split; intros A.
     - intros Z; apply side_eqb_eq in Z; congruence.
-    - destruct (side_eqb (eye_side camera P) kOn) eqn:Z; auto.
+    - destruct (side_eqb (side_of_eye camera P) kOn) eqn:Z; auto.
       apply side_eqb_eq in Z; contradiction. }
   rewrite O; split.
   - intros [[[N K] M] A]; split; [exact N|]; split; [exact K|].

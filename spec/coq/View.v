@@ -1,6 +1,8 @@
 (** * S4.1 to S4.5, S5.3: polygons seen by a camera, at one pixel.
 
-    What [Order.v] asks of the geometry, for every camera and every pixel. *)
+    Read beside ref/src/zbuffer.cpp, from [sign_at_sample] to [is_nearer], and
+    [side_of_eye] in ref/src/predicate.cpp. What [Order.v] asks of the geometry
+    is shown for every camera and every pixel. *)
 
 From Coq Require Import QArith Lqa Lia List Bool.
 From Halfspace Require Import Base Sample Convex Scene.
@@ -52,7 +54,7 @@ Variables i j : Z.
 Definition at_eye (h : Plane) : Q :=
   value_of h (eye camera) (weight_of_eye camera).
 
-Definition eye_side (h : Plane) : Side := sign (at_eye h).
+Definition side_of_eye (h : Plane) : Side := sign (at_eye h).
 
 (** The function h(s) of the image point. *)
 Definition plane_at_image (h : Plane) : Affine :=
@@ -67,7 +69,7 @@ Definition cut (P : Plane) (e : Plane) : Affine :=
 
 (** Read against the side of [P] that the eye is on. *)
 Definition oriented (P : Plane) (f : Affine) : Affine :=
-  match eye_side P with
+  match side_of_eye P with
   | kNegative => negated f
   | _ => f
   end.
@@ -89,11 +91,11 @@ Definition beyond_near (P : Plane) : bool :=
 
 (** S5.2. *)
 Definition not_culled (P : Plane) : bool :=
-  negb (cull options && side_eqb (eye_side P) kNegative).
+  negb (cull options && side_eqb (side_of_eye P) kNegative).
 
 (** S4.5, S5.2. *)
 Definition covers (f : Fragment) : bool :=
-  negb (side_eqb (eye_side (support f)) kOn) &&
+  negb (side_eqb (side_of_eye (support f)) kOn) &&
   not_culled (support f) && beyond_near (support f) &&
   Sample.covers (map (fun e => oriented (support f) (cut (support f) e))
                      (edges f)) i j.
@@ -186,20 +188,20 @@ Qed.
 Lemma oriented_on : forall P f,
   sign_at_sample (oriented P f) i j = kOn -> sign_at_sample f i j = kOn.
 Proof.
-  intros P f; unfold oriented; destruct (eye_side P); auto.
+  intros P f; unfold oriented; destruct (side_of_eye P); auto.
   rewrite sign_at_sample_negated; destruct (sign_at_sample f i j); simpl; easy.
 Qed.
 
 (** S4.5, by the sides on which the ray meets the edges. *)
 Lemma covers_edges : forall f, covers f = true <->
-  eye_side (support f) <> kOn /\ not_culled (support f) = true /\
+  side_of_eye (support f) <> kOn /\ not_culled (support f) = true /\
   beyond_near (support f) = true /\
   forall e, In e (edges f) -> side_at f e = kPositive.
 Proof.
   intros f; unfold covers; rewrite !andb_true_iff, negb_true_iff, covers_all.
-  assert (side_eqb (eye_side (support f)) kOn = false <->
-          eye_side (support f) <> kOn) as ->.
-  { destruct (eye_side (support f)); simpl; split; easy. }
+  assert (side_eqb (side_of_eye (support f)) kOn = false <->
+          side_of_eye (support f) <> kOn) as ->.
+  { destruct (side_of_eye (support f)); simpl; split; easy. }
   split.
   - intros [[[A B] C] D]; repeat split; auto; intros e E.
     unfold side_at; apply D, in_map_iff; exists e; auto.
@@ -242,7 +244,7 @@ Definition image_point (X Y : Q) : Point :=
      pz := pz (s0 camera) + X * pz (sx camera) + Y * pz (sy camera) |}.
 
 Definition turned (P : Plane) (value : Q) : Q :=
-  match eye_side P with
+  match side_of_eye P with
   | kNegative => - value
   | _ => value
   end.
@@ -279,7 +281,7 @@ Proof.
           turned P (at_eye P) * value_at h (image_point X Y) -
           turned P (value_at P (image_point X Y)) * at_eye h) as F.
   { apply value_of_combination. }
-  rewrite F; unfold oriented, turned; destruct (eye_side P);
+  rewrite F; unfold oriented, turned; destruct (side_of_eye P);
     rewrite ?E; try ring.
   assert (at_image (negated (cut P h)) X Y == - at_image (cut P h) X Y) as ->.
   { unfold at_image, negated, scale; simpl; ring. }
@@ -321,7 +323,7 @@ Proof.
     { unfold q, w; rewrite hit_value.
       assert (forall X Y, at_image (cut P P) X Y == 0) as Z.
       { intros; unfold at_image, cut, add, scale; simpl; ring. }
-      unfold oriented; destruct (eye_side P); rewrite ?Z; try reflexivity.
+      unfold oriented; destruct (side_of_eye P); rewrite ?Z; try reflexivity.
       assert (at_image (negated (cut P P)) X Y == - at_image (cut P P) X Y)
         as -> by (unfold at_image, negated, scale; simpl; ring).
       rewrite Z; ring. }
@@ -356,7 +358,8 @@ Proof.
   intros f h; unfold side_at; rewrite <- sign_at_sample_negated.
   assert (at_eye (reversed h) == - at_eye h) as E.
   { unfold at_eye, value_of, dot, normal, reversed; simpl; ring. }
-  unfold oriented; destruct (eye_side (support f)); apply sign_at_sample_proper;
+  unfold oriented; destruct (side_of_eye (support f));
+    apply sign_at_sample_proper;
     unfold cut, add, negated, scale, plane_at_image, value_at, dot, normal;
     simpl; rewrite E; ring.
 Qed.
@@ -510,10 +513,10 @@ Lemma side_at_toward : forall f h, covers f = true ->
   side_at f h = sign_at_sample (toward (support f) h) i j.
 Proof.
   intros f h C; unfold side_at; set (P := support f) in *.
-  assert (eye_side P <> kOn) as N.
+  assert (side_of_eye P <> kOn) as N.
   { unfold covers in C; fold P in C; rewrite !andb_true_iff in C.
     destruct C as [[[C _] _] _]; intros E; now rewrite E in C. }
-  unfold oriented, eye_side in *.
+  unfold oriented, side_of_eye in *.
   destruct (sign_cases (at_eye P)) as [[E L] | [[E L] | [E L]]];
     rewrite E in *; try easy.
   - rewrite <- (sample_of_multiple (- at_eye P) (toward P h)) by lra.
@@ -592,14 +595,14 @@ Qed.
     what it meets on the eye's side is nearer. *)
 Theorem nearer_side : forall f g h,
   covers f = true -> covers g = true ->
-  eye_side h <> kOn -> side_at f h <> opposite (eye_side h) ->
-  side_at g h <> eye_side h -> side_at f h <> side_at g h ->
+  side_of_eye h <> kOn -> side_at f h <> opposite (side_of_eye h) ->
+  side_at g h <> side_of_eye h -> side_at f h <> side_at g h ->
   is_nearer g f = false /\ is_nearer f g = true.
 Proof.
   intros f g h Cf Cg; rewrite (side_at_toward f h Cf), (side_at_toward g h Cg).
   intros N F G D.
   assert (is_nearer f g = true) as R; [|auto using nearer_asymmetric].
-  unfold is_nearer; apply side_eqb_eq; unfold eye_side in *.
+  unfold is_nearer; apply side_eqb_eq; unfold side_of_eye in *.
   destruct (sign_cases (at_eye h)) as [[E L] | [[E L] | [E L]]];
     rewrite E in *; simpl in *; try easy.
   - rewrite <- (sample_of_multiple (- at_eye h)) by lra.
@@ -617,7 +620,7 @@ Qed.
 (** What lies on one plane is met at one depth. *)
 Theorem both_on : forall f g h,
   covers f = true -> covers g = true ->
-  eye_side h <> kOn -> side_at f h = kOn -> side_at g h = kOn ->
+  side_of_eye h <> kOn -> side_at f h = kOn -> side_at g h = kOn ->
   is_nearer f g = false.
 Proof.
   intros f g h Cf Cg; rewrite (side_at_toward f h Cf), (side_at_toward g h Cg).
@@ -641,7 +644,7 @@ Qed.
 (** With the eye on a plane every ray stays on one side of it, and off it. *)
 Theorem eye_on_plane : forall f g h, not_zero h ->
   covers f = true -> covers g = true ->
-  eye_side h = kOn -> side_at f h <> kOn /\ side_at f h = side_at g h.
+  side_of_eye h = kOn -> side_at f h <> kOn /\ side_at f h = side_at g h.
 Proof.
   intros f g h Z Cf Cg E; apply sign_on in E.
   assert (forall k, covers k = true ->

@@ -124,9 +124,9 @@ let answer_split ~with_vertices =
 
 let answer_tree () =
   let tree = read_tree () in
-  let eye_side side = side in
-  write_list write (front_to_back eye_side tree);
-  write_list write (back_to_front eye_side tree)
+  let side_of_eye side = side in
+  write_list write (front_to_back side_of_eye tree);
+  write_list write (back_to_front side_of_eye tree)
 
 let answer_keep () =
   let operation = operations.(read_int ()) in

@@ -368,29 +368,29 @@ let shown_of eye coincident =
   | KOn -> []
   | _ -> coincident
 
-(** val front_to_back : ('a2 -> side) -> ('a1, 'a2) bspTree -> 'a1 list **)
-
-let rec front_to_back eye_side = function
-| Nothing -> []
-| Node (plane, coincident, positive0, negative) ->
-  let eye = eye_side plane in
-  let (near, far) =
-    children_of eye (front_to_back eye_side positive0)
-      (front_to_back eye_side negative)
-  in
-  app near (app (shown_of eye coincident) far)
-
 (** val back_to_front : ('a2 -> side) -> ('a1, 'a2) bspTree -> 'a1 list **)
 
-let rec back_to_front eye_side = function
+let rec back_to_front side_of_eye = function
 | Nothing -> []
 | Node (plane, coincident, positive0, negative) ->
-  let eye = eye_side plane in
+  let eye = side_of_eye plane in
   let (near, far) =
-    children_of eye (back_to_front eye_side positive0)
-      (back_to_front eye_side negative)
+    children_of eye (back_to_front side_of_eye positive0)
+      (back_to_front side_of_eye negative)
   in
   app far (app (rev (shown_of eye coincident)) near)
+
+(** val front_to_back : ('a2 -> side) -> ('a1, 'a2) bspTree -> 'a1 list **)
+
+let rec front_to_back side_of_eye = function
+| Nothing -> []
+| Node (plane, coincident, positive0, negative) ->
+  let eye = side_of_eye plane in
+  let (near, far) =
+    children_of eye (front_to_back side_of_eye positive0)
+      (front_to_back side_of_eye negative)
+  in
+  app near (app (shown_of eye coincident) far)
 
 type span = { first : int; last : int }
 

@@ -113,9 +113,9 @@ val children_of : side -> 'a1 -> 'a1 -> 'a1 * 'a1
 
 val shown_of : side -> 'a1 list -> 'a1 list
 
-val front_to_back : ('a2 -> side) -> ('a1, 'a2) bspTree -> 'a1 list
-
 val back_to_front : ('a2 -> side) -> ('a1, 'a2) bspTree -> 'a1 list
+
+val front_to_back : ('a2 -> side) -> ('a1, 'a2) bspTree -> 'a1 list
 
 type span = { first : int; last : int }
 

@@ -70,6 +70,8 @@ PLANTED = [
      "docs/traceability.md is not"),
     ("another constant in the code", "fast/src/filter.hpp",
      "kRounding = 0x1p-53", "kRounding = 0x1p-54", "filter.hpp says"),
+    ("another doubt of a vertex", "spec/coq/Vertex.v",
+     "doubt_factor : Q := 2", "doubt_factor : Q := 1", "filter.hpp says"),
     ("another constant in a theory", "spec/coq/Numbers.v",
      "if n =? 26 then 4 else", "if n =? 26 then 3 else", "exact.hpp says"),
 ]
