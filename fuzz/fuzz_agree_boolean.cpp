@@ -1,3 +1,8 @@
+#include <array>
+#include <map>
+#include <utility>
+
+#include "both_solid.hpp"
 #include "definition.hpp"
 #include "fuzz.hpp"
 #include "halfspace/ref/boolean.hpp"
@@ -45,22 +50,54 @@ std::vector<std::vector<definition::Point>> polygons_of(
   return polygons;
 }
 
-definition::Fraction volume(const ref::Solid& solid) {
-  return definition::volume6(polygons_of(solid));
+/// A solid by both libraries.
+struct Pair {
+  ref::Solid reference;
+  fast::Solid fast;
+};
+
+Pair pair_of(const halfspace::Solid& solid) {
+  return {ref::to_solid(solid), fast::to_solid(solid)};
 }
 
-/// The boolean; it must be closed, by either account.
-ref::Solid closed(BooleanOp operation, const ref::Solid& a, const ref::Solid& b,
-                  const BuildOptions& options) {
-  ref::Solid result = ref::boolean(operation, a, b, options);
-  HALFSPACE_FUZZ_EXPECT(ref::bad_edges(result).empty());
-  HALFSPACE_FUZZ_EXPECT(definition::is_closed(polygons_of(result)));
+definition::Fraction volume(const Pair& solid) {
+  return definition::volume6(polygons_of(solid.reference));
+}
+
+/// Twice the area in every plane, by which way it faces: the planes, and how
+/// much there is in each, do not depend on how a surface is cut up.
+using Areas = std::map<std::array<Integer, 4>, definition::Area>;
+
+Areas areas_of(const std::vector<std::vector<definition::Point>>& polygons) {
+  Areas areas;
+  for (const auto& polygon : polygons) {
+    const definition::Plane p = definition::facet_of(polygon).support;
+    const Integer common = gcd(gcd(p.a, p.b), gcd(p.c, p.d));
+    definition::Area& area =
+        areas[{p.a / common, p.b / common, p.c / common, p.d / common}];
+    area = area + definition::area_of(polygon);
+  }
+  return areas;
+}
+
+/// The boolean; it must be closed, by any account, and the same surface.
+Pair closed(BooleanOp operation, const Pair& a, const Pair& b,
+            const BuildOptions& options) {
+  Pair result = {ref::boolean(operation, a.reference, b.reference, options),
+                 fast::boolean(operation, a.fast, b.fast)};
+  HALFSPACE_FUZZ_EXPECT(ref::bad_edges(result.reference).empty());
+  HALFSPACE_FUZZ_EXPECT(fast::bad_edges(result.fast).empty());
+  const auto polygons = polygons_of(result.reference);
+  HALFSPACE_FUZZ_EXPECT(definition::is_closed(polygons));
+  HALFSPACE_FUZZ_EXPECT(volume6_of(result.fast) ==
+                        definition::volume6(polygons));
+  HALFSPACE_FUZZ_EXPECT(areas_of(halfspace::polygons_of(result.fast)) ==
+                        areas_of(polygons));
   return result;
 }
 
 /// What volumes say of the booleans of two solids.
-void expect_volumes(const ref::Solid& a, const ref::Solid& b,
-                    const BuildOptions& options) {
+void expect_volumes(const Pair& a, const Pair& b, const BuildOptions& options) {
   using enum BooleanOp;
   const auto both = volume(closed(kIntersection, a, b, options));
   HALFSPACE_FUZZ_EXPECT(both >= 0 && both <= volume(a) && both <= volume(b));
@@ -75,8 +112,9 @@ void expect_volumes(const ref::Solid& a, const ref::Solid& b,
 }  // namespace
 }  // namespace halfspace
 
-/// Booleans of small solids, and of their results with a third, are closed and
-/// have the volumes that sets have.
+/// Booleans of small solids, and of their results with a third, are closed,
+/// have the same surface by reference and fast library, and the volumes of
+/// sets.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   using namespace halfspace;
@@ -87,11 +125,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   options.candidates = 1 + static_cast<std::uint32_t>(bytes.below(6));
   options.seed = bytes.next();
   const auto operation = static_cast<BooleanOp>(bytes.below(3));
-  const auto a = ref::to_solid(made(solid_of(bytes)));
-  const auto b = ref::to_solid(made(solid_of(bytes)));
+  const auto a = pair_of(made(solid_of(bytes)));
+  const auto b = pair_of(made(solid_of(bytes)));
   expect_volumes(a, b, options);
   if (bytes.empty()) return 0;
-  const auto c = ref::to_solid(made(solid_of(bytes)));
+  const auto c = pair_of(made(solid_of(bytes)));
   expect_volumes(closed(operation, a, b, options), c, options);
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "both.hpp"
+#include "both_solid.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
@@ -78,6 +79,36 @@ std::pair<ref::Fragment, fast::Fragment> fragments_of(const Scene& scene,
     g = up ? found.positive : found.negative;
   }
   return {f, g};
+}
+
+/// One pair of solids: what every point is in, by one of the libraries.
+template <class Solids>
+std::size_t replay_boolean(const Json& vector) {
+  std::size_t compared = 0;
+  const auto a = Solids::to_solid(*make_solid(scene_of(vector.at("a"))));
+  const auto b = Solids::to_solid(*make_solid(scene_of(vector.at("b"))));
+  constexpr std::pair<BooleanOp, const char*> kOperations[] = {
+      {BooleanOp::kUnion, "union"},
+      {BooleanOp::kIntersection, "intersection"},
+      {BooleanOp::kDifference, "difference"}};
+  for (const auto& [operation, name] : kOperations) {
+    const auto result = Solids::boolean(operation, a, b);
+    EXPECT_TRUE(Solids::is_closed(result)) << name;
+    std::vector<definition::Facet> facets;
+    for (const auto& polygon : Solids::polygons_of(result))
+      facets.push_back(definition::facet_of(polygon));
+    for (const Json& point : vector.at("points")) {
+      const Json& p = point.at("point");
+      const definition::Point at{
+          p.at(0).get<std::int64_t>(), p.at(1).get<std::int64_t>(),
+          p.at(2).get<std::int64_t>(), point.at("over").get<std::int64_t>()};
+      EXPECT_EQ(definition::winding(facets, at) == 1,
+                point.at(name).template get<bool>())
+          << name << " at " << point.dump();
+      ++compared;
+    }
+  }
+  return compared;
 }
 
 }  // namespace
@@ -199,29 +230,8 @@ std::size_t replay_booleans(const Json& vectors) {
   std::size_t compared = 0;
   for (const Json& vector : vectors) {
     SCOPED_TRACE(vector.at("name").get<std::string>());
-    const auto a = Ref::to_solid(*make_solid(scene_of(vector.at("a"))));
-    const auto b = Ref::to_solid(*make_solid(scene_of(vector.at("b"))));
-    constexpr std::pair<BooleanOp, const char*> kOperations[] = {
-        {BooleanOp::kUnion, "union"},
-        {BooleanOp::kIntersection, "intersection"},
-        {BooleanOp::kDifference, "difference"}};
-    for (const auto& [operation, name] : kOperations) {
-      const auto result = Ref::boolean(operation, a, b);
-      EXPECT_TRUE(Ref::is_closed(result)) << name;
-      std::vector<definition::Facet> facets;
-      for (const auto& polygon : Ref::polygons_of(result))
-        facets.push_back(definition::facet_of(polygon));
-      for (const Json& point : vector.at("points")) {
-        const Json& p = point.at("point");
-        const definition::Point at{
-            p.at(0).get<std::int64_t>(), p.at(1).get<std::int64_t>(),
-            p.at(2).get<std::int64_t>(), point.at("over").get<std::int64_t>()};
-        EXPECT_EQ(definition::winding(facets, at) == 1,
-                  point.at(name).get<bool>())
-            << name << " at " << point.dump();
-        ++compared;
-      }
-    }
+    compared += replay_boolean<Ref>(vector);
+    compared += replay_boolean<FastSolids>(vector);
   }
   return compared;
 }
