@@ -14,3 +14,9 @@ function(halfspace_target target)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
 endfunction()
+
+# Tests: what they compute with is in the libraries, which are optimised more.
+function(halfspace_test_target target)
+  halfspace_target(${target})
+  target_compile_options(${target} PRIVATE ${HALFSPACE_TEST_OPTIONS})
+endfunction()

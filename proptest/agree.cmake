@@ -10,7 +10,7 @@ foreach(stem IN ITEMS agree_blend agree_boolean agree_boolean_shadow
                 agree_shadow agree_tree)
   add_executable(${stem}_test
     ${CMAKE_CURRENT_LIST_DIR}/${stem}_test.cpp)
-  halfspace_target(${stem}_test)
+  halfspace_test_target(${stem}_test)
   target_link_libraries(${stem}_test PRIVATE halfspace_agree_scenes
                         halfspace::fast halfspace::ref halfspace::shadow
                         GTest::gtest_main)

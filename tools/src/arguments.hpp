@@ -1,6 +1,6 @@
 #pragma once
 
-#include <CLI/App.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -66,40 +66,6 @@ class NumberedName {
 
 /// What a text of this form is, for people: "a whole number of at least 1".
 std::string spelt_out(const std::string& form);
-
-/// Adds the option `name`, whose text `parse` must understand; else the program
-/// says that it wants `form`, and gives up.
-///
-/// Requires: `value` outlives the parsing.
-template <class T>
-CLI::Option* add_parsed(CLI::App& app, const std::string& name,
-                        const std::string& form, std::optional<T>& value,
-                        std::optional<T> (*parse)(std::string_view),
-                        const std::string& meaning) {
-  const auto complain = [parse, form](const std::string& text) {
-    return parse(text) ? std::string()
-                       : "must be " + spelt_out(form) + ", not '" + text + "'";
-  };
-  const auto store = [parse, &value](const std::string& text) {
-    value = parse(text);
-  };
-  return app.add_option_function<std::string>(name, store, meaning)
-      ->check(complain)
-      ->type_name(form);
-}
-
-/// Adds the option `name`, whose text is one of `words`; `choice` is its index.
-///
-/// Requires: `choice` outlives the parsing.
-CLI::Option* add_choice(CLI::App& app, const std::string& name,
-                        const std::vector<std::string>& words,
-                        std::size_t& choice, const std::string& meaning);
-
-/// The same, where nothing may be said.
-CLI::Option* add_choice(CLI::App& app, const std::string& name,
-                        const std::vector<std::string>& words,
-                        std::optional<std::size_t>& choice,
-                        const std::string& meaning);
 
 /// The words of the command line, an option and a value that begins with a
 /// minus sign made one: else `--eye -.5,2,3` would be an option called `-.`.

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "arguments.hpp"
 #include "building.hpp"
 #include "command.hpp"
 #include "engine.hpp"
 #include "loading.hpp"
+#include "options.hpp"
 #include "viewing.hpp"
 
 namespace halfspace::tools {

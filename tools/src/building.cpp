@@ -6,9 +6,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "arguments.hpp"
 #include "long_work.hpp"
 #include "measuring.hpp"
+#include "options.hpp"
 
 namespace halfspace::tools {
 namespace {

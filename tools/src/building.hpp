@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -9,6 +8,10 @@
 #include "engine.hpp"
 #include "halfspace/result.hpp"
 #include "loading.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace halfspace::tools {
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "arguments.hpp"
 #include "building.hpp"
 #include "command.hpp"
 #include "csg_result.hpp"
@@ -21,6 +20,7 @@
 #include "long_work.hpp"
 #include "measuring.hpp"
 #include "operands.hpp"
+#include "options.hpp"
 
 namespace halfspace::tools {
 namespace {

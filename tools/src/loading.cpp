@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "arguments.hpp"
 #include "halfspace/io/read_mesh.hpp"
+#include "options.hpp"
 
 namespace halfspace::tools {
 namespace {

@@ -11,6 +11,7 @@
 #include "camera_path.hpp"
 #include "long_work.hpp"
 #include "measuring.hpp"
+#include "options.hpp"
 #include "rendering.hpp"
 #include "shadowing.hpp"
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "halfspace/io/view.hpp"
+#include "options.hpp"
 
 namespace halfspace::tools {
 namespace {

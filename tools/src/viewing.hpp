@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 
@@ -9,6 +8,10 @@
 #include "halfspace/image.hpp"
 #include "halfspace/result.hpp"
 #include "loading.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace halfspace::tools {
 
