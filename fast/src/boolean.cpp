@@ -2,17 +2,40 @@
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_map>
 
 #include "boolean_engine.hpp"
 
 namespace halfspace::fast {
 
+namespace {
+
+/// New ids by old ones, -1 where there is none yet: in a list, or if a solid
+/// uses few of a table's by name, for lists cost as much as the table.
+class Renamed {
+ public:
+  Renamed(std::size_t count, std::size_t uses) {
+    if (count <= 16 * uses) list_.assign(count, -1);
+  }
+  std::int32_t& at(std::int32_t id) {
+    if (!list_.empty()) return list_[static_cast<std::size_t>(id)];
+    return map_.try_emplace(id, -1).first->second;
+  }
+
+ private:
+  std::vector<std::int32_t> list_;
+  std::unordered_map<std::int32_t, std::int32_t> map_;
+};
+
+}  // namespace
+
 Solid moved_to(const Solid& solid, const std::shared_ptr<Space>& space) {
   const Space& from = *solid.space;
-  std::vector<std::int32_t> planes(from.plane_count(), -1);
-  std::vector<std::int32_t> vertices(from.vertex_count(), -1);
+  const std::size_t uses = solid.faces.size() + 2 * solid.edges.size();
+  Renamed planes(from.plane_count(), uses);
+  Renamed vertices(from.vertex_count(), uses);
   const auto plane = [&](std::int32_t p) {
-    std::int32_t& id = planes[static_cast<std::size_t>(p)];
+    std::int32_t& id = planes.at(p);
     if (id < 0) {
       const SpacePlane& old = from.plane(p);
       id = space->add_plane(old.normal, old.origin).plane;
@@ -20,7 +43,7 @@ Solid moved_to(const Solid& solid, const std::shared_ptr<Space>& space) {
     return id;
   };
   const auto vertex = [&](std::int32_t v) {
-    std::int32_t& id = vertices[static_cast<std::size_t>(v)];
+    std::int32_t& id = vertices.at(v);
     if (id < 0) {
       const SpaceVertex& old = from.vertex(v);
       id = old.is_grid()
@@ -42,23 +65,25 @@ Solid moved_to(const Solid& solid, const std::shared_ptr<Space>& space) {
 
 namespace {
 
-Solid carried_out(const Truth& truth, const Solid& a, const Solid& b) {
-  if (a.space == b.space) return Engine(truth, a, b, *a.space).run();
+Solid carried_out(const Truth& truth, const Solid& a, const Solid& b,
+                  int threads) {
+  if (a.space == b.space) return Engine(truth, a, b, *a.space, threads).run();
   const auto space = std::make_shared<Space>(
       std::max(a.space->grid_bits(), b.space->grid_bits()));
   const Solid first = moved_to(a, space);
   const Solid second = moved_to(b, space);
-  return Engine(truth, first, second, *space).run();
+  return Engine(truth, first, second, *space, threads).run();
 }
 
 }  // namespace
 
-Solid boolean(BooleanOp operation, const Solid& a, const Solid& b) {
-  return carried_out(truth_of(operation), a, b);
+Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
+              int threads) {
+  return carried_out(truth_of(operation), a, b, threads);
 }
 
-Solid symmetric_difference(const Solid& a, const Solid& b) {
-  return carried_out({false, true, true}, a, b);
+Solid symmetric_difference(const Solid& a, const Solid& b, int threads) {
+  return carried_out({false, true, true}, a, b, threads);
 }
 
 Halves split(const Solid& solid, const std::array<GridPoint, 3>& corners) {

@@ -32,12 +32,22 @@ int known_side(const FilterPlane& plane, const Box& box, double rounding) {
 
 }  // namespace
 
-void Contact::meet(std::int32_t face_a, std::int32_t face_b) {
+bool Contact::may_meet(std::int32_t face_a, std::int32_t face_b) {
   faces_ = {face_a, face_b};
+  if (face(0).plane == face(1).plane) return true;
+  if (!find_hits(0, face(1).plane) || !find_hits(1, face(0).plane) ||
+      !space_.line_axis(face(0).plane, face(1).plane, axis_))
+    return false;
+  for (std::size_t o = 0; o < 2; ++o) measure(o, face(1 - o).plane, axis_);
+  return low_[0] <= high_[1] && low_[1] <= high_[0];
+}
+
+void Contact::meet(std::int32_t face_a, std::int32_t face_b) {
+  if (!may_meet(face_a, face_b)) return;
   if (face(0).plane == face(1).plane) {
     meet_in_plane(0);
     meet_in_plane(1);
-  } else if (find_hits(0, face(1).plane) && find_hits(1, face(0).plane)) {
+  } else {
     meet_across();
   }
 }
@@ -229,22 +239,18 @@ void Contact::order_marks(int axis) {
   }
 }
 
-/// The planes meet in a line.
+/// The planes meet in a line, which both faces may reach at one point.
 void Contact::meet_across() {
-  int axis = 0;
-  if (!space_.line_axis(face(0).plane, face(1).plane, axis)) return;
-  for (std::size_t o = 0; o < 2; ++o) measure(o, face(1 - o).plane, axis);
-  if (low_[0] > high_[1] || low_[1] > high_[0]) return;
   begin_line();
   for (std::size_t o = 0; o < 2; ++o) add_marks(o, face(1 - o).plane);
-  order_marks(axis);
+  order_marks(axis_);
   report_cuts();
   for (std::size_t i = 0; i + 1 < marks_.size(); ++i) {
     const Mark& m = marks_[i];
     if (m.after[0][0] && m.after[0][1] && m.after[1][0] && m.after[1][1] &&
         !m.along[0] && !m.along[1]) {
       traces_.push_back(
-          {faces_[0], faces_[1], m.vertex, marks_[i + 1].vertex, axis});
+          {faces_[0], faces_[1], m.vertex, marks_[i + 1].vertex, axis_});
     }
   }
   for (std::size_t o = 0; o < 2; ++o) {

@@ -29,6 +29,10 @@ class Contact {
   /// to the traces. Exact: yes.
   void meet(std::int32_t face_a, std::int32_t face_b);
 
+  /// Whether meet() may find anything: false for most faces that are near each
+  /// other. Adds nothing anywhere, so that others may ask likewise meanwhile.
+  bool may_meet(std::int32_t face_a, std::int32_t face_b);
+
  private:
   /// A point on the line at which something happens to one of the faces.
   struct Mark {
@@ -83,6 +87,7 @@ class Contact {
   Space& space_;
   std::vector<Trace>& traces_;
   std::array<std::int32_t, 2> faces_{};
+  int axis_ = 0;  ///< along the line in which their planes meet
   std::array<std::vector<Hit>, 2> hits_;
   bool positive_ = false, negative_ = false;  ///< sides that a face reaches
   /// From where to where either face is on the line, in doubles.

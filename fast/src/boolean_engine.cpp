@@ -1,25 +1,29 @@
 #include "boolean_engine.hpp"
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
 #include "boolean_contact.hpp"
+#include "parallel.hpp"
 
 namespace halfspace::fast {
 
-Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space)
-    : truth_(truth), space_(space), notes_(space.notes()) {
+Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
+               int threads)
+    : truth_(truth), threads_(threads), space_(space), notes_(space.notes()) {
   operands_[0].solid = &a;
   operands_[1].solid = &b;
 }
 
 Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
-               const Solid& whole, const FaceIndex& index, const Box& extent)
+               const Whole& whole)
     : Engine(truth, a, b, space) {
-  operands_[0].whole = &whole;
-  operands_[0].index = &index;
-  operands_[0].extent = extent;
+  operands_[0].whole = whole.solid;
+  operands_[0].index = whole.index;
+  operands_[0].extent = whole.extent;
 }
 
 Solid Engine::run() {
@@ -38,10 +42,31 @@ Solid Engine::run() {
 
 void Engine::find_contacts() {
   prepare(operands_[0], operands_[1], space_);
-  const auto pairs = near_pairs(operands_[0], operands_[1]);
+  auto pairs = near_pairs(operands_[0], operands_[1], threads_);
+  if (threads_ > 1) drop_apart(pairs);
   for (Operand& operand : operands_) add_edges(operand, space_);
   Contact contact(operands_[0], operands_[1], space_, traces_);
   for (const auto& [f, g] : pairs) contact.meet(f, g);
+}
+
+/// Drops the pairs of faces that have nothing in common, which are most. Only
+/// the others add points to the table, which is done in their order.
+void Engine::drop_apart(
+    std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
+  oneapi::tbb::enumerable_thread_specific<Contact> contacts(
+      [this] { return Contact(operands_[0], operands_[1], space_, traces_); });
+  std::vector<std::uint8_t> stays(pairs.size());
+  for_blocks(threads_, pairs.size(), 1024,
+             [&](std::size_t, std::size_t first, std::size_t last) {
+               Contact& contact = contacts.local();
+               for (std::size_t i = first; i < last; ++i)
+                 stays[i] = contact.may_meet(pairs[i].first, pairs[i].second);
+             });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (stays[i] != 0) pairs[kept++] = pairs[i];
+  }
+  pairs.resize(kept);
 }
 
 /// Brings the cuts and covers of each edge together.

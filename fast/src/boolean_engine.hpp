@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "boolean_parts.hpp"
@@ -26,11 +27,19 @@ namespace halfspace::fast {
 /// coincide.
 class Engine {
  public:
-  Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space);
-  /// Likewise if `a` is only the faces of `whole` that are near `b`: they are
-  /// found by the index, and in the box.
+  /// A solid of which an operand is only the faces that are near the other
+  /// operand, where its faces are found, if there is an index, and its box.
+  struct Whole {
+    const Solid* solid = nullptr;
+    const FaceIndex* index = nullptr;
+    Box extent = kEmptyBox;
+  };
+
   Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
-         const Solid& whole, const FaceIndex& index, const Box& extent);
+         int threads = 1);
+  /// Likewise if `a` is only a part.
+  Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
+         const Whole& whole);
   /// The faces of the result, of one source each.
   Solid run();
 
@@ -39,6 +48,7 @@ class Engine {
   enum Member : std::uint8_t { kUnknown, kOutside, kInside };
 
   void find_contacts();
+  void drop_apart(std::vector<std::pair<std::int32_t, std::int32_t>>& pairs);
   Solid result();
   void sort_records(std::size_t o);
   void mark_touched(std::size_t o);
@@ -81,6 +91,7 @@ class Engine {
   }
 
   Truth truth_;
+  int threads_;
   Space& space_;
   Notes& notes_;
   std::array<Operand, 2> operands_;

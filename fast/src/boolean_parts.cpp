@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "parallel.hpp"
+
 namespace halfspace::fast {
 
 void prepare(Operand& a, Operand& b, Space& space) {
@@ -24,7 +26,8 @@ void prepare(Operand& a, Operand& b, Space& space) {
 }
 
 std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
-                                                              Operand& b) {
+                                                              Operand& b,
+                                                              int threads) {
   const auto near = [](const Operand& of) {
     std::vector<std::int32_t> items;
     for (std::size_t f = 0; f < of.solid->faces.size(); ++f) {
@@ -33,19 +36,33 @@ std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
     }
     return items;
   };
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
   const auto box_of = [&](std::int32_t g) -> const Box& {
     return b.face(g).box;
   };
   const BoxTree tree(box_of, near(b));
-  for (const std::int32_t f : near(a)) {
-    const std::size_t before = pairs.size();
-    tree.find(a.face(f).box, [&](std::int32_t g) {
-      pairs.emplace_back(f, g);
-      b.is_active[static_cast<std::size_t>(g)] = 1;
-    });
-    if (pairs.size() > before) a.active.push_back(f);
-    a.is_active[static_cast<std::size_t>(f)] = pairs.size() > before;
+  // Step 1: the pairs, block by block of the first operand's faces.
+  using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+  constexpr std::size_t kBlock = 256;
+  const std::vector<std::int32_t> faces = near(a);
+  std::vector<Pairs> found((faces.size() + kBlock - 1) / kBlock);
+  for_blocks(threads, faces.size(), kBlock,
+             [&](std::size_t number, std::size_t first, std::size_t last) {
+               for (std::size_t i = first; i < last; ++i) {
+                 const std::int32_t f = faces[i];
+                 tree.find(a.face(f).box, [&](std::int32_t g) {
+                   found[number].emplace_back(f, g);
+                 });
+               }
+             });
+  // Step 2: all of them, and whose they are.
+  Pairs pairs;
+  for (const Pairs& some : found)
+    pairs.insert(pairs.end(), some.begin(), some.end());
+  for (const auto& [f, g] : pairs) {
+    std::uint8_t& is_active = a.is_active[static_cast<std::size_t>(f)];
+    if (is_active == 0) a.active.push_back(f);
+    is_active = 1;
+    b.is_active[static_cast<std::size_t>(g)] = 1;
   }
   for (std::size_t g = 0; g < b.is_active.size(); ++g) {
     if (b.is_active[g]) b.active.push_back(static_cast<std::int32_t>(g));
@@ -139,10 +156,22 @@ std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
 Locator::Locator(const Operand& operand, const Space& space)
     : solid_(operand.whole != nullptr ? *operand.whole : *operand.solid),
       space_(space),
-      index_(operand.index) {
-  if (index_ != nullptr) return;
-  own_.add(solid_, 0);
-  index_ = &own_;
+      index_(operand.index) {}
+
+template <class Found>
+void Locator::find(const Box& ray, Found&& found) const {
+  constexpr int kFew = 8;
+  if (index_ != nullptr) {
+    index_->find(ray, found);
+  } else if (++asked_ <= kFew) {
+    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
+      if (overlap(solid_.faces[f].box, ray))
+        found(static_cast<std::int32_t>(f));
+    }
+  } else {
+    if (!own_) own_.emplace().add(solid_, 0);
+    own_->find(ray, found);
+  }
 }
 
 int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
@@ -153,7 +182,7 @@ int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
   extend(ray, space_.vertex(towards).approximate);
   ray.high[0] = std::numeric_limits<float>::max();
   int winding = solid_.unbounded ? 1 : 0;
-  index_->find(ray, [&](std::int32_t f) {
+  find(ray, [&](std::int32_t f) {
     const Face& face = solid_.faces[static_cast<std::size_t>(f)];
     const int along = space_.normal_sign(face.plane, 0);
     if (along == 0 && face.edge_count != 0) return;

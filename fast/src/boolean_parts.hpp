@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "boxes.hpp"
@@ -123,7 +125,8 @@ void prepare(Operand& a, Operand& b, Space& space);
 
 /// The pairs of faces whose boxes overlap; fills in `active`.
 std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
-                                                              Operand& b);
+                                                              Operand& b,
+                                                              int threads = 1);
 
 /// Fills in the near edges of the active faces.
 void add_edges(Operand& operand, const Space& space);
@@ -149,13 +152,17 @@ class Locator {
   int winding(std::int32_t vertex, std::int32_t towards) const;
 
  private:
+  template <class Found>
+  void find(const Box& ray, Found&& found) const;
   bool is_above(const Face& face, std::int32_t vertex,
                 std::int32_t towards) const;
 
   const Solid& solid_;
   const Space& space_;
-  FaceIndex own_;
   const FaceIndex* index_;
+  /// The first few questions are not worth an index of its own.
+  mutable std::optional<FaceIndex> own_;
+  mutable int asked_ = 0;
 };
 
 }  // namespace halfspace::fast

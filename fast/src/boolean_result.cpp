@@ -1,6 +1,9 @@
 #include "boolean_result.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -33,44 +36,84 @@ bool in_line(const Spoke& s, const Spoke& t, const Space& space) {
                  space.vertex(t.end).point);
 }
 
-/// The straight vertices among the ends of the pieces, in order.
-std::vector<std::int32_t> straight_vertices(
-    const std::vector<Piece>& pieces,
-    const std::function<bool(std::int32_t)>& is_pinned, const Space& space) {
-  std::vector<Spoke> spokes;
-  for (const Piece& p : pieces) {
-    if (!is_pinned(p.from)) spokes.push_back({p.from, p.to, p.plane, p.other});
-    if (!is_pinned(p.to)) spokes.push_back({p.to, p.from, p.plane, p.other});
-  }
-  // Of the spokes to one end, one whose two planes are known comes first.
-  std::sort(spokes.begin(), spokes.end(), [](const Spoke& x, const Spoke& y) {
-    return std::tuple(x.hub, x.end, -x.other, x.plane) <
-           std::tuple(y.hub, y.end, -y.other, y.plane);
-  });
-  std::vector<std::int32_t> straight;
-  for (std::size_t i = 0; i < spokes.size();) {
-    std::size_t ends = 0;
-    const Spoke* first = &spokes[i];
-    const Spoke* second = nullptr;
-    std::size_t j = i;
-    for (; j < spokes.size() && spokes[j].hub == first->hub; ++j) {
-      if (j > i && spokes[j].end == spokes[j - 1].end) continue;
-      ++ends;
-      if (ends == 2) second = &spokes[j];
-    }
-    if (ends == 2 && in_line(*first, *second, space))
-      straight.push_back(first->hub);
-    i = j;
-  }
-  return straight;
+Spoke spoke_of(const Piece& piece, bool from_end) {
+  return from_end ? Spoke{piece.to, piece.from, piece.plane, piece.other}
+                  : Spoke{piece.from, piece.to, piece.plane, piece.other};
 }
+
+/// The ends of pieces, and which of them are straight: all edges there are on
+/// one line, and none ends there.
+class Hubs {
+ public:
+  Hubs(const std::vector<Piece>& pieces,
+       const std::function<bool(std::int32_t)>& is_pinned, const Space& space)
+      : slots_(std::bit_ceil(3 * pieces.size() + 1)) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for (const bool from_end : {false, true}) {
+        const Spoke spoke = spoke_of(pieces[i], from_end);
+        if (!is_pinned(spoke.hub)) add(spoke);
+      }
+    }
+    for (Slot& slot : slots_) {
+      if (slot.hub >= 0 && slot.ends == 2)
+        slot.straight = in_line(slot.spoke(0), slot.spoke(1), space);
+    }
+  }
+
+  bool is_straight(std::int32_t v) const {
+    std::size_t at = first_of(v);
+    while (slots_[at].hub >= 0 && slots_[at].hub != v) at = after(at);
+    return slots_[at].straight;
+  }
+
+ private:
+  /// A vertex with the first two of the ends of its spokes, and of each of
+  /// them a spoke whose two planes are known, if there is one.
+  struct Slot {
+    std::int32_t hub = -1;
+    std::uint8_t ends = 0;  ///< 3: more
+    bool straight = false;
+    std::array<std::int32_t, 2> end{}, plane{}, other{};
+    Spoke spoke(std::size_t k) const {
+      return {hub, end[k], plane[k], other[k]};
+    }
+  };
+
+  /// Vertices have their numbers in a row, nearly: these are their hashes.
+  std::size_t first_of(std::int32_t v) const {
+    return static_cast<std::size_t>(v) & (slots_.size() - 1);
+  }
+  std::size_t after(std::size_t at) const {
+    return (at + 1) & (slots_.size() - 1);
+  }
+
+  void add(const Spoke& spoke) {
+    std::size_t at = first_of(spoke.hub);
+    while (slots_[at].hub >= 0 && slots_[at].hub != spoke.hub) at = after(at);
+    Slot& slot = slots_[at];
+    slot.hub = spoke.hub;
+    for (std::size_t k = 0; k < 2 && k < slot.ends; ++k) {
+      if (slot.end[k] != spoke.end) continue;
+      if (slot.other[k] < 0) put(slot, k, spoke);
+      return;
+    }
+    if (slot.ends < 2) put(slot, slot.ends, spoke);
+    if (slot.ends < 3) ++slot.ends;
+  }
+  static void put(Slot& slot, std::size_t k, const Spoke& spoke) {
+    slot.end[k] = spoke.end;
+    slot.plane[k] = spoke.plane;
+    slot.other[k] = spoke.other;
+  }
+
+  std::vector<Slot> slots_;
+};
 
 /// One bucket's pieces, loop by loop, straight vertices left out.
 class LoopWalk {
  public:
-  LoopWalk(std::span<const Piece> pieces,
-           const std::vector<std::int32_t>& straight)
-      : pieces_(pieces), straight_(straight), used_(pieces.size()) {}
+  LoopWalk(std::span<const Piece> pieces, const Hubs& hubs)
+      : pieces_(pieces), hubs_(hubs), used_(pieces.size()) {}
 
   void walk(std::vector<Piece>& out) {
     for (std::size_t start = 0; start < pieces_.size(); ++start) {
@@ -93,9 +136,7 @@ class LoopWalk {
   }
 
  private:
-  bool is_straight(std::int32_t v) const {
-    return std::binary_search(straight_.begin(), straight_.end(), v);
-  }
+  bool is_straight(std::int32_t v) const { return hubs_.is_straight(v); }
   /// A piece not used yet that goes on from the end of piece `at`, on and not
   /// back if there is one; the number of pieces if there is none.
   std::size_t next(std::size_t at) const {
@@ -114,7 +155,7 @@ class LoopWalk {
   }
 
   std::span<const Piece> pieces_;
-  const std::vector<std::int32_t>& straight_;
+  const Hubs& hubs_;
   std::vector<bool> used_;
 };
 
@@ -134,7 +175,7 @@ Box face_box(const Solid& solid, const Face& face) {
 void straighten(std::vector<Piece>& pieces,
                 const std::function<bool(std::int32_t)>& is_pinned,
                 const Space& space) {
-  const auto straight = straight_vertices(pieces, is_pinned, space);
+  const Hubs hubs(pieces, is_pinned, space);
   std::sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) {
     return std::tie(x.bucket, x.from, x.to) < std::tie(y.bucket, y.from, y.to);
   });
@@ -143,7 +184,7 @@ void straighten(std::vector<Piece>& pieces,
   for (std::size_t i = 0; i < pieces.size();) {
     std::size_t j = i + 1;
     while (j < pieces.size() && pieces[j].bucket == pieces[i].bucket) ++j;
-    LoopWalk({pieces.data() + i, j - i}, straight).walk(out);
+    LoopWalk({pieces.data() + i, j - i}, hubs).walk(out);
     i = j;
   }
   pieces.swap(out);

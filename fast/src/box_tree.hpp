@@ -61,6 +61,7 @@ class BoxTree {
     std::int32_t number = 0;
   };
 
+  void sort_items();
   void build();
 
   std::vector<Item> items_;

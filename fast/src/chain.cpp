@@ -8,6 +8,7 @@
 #include "face_index.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/boolean.hpp"
+#include "parallel.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -35,7 +36,9 @@ struct Chain::State {
   void begin() {
     extent = kEmptyBox;
     index = FaceIndex();
-    index.add(solid, 0);
+    index.reserve(solid.faces.size());
+    is_indexed = false;
+    is_fresh = true;
     for (const Face& face : solid.faces) extend(extent, face.box);
     gone_edges = 0;
   }
@@ -49,27 +52,49 @@ struct Chain::State {
     return result;
   }
 
+  std::vector<std::int32_t> faces_near(const Box& reach);
   void apply(const Truth& truth, const Solid& other);
 
   Solid solid;
   FaceIndex index;
+  /// One boolean is quicker without an index: it is made for the second one.
+  bool is_indexed = false;
+  bool is_fresh = true;
   Box extent;
   std::size_t gone_edges = 0;
 };
+
+std::vector<std::int32_t> Chain::State::faces_near(const Box& reach) {
+  std::vector<std::int32_t> near;
+  if (!is_fresh && !is_indexed) {
+    index.add(solid, 0);
+    is_indexed = true;
+  }
+  if (is_indexed) {
+    index.find(reach, [&](std::int32_t f) { near.push_back(f); });
+    std::sort(near.begin(), near.end());
+    return near;
+  }
+  is_fresh = false;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    if (overlap(solid.faces[f].box, reach))
+      near.push_back(static_cast<std::int32_t>(f));
+  }
+  return near;
+}
 
 void Chain::State::apply(const Truth& truth, const Solid& other) {
   // Step 1: the faces near the other solid.
   Box reach = kEmptyBox;
   for (const Face& face : other.faces) extend(reach, face.box);
-  std::vector<std::int32_t> near;
-  index.find(reach, [&](std::int32_t f) { near.push_back(f); });
-  std::sort(near.begin(), near.end());
+  const std::vector<std::int32_t> near = faces_near(reach);
   Solid part = without_faces(solid);
   for (const std::int32_t f : near)
     append(solid, solid.faces[static_cast<std::size_t>(f)], part);
   // Step 2: what becomes of them.
-  const Solid result =
-      Engine(truth, part, other, *solid.space, solid, index, extent).run();
+  const Solid result = Engine(truth, part, other, *solid.space,
+                              {&solid, is_indexed ? &index : nullptr, extent})
+                           .run();
   // Step 3: the others are all beyond the other solid's box.
   const bool beyond = other.unbounded;
   const bool stay = truth(true, beyond) && !truth(false, beyond);
@@ -88,7 +113,11 @@ void Chain::State::apply(const Truth& truth, const Solid& other) {
     append(result, face, solid);
     extend(extent, face.box);
   }
-  index.add(solid, first);
+  if (is_indexed) {
+    index.add(solid, first);
+  } else {
+    index.reserve(solid.faces.size());
+  }
   if (2 * gone_edges > solid.edges.size() + solid.faces.size()) {
     solid = present();
     begin();
@@ -117,20 +146,59 @@ void Chain::apply(BooleanOp operation, const Solid& other) {
 
 Solid Chain::solid() const { return state_->present(); }
 
-Solid combined(BooleanOp operation, std::span<const Solid> solids) {
+namespace {
+
+/// Pairs first, then pairs of pairs.
+Solid paired(BooleanOp operation, std::vector<Solid> level, int threads) {
+  while (level.size() > 1) {
+    std::vector<Solid> next;
+    for (std::size_t i = 0; i + 1 < level.size(); i += 2)
+      next.push_back(boolean(operation, level[i], level[i + 1], threads));
+    if (level.size() % 2 != 0) next.push_back(std::move(level.back()));
+    level = std::move(next);
+  }
+  return std::move(level[0]);
+}
+
+/// What becomes of each block of solids, in one table. Blocks of 2^k in a row
+/// are what pairs of pairs come to.
+std::vector<Solid> blocks_of(BooleanOp operation,
+                             const std::vector<Solid>& solids, int threads) {
+  constexpr std::size_t kBlock = 8;
+  int grid_bits = 0;
+  for (const Solid& solid : solids)
+    grid_bits = std::max(grid_bits, solid.space->grid_bits());
+  std::vector<Solid> blocks((solids.size() + kBlock - 1) / kBlock);
+  for_blocks(threads, solids.size(), kBlock,
+             [&](std::size_t number, std::size_t first, std::size_t last) {
+               const auto space = std::make_shared<Space>(grid_bits);
+               std::vector<Solid> own;
+               for (std::size_t i = first; i < last; ++i)
+                 own.push_back(moved_to(solids[i], space));
+               blocks[number] = paired(operation, std::move(own), 1);
+             });
+  auto space = solids[0].space;
+  if (space->grid_bits() < grid_bits)
+    space = std::make_shared<Space>(grid_bits);
+  for (Solid& block : blocks) block = moved_to(block, space);
+  return blocks;
+}
+
+}  // namespace
+
+Solid combined(BooleanOp operation, std::span<const Solid> solids,
+               int threads) {
   HALFSPACE_ASSERT(!solids.empty());
   const bool without = operation == BooleanOp::kDifference;
   const BooleanOp among = without ? BooleanOp::kUnion : operation;
   std::vector<Solid> level(solids.begin() + (without ? 1 : 0), solids.end());
-  while (level.size() > 1) {
-    std::vector<Solid> next;
-    for (std::size_t i = 0; i + 1 < level.size(); i += 2)
-      next.push_back(boolean(among, level[i], level[i + 1]));
-    if (level.size() % 2 != 0) next.push_back(std::move(level.back()));
-    level = std::move(next);
-  }
-  if (!without) return std::move(level[0]);
-  return level.empty() ? solids[0] : boolean(operation, solids[0], level[0]);
+  if (level.empty()) return solids[0];
+  constexpr std::size_t kMany = 16;
+  if (threads > 1 && level.size() >= kMany)
+    level = blocks_of(among, level, threads);
+  Solid result = paired(among, std::move(level), threads);
+  if (!without) return result;
+  return boolean(operation, solids[0], result, threads);
 }
 
 }  // namespace halfspace::fast

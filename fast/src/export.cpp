@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
+#include <utility>
 
+#include "parallel.hpp"
 #include "space.hpp"
 #include "triangulate.hpp"
 
@@ -24,11 +27,12 @@ struct Polygon {
   std::int32_t face = 0;
 };
 
-std::vector<Polygon> polygons_of(const Solid& solid, bool triangles) {
-  std::vector<Polygon> polygons;
+/// Adds the polygons of the faces from `first` to before `last`.
+void add_polygons(const Solid& solid, std::size_t first, std::size_t last,
+                  bool triangles, std::vector<Polygon>& polygons) {
   std::vector<std::array<std::int32_t, 3>> parts;
   std::vector<std::vector<std::int32_t>> joined;
-  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+  for (std::size_t f = first; f < last; ++f) {
     const auto id = static_cast<std::int32_t>(f);
     const Face& face = solid.faces[f];
     if (!triangles || face.edge_count == 3) {
@@ -50,6 +54,23 @@ std::vector<Polygon> polygons_of(const Solid& solid, bool triangles) {
     }
     for (const auto& part : parts)
       polygons.push_back({{part.begin(), part.end()}, id});
+  }
+}
+
+std::vector<Polygon> polygons_of(const Solid& solid,
+                                 const ExportOptions& options) {
+  constexpr std::size_t kBlock = 256;
+  std::vector<std::vector<Polygon>> blocks((solid.faces.size() + kBlock - 1) /
+                                           kBlock);
+  for_blocks(options.threads, solid.faces.size(), kBlock,
+             [&](std::size_t number, std::size_t first, std::size_t last) {
+               add_polygons(solid, first, last, options.triangles,
+                            blocks[number]);
+             });
+  std::vector<Polygon> polygons;
+  for (auto& block : blocks) {
+    polygons.insert(polygons.end(), std::make_move_iterator(block.begin()),
+                    std::make_move_iterator(block.end()));
   }
   return polygons;
 }
@@ -129,7 +150,7 @@ bool surely_turns(const ExportedMesh& mesh, const Polygon& polygon,
 ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
   ExportedMesh mesh;
   if (solid.faces.empty()) return mesh;
-  auto polygons = polygons_of(solid, options.triangles);
+  auto polygons = polygons_of(solid, options);
   add_vertices(solid, polygons, mesh);
   std::sort(
       polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {

@@ -8,7 +8,9 @@ void FaceIndex::add(const Solid& solid, std::int32_t first) {
   std::vector<std::int32_t> faces;
   const auto count = static_cast<std::int32_t>(solid.faces.size());
   gone_.resize(solid.faces.size());
-  for (std::int32_t f = first; f < count; ++f) faces.push_back(f);
+  for (std::int32_t f = first; f < count; ++f) {
+    if (!is_gone(f)) faces.push_back(f);
+  }
   while (!layers_.empty() && layers_.back().faces.size() < 2 * faces.size()) {
     for (const std::int32_t f : layers_.back().faces) {
       if (!is_gone(f)) faces.push_back(f);

@@ -14,8 +14,10 @@ namespace halfspace::fast {
 ///       log n trees of boxes.
 class FaceIndex {
  public:
-  /// Adds the faces of the solid from number `first` on.
+  /// Adds the faces of the solid from number `first` on that are not gone.
   void add(const Solid& solid, std::int32_t first);
+  /// Makes room to remove faces before any are added.
+  void reserve(std::size_t count) { gone_.resize(count); }
   void remove(std::int32_t face) { gone_[static_cast<std::size_t>(face)] = 1; }
   bool is_gone(std::int32_t face) const {
     return gone_[static_cast<std::size_t>(face)] != 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,74 @@ TEST(FastChain, UnionsAreTheSameInAnyOrderAndLeast) {
   some.insert(some.begin(), combined(BooleanOp::kUnion, solids));
   EXPECT_TRUE(same_bytes(least(rest.solid()),
                          least(combined(BooleanOp::kDifference, some))));
+}
+
+/// The same faces, edge by edge.
+bool same_solid(const Solid& a, const Solid& b) {
+  if (a.edges != b.edges || a.faces.size() != b.faces.size()) return false;
+  for (std::size_t f = 0; f < a.faces.size(); ++f) {
+    const Face& x = a.faces[f];
+    const Face& y = b.faces[f];
+    if (x.plane != y.plane || x.turned != y.turned || x.source != y.source ||
+        x.from_first != y.from_first || x.first_edge != y.first_edge ||
+        x.edge_count != y.edge_count)
+      return false;
+  }
+  return true;
+}
+
+TEST(FastThreads, ABooleanIsTheSameByAnyNumberOfThem) {
+  // So many faces that there are several blocks of them and of pairs.
+  std::uint64_t state = 29;
+  for (int pair = 0; pair < 2; ++pair) {
+    const Cubes a = lattice::random_cubes(1, state);
+    const Cubes b = lattice::random_cubes(1, state);
+    for (const BooleanOp operation :
+         {BooleanOp::kUnion, BooleanOp::kIntersection,
+          BooleanOp::kDifference}) {
+      std::optional<Solid> expected;
+      std::optional<ExportedMesh> mesh;
+      for (int threads = 1; threads <= 4; ++threads) {
+        SCOPED_TRACE(std::to_string(threads) + " threads");
+        const Solid first = to_solid(lattice::surface(a));
+        const Solid second = to_solid(lattice::surface(b), first);
+        const Solid result = boolean(operation, first, second, threads);
+        const ExportedMesh written =
+            exported(result, {.triangles = true, .threads = threads});
+        if (!expected) {
+          expected = result;
+          mesh = written;
+          continue;
+        }
+        ASSERT_TRUE(same_solid(result, *expected));
+        ASSERT_TRUE(same_bytes(written, *mesh));
+      }
+    }
+  }
+}
+
+TEST(FastThreads, ManySolidsAreCombinedIntoTheSameMesh) {
+  std::uint64_t state = 31;
+  std::vector<Solid> solids;
+  for (std::size_t i = 0; i < 45; ++i) {
+    const Cubes cubes = lattice::random_cubes(i % 3 == 0 ? 1 : 4, state);
+    Cubes few;
+    for (std::size_t k = 0; k < few.full.size(); ++k)
+      few.full[k] = cubes.full[k] && k / 64 % 5 == i % 5;
+    const auto part = static_cast<std::int32_t>(i);
+    // One of them has a table of its own.
+    solids.push_back(i == 0 || i == 20
+                         ? to_solid(lattice::surface(few), part)
+                         : to_solid(lattice::surface(few), solids[0], part));
+  }
+  for (const BooleanOp operation :
+       {BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference}) {
+    const ExportedMesh expected = exported(combined(operation, solids));
+    for (int threads = 2; threads <= 4; ++threads) {
+      const Solid result = combined(operation, solids, threads);
+      ASSERT_TRUE(same_bytes(exported(result), expected));
+    }
+  }
 }
 
 }  // namespace

@@ -140,6 +140,10 @@ std::vector<Outline> outlines_of(const Solid& solid) {
 
 }  // namespace
 
+Solid shipped(BooleanOp operation, const Solid& a, const Solid& b) {
+  return fast::boolean(operation, a, b);
+}
+
 std::array<std::uint64_t, 2> volume6(const Solid& solid) {
   // 2^61 - 1 and 2^62 - 57.
   return {volume_in(Field((std::uint64_t{1} << 61) - 1), solid),

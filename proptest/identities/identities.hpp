@@ -16,6 +16,10 @@ namespace halfspace::identities {
 using Boolean = std::function<fast::Solid(BooleanOp, const fast::Solid&,
                                           const fast::Solid&)>;
 
+/// The one that ships.
+fast::Solid shipped(BooleanOp operation, const fast::Solid& a,
+                    const fast::Solid& b);
+
 /// Six times the volume in cubic grid steps, modulo two primes of 61 and 62
 /// bits: rational volumes that differ there are different, and those that do
 /// not differ by no less than the product of the primes, if at all.

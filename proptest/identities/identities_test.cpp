@@ -39,7 +39,7 @@ TEST(Identities, HoldInEveryPosition) {
         if (!pair) continue;
         ++positions;
         const auto [first, second] = fast_pair(*pair);
-        const auto broken = broken_identities(first, second, fast::boolean);
+        const auto broken = broken_identities(first, second, shipped);
         ASSERT_TRUE(broken.empty()) << broken.front();
       }
     }
@@ -82,7 +82,7 @@ TEST(Identities, AreBrokenByWrongBooleans) {
                              Position::kGeneral);
     ASSERT_TRUE(pair);
     const auto [first, second] = fast_pair(*pair);
-    ASSERT_TRUE(broken_identities(first, second, fast::boolean).empty());
+    ASSERT_TRUE(broken_identities(first, second, shipped).empty());
     for (int fault = 0; fault < 5; ++fault) {
       const auto broken = broken_identities(
           first, second,

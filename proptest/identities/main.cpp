@@ -62,7 +62,7 @@ bool check(const Model& a, const Model& b, Position position,
   const fast::Solid first = fast::to_solid(pair->first, 0);
   const fast::Solid second = fast::to_solid(pair->second, first, 1);
   ++checked;
-  const auto broken = broken_identities(first, second, fast::boolean);
+  const auto broken = broken_identities(first, second, shipped);
   for (const std::string& what : broken) {
     std::printf("WRONG: %s, %s, %s: %s\n", a.path.c_str(), b.path.c_str(),
                 name_of(position), what.c_str());

@@ -1,7 +1,12 @@
 #include "halfspace/boolean.hpp"
 
-#include <map>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace halfspace {
 namespace {
@@ -11,27 +16,53 @@ std::string text_of(const GridPoint& p) {
          std::to_string(p.z) + ")";
 }
 
+/// By vertex, the place of its point among all of them in order: equal points
+/// have one place.
+std::vector<std::uint32_t> places_of(const std::vector<GridPoint>& points,
+                                     std::vector<GridPoint>& in_order) {
+  std::vector<std::uint32_t> ids(points.size());
+  std::iota(ids.begin(), ids.end(), 0u);
+  std::sort(ids.begin(), ids.end(), [&](std::uint32_t u, std::uint32_t v) {
+    return points[u] < points[v];
+  });
+  std::vector<std::uint32_t> places(points.size());
+  for (const std::uint32_t id : ids) {
+    if (in_order.empty() || in_order.back() != points[id])
+      in_order.push_back(points[id]);
+    places[id] = static_cast<std::uint32_t>(in_order.size() - 1);
+  }
+  return places;
+}
+
 }  // namespace
 
 std::vector<BadEdge> bad_edges(const Scene& scene) {
-  // Uses from the lesser end to the greater one count up, the others down.
-  std::map<std::pair<GridPoint, GridPoint>, std::int64_t> balance;
+  std::vector<GridPoint> points;
+  const auto places = places_of(scene.data().vertices, points);
+  // The places of both ends, the lesser first, and whether the edge goes down.
+  std::vector<std::uint64_t> uses;
+  uses.reserve(scene.data().corners.size());
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
     const auto corners = scene.corners(static_cast<PolygonId>(p));
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const GridPoint& from = scene.point(corners[i]);
-      const GridPoint& to = scene.point(corners[(i + 1) % corners.size()]);
-      if (from < to) {
-        ++balance[{from, to}];
-      } else {
-        --balance[{to, from}];
-      }
+      const auto at = [&](std::size_t k) -> std::uint64_t {
+        return places[static_cast<std::size_t>(corners[k % corners.size()])];
+      };
+      const auto [low, high] = std::minmax({at(i), at(i + 1)});
+      uses.push_back(low << 33 | high << 1 | (at(i) == low ? 0u : 1u));
     }
   }
+  std::sort(uses.begin(), uses.end());
   std::vector<BadEdge> bad;
-  for (const auto& [ends, excess] : balance) {
-    if (excess > 0) bad.push_back({ends.first, ends.second, excess});
-    if (excess < 0) bad.push_back({ends.second, ends.first, -excess});
+  for (std::size_t i = 0; i < uses.size();) {
+    const std::uint64_t ends = uses[i] >> 1;
+    std::int64_t excess = 0;
+    for (; i < uses.size() && uses[i] >> 1 == ends; ++i)
+      excess += uses[i] % 2 == 0 ? 1 : -1;
+    const GridPoint& low = points[ends >> 32];
+    const GridPoint& high = points[ends & 0xffffffff];
+    if (excess > 0) bad.push_back({low, high, excess});
+    if (excess < 0) bad.push_back({high, low, -excess});
   }
   return bad;
 }

@@ -19,8 +19,10 @@ namespace halfspace::fast {
 ///        within a face, and every vertex on an edge is an end of it.
 /// Keeps: planes and colours, and where faces came from.
 /// Exact: yes.
-/// Cost:  n log n, and what the surfaces have in common.
-Solid boolean(BooleanOp operation, const Solid& a, const Solid& b);
+/// Cost:  n log n, and what the surfaces have in common. With more threads what
+///        is near what is found by all of them; the result is the same.
+Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
+              int threads = 1);
 
 /// An edge that keeps a surface from being closed: as halfspace::BadEdge, with
 /// points by their ids (S6.1).

@@ -40,7 +40,11 @@ class Chain {
 ///
 /// The same point set as one after the other. With `Merge::kPlane`, the same
 /// exported mesh, whatever the order of the solids of a union (S6.4).
+/// With more threads, blocks of solids are combined at once, each in a table of
+/// its own: the faces are the same, but points and planes may have other ids.
+/// The same exported mesh for any number of threads.
 /// Requires: not empty, and all in one unit.
-Solid combined(BooleanOp operation, std::span<const Solid> solids);
+Solid combined(BooleanOp operation, std::span<const Solid> solids,
+               int threads = 1);
 
 }  // namespace halfspace::fast

@@ -13,6 +13,8 @@ namespace halfspace::fast {
 struct ExportOptions {
   /// Whether faces that are convex become triangles like the others.
   bool triangles = false;
+  /// Faces are parted by so many threads at once. The mesh is the same.
+  int threads = 1;
 };
 
 /// A solid's surface in doubles (S1.8). Units: model units.

@@ -89,7 +89,7 @@ Halves split(const Solid& solid, const std::array<GridPoint, 3>& corners);
 
 /// The points in exactly one of two solids in one unit, regularised. Shape,
 /// Keeps, Exact, Cost: as boolean().
-Solid symmetric_difference(const Solid& a, const Solid& b);
+Solid symmetric_difference(const Solid& a, const Solid& b, int threads = 1);
 
 /// Which faces in one plane that face the same way become one.
 enum class Merge : std::uint8_t {
