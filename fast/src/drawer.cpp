@@ -33,6 +33,7 @@ Drawer<kBits>::Drawer(const Frame& frame, Canvas& canvas)
       canvas_(canvas),
       scan_(frame.reader, frame.camera),
       shader_(frame.reader.scene(), frame.camera, frame.view),
+      late_shader_(frame.reader.scene(), frame.camera, frame.view),
       gouraud_(frame.image.shading == Shading::kGouraud &&
                !frame.reader.scene().data().corner_colors.empty()),
       decider_{begin,    exact_line, nearer,
@@ -97,6 +98,7 @@ void Drawer<kBits>::draw_small(Gathered& gathered) {
     polygons.error[k] = polygons.error[0];
   }
   drawn_ = &gathered;
+  canvas_.most_pieces = 1;
   fragments_ += static_cast<std::size_t>(frame_.kernel.draw_small(
       canvas_, frame_.view, frame_.image.cull, polygons, decider_));
 }
@@ -214,7 +216,11 @@ const Ink& Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
   } else {
     color = scene.color(fragment.source);
   }
-  ink_ = {fragment.source, {color.r, color.g, color.b}, smooth};
+  ink_ = {fragment.source,
+          {color.r, color.g, color.b},
+          static_cast<std::int8_t>(eye_sign),
+          smooth,
+          0};
   return ink_;
 }
 
@@ -249,12 +255,18 @@ const Gradient& Drawer<kBits>::gradient(void* self) {
 }
 
 template <int kBits>
-void Drawer<kBits>::shade(void* self, std::int32_t x, std::int32_t y,
-                          std::uint32_t bits) {
+void Drawer<kBits>::shade(void* self, const Ink& ink, std::int32_t x,
+                          std::int32_t y, std::uint32_t bits,
+                          std::uint8_t* colors, std::int64_t at) {
   auto& drawer = *static_cast<Drawer*>(self);
-  const Canvas& canvas = drawer.canvas_;
-  drawer.stats_.exact += static_cast<std::uint64_t>(drawer.shader_.shade(
-      x, y, bits, canvas.colors, 3 * canvas.pixel_at(x, y)));
+  // A tile is written when others have been drawn since.
+  Shader& shader = drawer.late_shader_;
+  if (drawer.late_ != ink.id) {
+    drawer.late_ = ink.id;
+    shader.start(ink.id, ink.eye_sign);
+  }
+  drawer.stats_.exact +=
+      static_cast<std::uint64_t>(shader.shade(x, y, bits, colors, at));
 }
 
 /// Lays the fragment at hand over what is there (S5.6).
@@ -352,29 +364,24 @@ const typename Drawer<kBits>::Rival& Drawer<kBits>::rival(PolygonId other) {
 }
 
 template <int kBits>
-void Drawer<kBits>::nearer(void* self, std::int32_t x, std::int32_t y,
-                           const std::int32_t* items, std::int64_t first,
-                           std::int64_t stride, std::uint32_t* lit) {
+void Drawer<kBits>::nearer(void* self, std::int32_t other, std::int32_t x,
+                           std::int32_t y, std::uint32_t* lit) {
   auto& drawer = *static_cast<Drawer*>(self);
+  if (other == drawer.fragment_->source) {
+    // Lit by itself, until it was in doubt.
+    std::fill_n(lit, kTileHeight, 0u);
+    return;
+  }
+  const Rival& rival = drawer.rival(other);
   for (std::int32_t r = 0; r < kTileHeight; ++r) {
     const std::int32_t j = y + r;
-    const std::int64_t line = first + r * stride;
-    const Rival* rival = nullptr;
-    double level = 0;
+    const double level = rival.line.b * j + rival.line.c;
     for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
       const int k = __builtin_ctz(bits);
-      if (items[line + k] == drawer.fragment_->source) {
-        lit[r] &= ~(std::uint32_t{1} << k);  // lit by itself, and doubtful
-        continue;
-      }
-      if (rival == nullptr || rival->polygon != items[line + k]) {
-        rival = &drawer.rival(items[line + k]);
-        level = rival->line.b * j + rival->line.c;
-      }
-      const double order = rival->line.a * (x + k) + level;
-      const bool is_nearer = std::abs(order) > rival->line.error
+      const double order = rival.line.a * (x + k) + level;
+      const bool is_nearer = std::abs(order) > rival.line.error
                                  ? order > 0
-                                 : drawer.is_nearer(rival->polygon, x + k, j);
+                                 : drawer.is_nearer(other, x + k, j);
       if (!is_nearer) lit[r] &= ~(std::uint32_t{1} << k);
     }
   }

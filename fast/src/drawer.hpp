@@ -61,6 +61,15 @@ class Drawer {
       return true;
     });
     for (Gathered& gathered : gathered_) draw_gathered(gathered, eye_side);
+    frame_.kernel.leave_leaf(canvas_, decider_);
+  }
+
+  /// Paints what is unlit in the background's colour. Returns how many pixels
+  /// that were.
+  std::int64_t fill_rest(const Rgb& background) {
+    const Ink ink = {
+        kBackground, {background.r, background.g, background.b}, 0, false};
+    return frame_.kernel.fill_rest(canvas_, ink, decider_);
   }
 
   /// Asks for the memory that drawing the leaf will read.
@@ -110,12 +119,11 @@ class Drawer {
   const Ink& start(const TreeFragment& fragment, int eye_sign);
   static Ink begin(void* self, std::int32_t k, std::int32_t turn);
   static PixelRange exact_line(void* self, std::int32_t j, PixelRange range);
-  static void nearer(void* self, std::int32_t x, std::int32_t y,
-                     const std::int32_t* items, std::int64_t first,
-                     std::int64_t stride, std::uint32_t* lit);
+  static void nearer(void* self, std::int32_t other, std::int32_t x,
+                     std::int32_t y, std::uint32_t* lit);
   static const Gradient& gradient(void* self);
-  static void shade(void* self, std::int32_t x, std::int32_t y,
-                    std::uint32_t bits);
+  static void shade(void* self, const Ink& ink, std::int32_t x, std::int32_t y,
+                    std::uint32_t bits, std::uint8_t* colors, std::int64_t at);
   static void blend(void* self, std::int32_t x, std::int32_t y,
                     const std::uint32_t* bits);
   bool is_nearer(PolygonId other, std::int32_t i, std::int32_t j);
@@ -134,6 +142,8 @@ class Drawer {
   Canvas& canvas_;
   ExactScan<kBits> scan_;
   Shader shader_;
+  Shader late_shader_;  ///< for what is written later
+  PolygonId late_ = kBackground;
   bool gouraud_;
   const TreeFragment* fragment_ = nullptr;
   int eye_sign_ = 0;

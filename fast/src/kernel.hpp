@@ -12,7 +12,49 @@ struct View;
 constexpr std::int32_t kTileWidth = 32;
 constexpr std::int32_t kTileHeight = 8;
 
+/// What is written where a polygon lights a pixel.
+struct Ink {
+  std::int32_t id = 0;
+  std::uint8_t rgb[3] = {0, 0, 0};
+  std::int8_t eye_sign = 0;  ///< the side of it that the eye is on
+  bool smooth = false;       ///< Decider::gradient() tells the colours
+  std::int32_t uses = 0;     ///< pieces that have it, or the next spare ink
+};
+
+/// The colours of a triangle (S5.4): a channel is its sum over the total, and
+/// off by at most `doubt` over the total.
+///
+/// Three sums and the total, each a i + b j + c at the centre of pixel (i, j).
+struct Gradient {
+  alignas(32) double a[4];
+  alignas(32) double b[4];
+  alignas(32) double c[4];
+  double doubt = 0;
+};
+
+/// What a polygon has lit of a tile whose colours are not written yet.
+struct Piece {
+  std::uint32_t lit[8];
+  std::int32_t ink = 0;
+  std::int32_t next = 0;  ///< lit before it, of the same tile
+};
+/// No piece, no ink.
+constexpr std::int32_t kNone = -1;
+/// From so many pieces on a tile is written though it is open.
+constexpr std::int32_t kMostPieces = 8;
+/// The pieces of a tile: the last that was lit, and how many there are.
+struct Pieces {
+  std::int32_t newest = kNone;
+  std::int32_t count = 0;
+};
+/// What memory may run out of.
+enum class Room : std::uint8_t { kPieces, kInks, kGradients };
+
 /// The screen that one thread fills: which pixels are lit, and the images.
+///
+/// Front to back a tile keeps a list of what was lit in it, and is written when
+/// all of it is lit, or the list is long: the images are hardly read back, and
+/// mostly written 32 pixels at a time.
 ///
 /// Plain pointers, so that the inner loops can be compiled for several
 /// instruction sets and share nothing else. Units: pixels, tiles.
@@ -30,7 +72,28 @@ struct Canvas {
   std::uint8_t* colors = nullptr;  ///< null: not wanted
   std::int64_t width = 0;          ///< of the images
 
-  bool overwrite = false;  ///< back to front: paint the lit pixels, too
+  bool overwrite = false;  ///< back to front: paint the lit pixels at once
+
+  Pieces* pieces_of = nullptr;  ///< a tile's
+  Piece* pieces = nullptr;
+  std::int32_t piece_count = 0;      ///< so many have been used
+  std::int32_t piece_room = 0;       ///< for so many there is memory
+  std::int32_t spare_piece = kNone;  ///< pieces that may be used again
+  /// The inks of pieces, and the gradients of those that are smooth.
+  Ink* inks = nullptr;
+  Gradient* gradients = nullptr;
+  std::int32_t ink_count = 0;
+  std::int32_t ink_room = 0;
+  std::int32_t gradient_room = 0;
+  std::int32_t spare_ink = kNone;
+  std::int32_t ink_at_hand = kNone;  ///< of the polygon being drawn, if kept
+  std::int32_t last_ink = kNone;     ///< the last that was kept
+  /// Makes room for one more.
+  void (*make_room)(Canvas& canvas, Room what) = nullptr;
+  void* owner = nullptr;
+  /// Where a tile is put together, line by line.
+  std::int32_t* tile_items = nullptr;
+  std::uint8_t* tile_colors = nullptr;
 
   /// Within a leaf, whose fragments hide each other in any order: the pixels
   /// that were lit when it began, kept for the tiles it has touched.
@@ -38,13 +101,11 @@ struct Canvas {
   std::uint32_t leaf = 0;            ///< its number
   std::uint32_t* leaf_of = nullptr;  ///< the leaf that touched the tile last
   std::uint32_t* before = nullptr;   ///< lit, when that leaf touched it first
-  std::int32_t* full = nullptr;      ///< tiles to be closed after the leaf
-  std::int32_t full_count = 0;
-  /// Where no items are wanted, those that the leaf lights: 256 for each tile
-  /// that it has touched, at the place that `slot_of` tells.
-  std::int32_t* slots = nullptr;
-  std::uint32_t* slot_of = nullptr;
-  std::uint32_t slot_count = 0;
+  std::int32_t* touched = nullptr;   ///< tiles that the leaf has touched
+  std::int32_t touched_count = 0;
+  /// So many pieces on one of them are written when the leaf ends. 1 where its
+  /// polygons are small: there are many inks, which need not be kept.
+  std::int32_t most_pieces = kMostPieces;
 
   std::int64_t tile_at(std::int32_t row, std::int32_t tile) const {
     return std::int64_t{row - first_row} * tiles_across + tile;
@@ -66,24 +127,6 @@ struct Outline {
   std::int32_t count = 0;
   double error = 0;
   std::int32_t turn = 1;
-};
-
-/// The colours of a triangle (S5.4): a channel is its sum over the total, and
-/// off by at most `doubt` over the total.
-///
-/// Three sums and the total, each a i + b j + c at the centre of pixel (i, j).
-struct Gradient {
-  alignas(32) double a[4];
-  alignas(32) double b[4];
-  alignas(32) double c[4];
-  double doubt = 0;
-};
-
-/// What is written where a polygon lights a pixel.
-struct Ink {
-  std::int32_t id = 0;
-  std::uint8_t rgb[3] = {0, 0, 0};
-  bool smooth = false;  ///< Decider::gradient() tells the colours
 };
 
 /// Triangles or quadrangles of a leaf, on their way to the screen together.
@@ -109,17 +152,16 @@ struct Decider {
   /// The pixels of line `j` whose samples the polygon covers, of `range`.
   PixelRange (*exact_line)(void* context, std::int32_t j, PixelRange range);
   /// Of the pixels `lit` (8 words) of the tile with the left top pixel (x, y),
-  /// lit by this leaf, those where this polygon is nearer: left in `lit`.
-  /// The tile's items are from items[first] on, `stride` entries a line; only
-  /// those of the pixels asked for need be there.
-  void (*nearer)(void* context, std::int32_t x, std::int32_t y,
-                 const std::int32_t* items, std::int64_t first,
-                 std::int64_t stride, std::uint32_t* lit);
+  /// which show polygon `other`, those where this polygon is nearer: left in
+  /// `lit`.
+  void (*nearer)(void* context, std::int32_t other, std::int32_t x,
+                 std::int32_t y, std::uint32_t* lit);
   /// The polygon's colours, where they are smooth.
   const Gradient& (*gradient)(void* context);
-  /// Colours the pixels `bits` of line y of a tile one by one.
-  void (*shade)(void* context, std::int32_t x, std::int32_t y,
-                std::uint32_t bits);
+  /// Colours the pixels `bits` of line y from column x on one by one, in the
+  /// ink's colours; column x is at byte `at`.
+  void (*shade)(void* context, const Ink& ink, std::int32_t x, std::int32_t y,
+                std::uint32_t bits, std::uint8_t* colors, std::int64_t at);
   /// Lays the polygon over what the pixels `bits` (8 words) of a tile show;
   /// null: nothing is seen through it.
   void (*blend)(void* context, std::int32_t x, std::int32_t y,
@@ -143,8 +185,12 @@ struct Kernel {
                              SmallPolygons& polygons, const Decider& decider);
   /// Whether a tile that meets the rectangle is open.
   bool (*any_open)(const Canvas& canvas, PixelRange columns, PixelRange lines);
-  /// Paints every unlit pixel. Returns how many there were.
-  std::int64_t (*fill_rest)(Canvas& canvas, const Ink& ink);
+  /// Ends a leaf: closes tiles that it has filled.
+  void (*leave_leaf)(Canvas& canvas, const Decider& decider);
+  /// Paints every unlit pixel, and writes what is not written yet. Returns how
+  /// many there were.
+  std::int64_t (*fill_rest)(Canvas& canvas, const Ink& ink,
+                            const Decider& decider);
 };
 
 extern const Kernel kPlainKernel;  ///< runs everywhere

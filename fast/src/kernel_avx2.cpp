@@ -7,6 +7,8 @@
 namespace halfspace::fast {
 namespace {
 
+#include "kernel_target.inc"
+//
 #include "kernel_avx2.inc"
 //
 #include "kernel_avx2_shade.inc"
@@ -14,6 +16,8 @@ namespace {
 #include "kernel_shade.inc"
 //
 #include "kernel_edges.inc"
+//
+#include "kernel_paint.inc"
 //
 #include "kernel.inc"
 //
@@ -23,7 +27,7 @@ namespace {
 
 }  // namespace
 
-const Kernel kAvx2Kernel = {draw, draw_lines, draw_small, any_open, fill_rest};
+const Kernel kAvx2Kernel = {draw, draw_lines, draw_small, any_open, leave_leaf, fill_rest};
 
 }  // namespace halfspace::fast
 #endif

@@ -3,6 +3,8 @@
 namespace halfspace::fast {
 namespace {
 
+#include "kernel_target.inc"
+
 /// An outline has at most this many corners; others go line by line.
 constexpr std::int32_t kMostBounds = 32;
 
@@ -121,6 +123,20 @@ inline bool all(const Words8& a) {
   return every == ~std::uint32_t{0};
 }
 
+/// The columns from the least `first` up to the greatest `end` of lines that
+/// are not empty; if all are, an empty range.
+inline PixelRange columns_between(const Words8& first, const Words8& end) {
+  PixelRange range = {0x7fffffff, 0};
+  for (int r = 0; r < 8; ++r) {
+    const auto from = static_cast<std::int32_t>(first.lines[r]);
+    const auto to = static_cast<std::int32_t>(end.lines[r]);
+    if (from >= to) continue;
+    range.first = from < range.first ? from : range.first;
+    range.end = to > range.end ? to : range.end;
+  }
+  return range;
+}
+
 /// The pixels from `first` up to `end` of each line, of the 32 from `x` on.
 inline Words8 cover_of(const Words8& first, const Words8& end, std::int32_t x) {
   const auto from = [x](std::uint32_t column) -> std::uint32_t {
@@ -138,12 +154,40 @@ inline void store_items(std::int32_t* items, std::int64_t first,
   for (; bits != 0; bits &= bits - 1) items[first + __builtin_ctz(bits)] = id;
 }
 
+/// Copies 32 items, or the colours of 32 pixels.
+inline void copy_items(std::int32_t* to, const std::int32_t* from) {
+  for (int k = 0; k < 32; ++k) to[k] = from[k];
+}
+inline void copy_colors(std::uint8_t* to, const std::uint8_t* from) {
+  for (int k = 0; k < 96; ++k) to[k] = from[k];
+}
+
+/// Copies those that have their bits set.
+inline void copy_some_items(std::int32_t* to, const std::int32_t* from,
+                            std::uint32_t bits, bool) {
+  for (; bits != 0; bits &= bits - 1) {
+    to[__builtin_ctz(bits)] = from[__builtin_ctz(bits)];
+  }
+}
+inline void copy_some_colors(std::uint8_t* to, const std::uint8_t* from,
+                             std::uint32_t bits, bool) {
+  for (; bits != 0; bits &= bits - 1) {
+    const int k = 3 * __builtin_ctz(bits);
+    for (int c = k; c < k + 3; ++c) to[c] = from[c];
+  }
+}
+
 struct FlatColor {
   std::uint8_t rgb[3];
 };
 
 inline FlatColor flat_color(const std::uint8_t* rgb) {
   return {{rgb[0], rgb[1], rgb[2]}};
+}
+
+/// Fills a tile's 8 lines of 32 pixels, one after another.
+inline void fill_colors(std::uint8_t* colors, const FlatColor& color) {
+  for (int k = 0; k < 3 * 32 * 8; ++k) colors[k] = color.rgb[k % 3];
 }
 
 /// Stores the colour at pixel k after byte `first` for every bit k.
@@ -157,34 +201,23 @@ inline void store_colors(std::uint8_t* colors, std::int64_t first,
   }
 }
 
-/// What shade_line() derives: levels are (n0 + n1 k) / (d0 + d k), k from the
-/// pixel `first` on.
-struct ShadedLine {
-  float n0[3];
-  float n1[3];
-  float d0;
-  float d;
-  std::int32_t first;
-  std::int32_t doubt;
-};
-
 /// Here each line is for itself.
 struct ShadedTile {};
 inline bool start_tile(const Gradient&, std::int32_t, std::int32_t,
                        std::uint32_t, const std::uint32_t*, ShadedTile&) {
   return false;
 }
-inline ShadedLine line_of(const ShadedTile&, std::int32_t) { return {}; }
+inline void shade_lines(const Target&, const ShadedTile&, std::uint32_t,
+                        const std::uint32_t*, std::uint32_t*) {}
 
-/// Shades the pixels `eight` of 8 from the tile's pixel `k` on, which is at
-/// byte `at`; gives those that were in doubt.
-inline std::uint32_t shade_eight(std::uint8_t* colors, std::int64_t at,
-                                 const ShadedLine& line, std::int32_t k,
-                                 std::uint32_t eight, bool) {
+/// Colours the pixels `bits` of line r of a tile; gives those in doubt.
+inline std::uint32_t shade_pixels(const Target& target, const ShadedLine& line,
+                                  std::int32_t r, std::uint32_t bits) {
   std::uint32_t left = 0;
-  for (; eight != 0; eight &= eight - 1) {
-    const int pixel = __builtin_ctz(eight);
-    const auto steps = static_cast<float>(k + pixel - line.first);
+  std::uint8_t* to = target.colors + target.at + r * target.stride;
+  for (; bits != 0; bits &= bits - 1) {
+    const int pixel = __builtin_ctz(bits);
+    const auto steps = static_cast<float>(pixel - line.first);
     const float reciprocal = 1 / (line.d0 + line.d * steps);
     for (int c = 0; c < 3; ++c) {
       const float value = (line.n0[c] + line.n1[c] * steps) * reciprocal;
@@ -193,7 +226,7 @@ inline std::uint32_t shade_eight(std::uint8_t* colors, std::int64_t at,
       if (((level + line.doubt) & 0xffff) < 2 * line.doubt) {
         left |= 1u << pixel;
       }
-      colors[at + 3 * pixel + c] = static_cast<std::uint8_t>(level >> 16);
+      to[3 * pixel + c] = static_cast<std::uint8_t>(level >> 16);
     }
   }
   return left;
@@ -202,6 +235,8 @@ inline std::uint32_t shade_eight(std::uint8_t* colors, std::int64_t at,
 #include "kernel_shade.inc"
 //
 #include "kernel_edges.inc"
+//
+#include "kernel_paint.inc"
 //
 #include "kernel.inc"
 
@@ -215,7 +250,8 @@ std::int64_t draw_small(Canvas&, const View&, bool, SmallPolygons& polygons,
 
 }  // namespace
 
-const Kernel kPlainKernel = {draw, draw_lines, draw_small, any_open, fill_rest};
+const Kernel kPlainKernel = {draw,     draw_lines, draw_small,
+                             any_open, leave_leaf, fill_rest};
 
 const Kernel& best_kernel() {
 #if defined(__x86_64__)

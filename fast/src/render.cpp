@@ -57,9 +57,10 @@ BandResult render_band(const Frame& frame, Screen& screen) {
   const Node* waiting = nullptr;
   const auto draw_waiting = [&] {
     if (waiting == nullptr) return;
-    screen.enter_leaf();
+    // One fragment hides nothing of its own.
+    const auto first = static_cast<std::size_t>(waiting->first_fragment);
+    if (tree.fragments[first].next != kNoFragment) screen.enter_leaf();
     drawer.draw_leaf(*waiting, side_of_source);
-    screen.leave_leaf();
     waiting = nullptr;
   };
   const auto show = [&](const Node& node, int sign) {
@@ -78,9 +79,7 @@ BandResult render_band(const Frame& frame, Screen& screen) {
   };
   walk_front_to_back(tree, eye_side, enter, show);
   draw_waiting();
-  const Rgb background = frame.image.background;
-  const std::int64_t unlit = frame.kernel.fill_rest(
-      canvas, {kBackground, {background.r, background.g, background.b}});
+  const std::int64_t unlit = drawer.fill_rest(frame.image.background);
   const std::int64_t all =
       std::int64_t{canvas.columns.end - canvas.columns.first} *
       (canvas.lines.end - canvas.lines.first);
@@ -92,11 +91,9 @@ template <int kBits>
 BandResult paint_band(const Frame& frame, Screen& screen) {
   const BspTree& tree = frame.reader.tree();
   Canvas& canvas = screen.canvas();
-  const Rgb background = frame.image.background;
-  frame.kernel.fill_rest(
-      canvas, {kBackground, {background.r, background.g, background.b}});
-  canvas.overwrite = true;
   Drawer<kBits> drawer(frame, canvas);
+  drawer.fill_rest(frame.image.background);
+  canvas.overwrite = true;
   FilterStats stats;
   std::vector<std::int32_t> scratch;
   const EyeSide eye_side(frame.reader, frame.view, frame.camera, stats);

@@ -55,6 +55,7 @@ std::vector<ObjectSegment> scan_convert(const Scene& scene,
   image.items = ItemImage(data.width_px, data.height_px, kBackground);
   Screen screen({0, 0, data.width_px, data.height_px}, {0, data.height_px},
                 image, false);
+  screen.canvas().overwrite = true;
   with_grid(scene.grid_bits(), [&](auto bits) {
     Drawer<bits()> drawer(frame, screen.canvas());
     drawer.draw(tree.fragments[0], static_cast<int>(side));

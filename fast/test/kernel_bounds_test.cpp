@@ -98,6 +98,8 @@ Decider decider_of(Asked& asked) {
   return decider;
 }
 
+constexpr Ink kBlank = {kBackground, {0, 0, 0}, 0, false, 0};
+
 /// A blank image with its screen.
 struct Paper {
   Paper() {
@@ -217,6 +219,7 @@ TEST(KernelBounds, OutlinesAskWhereTheirErrorMatters) {
                    {x.data(), y.data(), static_cast<std::int32_t>(p.size()),
                     error, turn > 0 ? 1 : -1},
                    asked.ink, decider_of(asked));
+      kernel->fill_rest(paper.canvas(), kBlank, decider_of(asked));
       expect_told(all, asked, paper.result.items, changed);
       if (HasFatalFailure()) return;
     }
@@ -258,6 +261,8 @@ std::unique_ptr<Small> draw_small(const Polygon& p, double error, bool cull) {
   result->displayed =
       best_kernel().draw_small(result->paper.canvas(), plain_view(error), cull,
                                polygons, decider_of(result->asked));
+  best_kernel().fill_rest(result->paper.canvas(), kBlank,
+                          decider_of(result->asked));
   result->is_left = polygons.left_count > 0;
   return result;
 }

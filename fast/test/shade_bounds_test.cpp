@@ -27,8 +27,8 @@ Decider decider_of(Asked& asked) {
   decider.gradient = [](void* context) -> const Gradient& {
     return static_cast<Asked*>(context)->gradient;
   };
-  decider.shade = [](void* context, std::int32_t x, std::int32_t y,
-                     std::uint32_t bits) {
+  decider.shade = [](void* context, const Ink&, std::int32_t x, std::int32_t y,
+                     std::uint32_t bits, std::uint8_t*, std::int64_t) {
     for (std::int32_t k = 0; k < 32; ++k) {
       if (((bits >> k) & 1u) == 0) continue;
       static_cast<Asked*>(context)
@@ -88,6 +88,7 @@ void expect_told(const Kernel& kernel, const Gradient& gradient,
   Ink ink;
   ink.smooth = true;
   kernel.draw(screen.canvas(), {x, y, 4, 0, 1}, ink, decider_of(asked));
+  kernel.fill_rest(screen.canvas(), {}, decider_of(asked));
   const Gradient& g = gradient;
   for (std::int32_t j = 0; j < kHeight; ++j) {
     for (std::int32_t i = 0; i < kWidth; ++i) {

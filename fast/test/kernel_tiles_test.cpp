@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "kernel.hpp"
+#include "screen.hpp"
+
+/// What tiles show of rectangles with corners between pixels, drawn one after
+/// another: so many that a tile takes more pieces than it keeps.
+namespace halfspace::fast {
+namespace {
+
+constexpr std::int32_t kWidth = 100;
+constexpr std::int32_t kHeight = 60;
+constexpr Rgb kGrey = {9, 9, 9};
+
+Rgb color_of(PolygonId id) {
+  if (id == kBackground) return kGrey;
+  const auto level = static_cast<std::uint8_t>(id);
+  return {level, 1, level};
+}
+
+Ink ink_of(PolygonId id) {
+  const Rgb color = color_of(id);
+  return {id, {color.r, color.g, color.b}, 1, false, 0};
+}
+
+/// A decider for leaves in which the lowest id is nearest.
+Decider decider_of(PolygonId& at_hand) {
+  Decider decider{};
+  decider.nearer = [](void* context, std::int32_t other, std::int32_t,
+                      std::int32_t, std::uint32_t* lit) {
+    if (other < *static_cast<PolygonId*>(context)) {
+      std::fill_n(lit, kTileHeight, 0u);
+    }
+  };
+  decider.context = &at_hand;
+  return decider;
+}
+
+class Random {
+ public:
+  std::int32_t below(std::int32_t end) {
+    return static_cast<std::int32_t>(engine_() %
+                                     static_cast<std::uint64_t>(end));
+  }
+  Rectangle rectangle(bool small) {
+    const std::int32_t left = below(kWidth);
+    const std::int32_t top = below(kHeight);
+    return {left, top, left + 1 + below(small ? 8 : 60),
+            top + 1 + below(small ? 4 : 40)};
+  }
+
+ private:
+  std::mt19937_64 engine_{17};
+};
+
+/// The part of an image that is wanted, drawn by a kernel and pixel by pixel.
+class Both {
+ public:
+  Both(const Kernel& kernel, const Rectangle& wanted)
+      : kernel_(kernel),
+        wanted_(wanted),
+        expected_(wanted.right - wanted.left, wanted.bottom - wanted.top,
+                  kBackground),
+        result_(blank(expected_)),
+        screen_(wanted, {wanted.top, wanted.bottom}, result_, true) {}
+
+  void enter_leaf(std::int32_t most_pieces) {
+    screen_.enter_leaf();
+    screen_.canvas().most_pieces = most_pieces;
+    before_ = expected_;
+    in_leaf_ = true;
+  }
+
+  void leave_leaf() {
+    kernel_.leave_leaf(screen_.canvas(), decider_of(at_hand_));
+    in_leaf_ = false;
+  }
+
+  void draw(const Rectangle& r, PolygonId id) {
+    at_hand_ = id;
+    const double x[4] = {double(r.left), double(r.right), double(r.right),
+                         double(r.left)};
+    const double y[4] = {double(r.top), double(r.top), double(r.bottom),
+                         double(r.bottom)};
+    kernel_.draw(screen_.canvas(), {x, y, 4, 0x1p-20, 1}, ink_of(id),
+                 decider_of(at_hand_));
+    for (std::int32_t j = std::max(r.top, wanted_.top);
+         j < std::min(r.bottom, wanted_.bottom); ++j) {
+      for (std::int32_t i = std::max(r.left, wanted_.left);
+           i < std::min(r.right, wanted_.right); ++i) {
+        light(i - wanted_.left, j - wanted_.top, id);
+      }
+    }
+  }
+
+  void expect_same() {
+    const std::int64_t unlit = kernel_.fill_rest(
+        screen_.canvas(), ink_of(kBackground), decider_of(at_hand_));
+    ASSERT_EQ(unlit, std::count(expected_.pixels.begin(),
+                                expected_.pixels.end(), kBackground));
+    ASSERT_EQ(result_.items, expected_);
+    for (std::size_t k = 0; k < expected_.pixels.size(); ++k) {
+      ASSERT_EQ(result_.colors.pixels[k], color_of(expected_.pixels[k])) << k;
+    }
+  }
+
+  std::size_t contested() const { return contested_; }
+
+ private:
+  static Rendering blank(const ItemImage& like) {
+    Rendering result;
+    result.items = ItemImage(like.width_px, like.height_px, -7);
+    result.colors = ColorImage(like.width_px, like.height_px, Rgb{7, 7, 7});
+    return result;
+  }
+
+  void light(std::int32_t i, std::int32_t j, PolygonId id) {
+    PolygonId& shown = expected_.at(i, j);
+    const bool contested =
+        in_leaf_ && shown != kBackground && before_.at(i, j) == kBackground;
+    contested_ += contested ? 1 : 0;
+    if (shown == kBackground || (contested && id < shown)) shown = id;
+  }
+
+  const Kernel& kernel_;
+  Rectangle wanted_;
+  ItemImage expected_;
+  ItemImage before_;
+  Rendering result_;
+  Screen screen_;
+  PolygonId at_hand_ = 0;
+  bool in_leaf_ = false;
+  std::size_t contested_ = 0;
+};
+
+TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
+  const Kernel* const kernels[] = {&kPlainKernel, &best_kernel()};
+  Random random;
+  std::size_t contested = 0;
+  for (int round = 0; round < 200; ++round) {
+    SCOPED_TRACE(round);
+    Both both(*kernels[round % 2],
+              {random.below(40), random.below(12), kWidth - random.below(10),
+               kHeight - random.below(20)});
+    for (std::int32_t k = 0; k < 150; ++k) {
+      // Leaves of ten, every other time; ids mixed within them.
+      const bool leaf = round % 4 < 2 && k / 10 % 2 == 1;
+      if (leaf && k % 10 == 0) {
+        both.enter_leaf(round % 8 < 4 ? 1 : kMostPieces);
+      }
+      both.draw(random.rectangle(round % 3 == 0),
+                leaf ? k / 10 * 10 + k * 7 % 10 : k);
+      if (leaf && k % 10 == 9) both.leave_leaf();
+    }
+    both.expect_same();
+    if (HasFatalFailure()) return;
+    contested += both.contested();
+  }
+  EXPECT_GT(contested, 1000u);
+}
+
+}  // namespace
+}  // namespace halfspace::fast
