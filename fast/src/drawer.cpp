@@ -44,19 +44,25 @@ Drawer<kBits>::Drawer(const Frame& frame, Canvas& canvas)
 }
 
 template <int kBits>
-void Drawer<kBits>::prefetch(const Node& leaf) const {
+void Drawer<kBits>::prefetch(const TreeFragment& fragment) const {
   const SceneData& scene = frame_.reader.scene().data();
+  for (const Corner& corner : frame_.reader.corners(fragment)) {
+    __builtin_prefetch(frame_.reader.address(corner.vertex));
+  }
+  const auto source = static_cast<std::size_t>(fragment.source);
+  if (gouraud_) {
+    __builtin_prefetch(scene.first_corner.data() + source);
+  } else {
+    __builtin_prefetch(scene.colors.data() + source);
+  }
+}
+
+template <int kBits>
+void Drawer<kBits>::prefetch(const Node& leaf) const {
+  int count = 0;
   for_fragments(frame_.reader.tree(), leaf, [&](const TreeFragment& fragment) {
-    for (const Corner& corner : frame_.reader.corners(fragment)) {
-      __builtin_prefetch(frame_.reader.address(corner.vertex));
-    }
-    const auto source = static_cast<std::size_t>(fragment.source);
-    if (gouraud_) {
-      __builtin_prefetch(scene.first_corner.data() + source);
-    } else {
-      __builtin_prefetch(scene.colors.data() + source);
-    }
-    return true;
+    prefetch(fragment);
+    return ++count < kAhead;
   });
 }
 

@@ -48,7 +48,17 @@ class Drawer {
   /// Draws the fragments of a leaf, whose order does not matter.
   template <class EyeSide>
   void draw_leaf(const Node& leaf, EyeSide&& eye_side) {
-    for_fragments(frame_.reader.tree(), leaf, [&](const TreeFragment& f) {
+    const BspTree& tree = frame_.reader.tree();
+    std::int32_t ahead = leaf.first_fragment;
+    for (int k = 0; k < kAhead && ahead != kNoFragment; ++k) {
+      ahead = tree.fragments[static_cast<std::size_t>(ahead)].next;
+    }
+    for_fragments(tree, leaf, [&](const TreeFragment& f) {
+      if (ahead != kNoFragment) {
+        const auto& later = tree.fragments[static_cast<std::size_t>(ahead)];
+        prefetch(later);
+        ahead = later.next;
+      }
       if (f.corner_count > 4) {
         draw_any(f, eye_side);
         return true;
@@ -72,7 +82,7 @@ class Drawer {
     return frame_.kernel.fill_rest(canvas_, ink, decider_);
   }
 
-  /// Asks for the memory that drawing the leaf will read.
+  /// Asks for the memory that drawing the leaf will read first.
   void prefetch(const Node& leaf) const;
 
   std::size_t pixels() const { return pixels_; }
@@ -92,6 +102,11 @@ class Drawer {
   };
 
   void gather(const TreeFragment& fragment, Gathered& gathered) const;
+
+  /// So many fragments ahead memory is asked for: more at a time than can be
+  /// under way is asked for in vain.
+  static constexpr int kAhead = 16;
+  void prefetch(const TreeFragment& fragment) const;
 
   /// Fewer than this are sooner drawn one by one.
   static constexpr std::int32_t kFew = 4;
