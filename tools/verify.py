@@ -73,14 +73,15 @@ def law_of(test):
     return f"S{match[1]}.L{match[2]}" if match else test
 
 
-def chosen(tests, law, implementation):
-    """The tests of a law, or of a clause file, or of all."""
+def chosen(tests, laws, implementation):
+    """The tests of some laws, or of clause files, or of all."""
     def fits(test):
         number = test.partition("/")[2].partition(".")[0]
         if implementation and number != IMPLEMENTATIONS[implementation]:
             return False
         name = law_of(test)
-        return not law or name == law or name.startswith(law + ".")
+        return not laws or any(
+            name == law or name.startswith(law + ".") for law in laws)
     return [test for test in tests if fits(test)]
 
 
@@ -294,7 +295,9 @@ def report(summary):
 def parse(words):
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--law", default="", help="S4, or S4.L3; else all")
+    parser.add_argument("--law", action="append", default=[],
+                        help="S4, or S4.L3; more than once for several; "
+                        "else all")
     parser.add_argument("--impl", choices=IMPLEMENTATIONS, default=None)
     parser.add_argument("--seconds", type=float, default=0)
     parser.add_argument("--cases", type=int, default=0)
@@ -335,9 +338,13 @@ def main(words):
         report(summary)
         return 1 if summary["failures"] else 0
     parser, arguments = parse(words)
-    tests = chosen(tests_of(arguments.program), arguments.law, arguments.impl)
+    tests = tests_of(arguments.program)
+    for law in arguments.law:
+        if not chosen(tests, [law], arguments.impl):
+            parser.error(f"there is no law {law}")
+    tests = chosen(tests, arguments.law, arguments.impl)
     if not tests:
-        parser.error(f"there is no law {arguments.law}")
+        parser.error("there are no laws")
     if arguments.list:
         print("\n".join(f"{law_of(test):8} {test}" for test in tests))
         return 0

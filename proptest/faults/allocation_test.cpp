@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../agree_scenes.hpp"
+#include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
@@ -140,6 +141,17 @@ std::vector<Task> tasks() {
          const auto a = ref::to_solid(solid);
          const auto both = ref::boolean(BooleanOp::kIntersection, a, a, {});
          return std::to_string(both.faces.size());
+       }},
+      {"the fast library's boolean",
+       [solid] {
+         const auto a = fast::to_solid(solid);
+         const auto half = fast::half_space(
+             {GridPoint{1, 0, 0}, GridPoint{1, 1, 0}, GridPoint{1, 0, 1}}, a);
+         const auto part = fast::boolean(BooleanOp::kIntersection, a, half);
+         const auto rest = fast::boolean(BooleanOp::kDifference, a, part);
+         return std::to_string(part.faces.size()) + " " +
+                std::to_string(
+                    fast::merged(rest, fast::Merge::kPlane).faces.size());
        }},
   };
 }
