@@ -82,7 +82,8 @@ def copy(place):
     for name in ("spec", "docs", "fuzz"):
         shutil.copytree(ROOT / name, place / name,
                         ignore=shutil.ignore_patterns("*.vo*", "*.glob"))
-    for name in (FUNCTIONS, "fast/src/filter.hpp", "fast/src/exact.hpp"):
+    for name in (FUNCTIONS, "fast/src/filter.hpp", "fast/src/exact.hpp",
+                 "fast/src/view.cpp"):
         (place / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, place / name)
     tests, report = [], []
