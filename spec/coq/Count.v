@@ -106,6 +106,42 @@ Proof.
     inversion D' as [|? ? N _]; destruct N; now left.
 Qed.
 
+(** Whether an edge is the splitter's. *)
+Definition named (splitter : Z) (name : Split.EdgeName) : bool :=
+  match name with
+  | Split.kSplitter polygon => Z.eqb polygon splitter
+  | Split.kSource _ => false
+  end.
+
+(** The cut comes to the positive part where the boundary leaves, and to the
+    negative part where it comes back. *)
+Lemma cuts_along : forall h first l k,
+  let walk := Split.walk_from (side_of h first) k (map (side_of h) l) in
+  count Split.cut (filter (fun s => side_eqb (Split.part s) kPositive) walk) =
+  count (leaves h) (along (l ++ [first])) /\
+  count Split.cut (filter (fun s => side_eqb (Split.part s) kNegative) walk) =
+  count (comes_back h) (along (l ++ [first])).
+Proof.
+  intros h first; induction l as [|p l IH]; intros k; [split; reflexivity|].
+  assert (forall q,
+    count Split.cut (filter (fun s => side_eqb (Split.part s) kPositive)
+      (Split.step k (side_of h p) (side_of h q))) = count (leaves h) [(p, q)] /\
+    count Split.cut (filter (fun s => side_eqb (Split.part s) kNegative)
+      (Split.step k (side_of h p) (side_of h q))) =
+    count (comes_back h) [(p, q)]) as One.
+  { intros q; unfold count, leaves, comes_back; simpl.
+    destruct (side_of h p), (side_of h q); split; reflexivity. }
+  destruct l as [|q l]; [exact (One first)|].
+  destruct (One q) as [A B], (IH (S k)) as [A' B'].
+  change (along ((p :: q :: l) ++ [first])) with
+    ([(p, q)] ++ along ((q :: l) ++ [first])).
+  change (Split.walk_from (side_of h first) k (map (side_of h) (p :: q :: l)))
+    with (Split.step k (side_of h p) (side_of h q) ++
+          Split.walk_from (side_of h first) (S k) (map (side_of h) (q :: l))).
+  unfold count in *; rewrite !filter_app, !app_length.
+  rewrite <- A, <- B, <- A', <- B'; split; reflexivity.
+Qed.
+
 (** ** A polygon that spans a plane *)
 
 Section Parts.
@@ -218,6 +254,43 @@ Proof.
   pose proof (Split.parts_share_the_walk f h splitter walk_has_sides) as S.
   simpl in *; rewrite S, Split.edges_of_both_parts by exact P.
   unfold Split.sides_of; rewrite map_length; reflexivity.
+Qed.
+
+(** S2.L7: a part gets one new edge, named for the splitter. *)
+Theorem one_new_edge : forall side splitter, side <> kOn ->
+  length (Split.edges f) = length corners ->
+  (forall e, In e (Split.edges f) -> e <> Split.kSplitter splitter) ->
+  count (named splitter) (Split.edges (Split.part_of side f h splitter)) =
+  1%nat.
+Proof.
+  intros side splitter N L Fresh; unfold Split.part_of; simpl.
+  set (steps := filter (fun s => side_eqb (Split.part s) side)
+                  (Split.walk (Split.sides_of f h))).
+  assert (forall s, In s steps -> named splitter (Split.edge_of f splitter s) =
+          Split.cut s) as E.
+  { intros s I; apply filter_In in I; destruct I as [I _].
+    destruct (Split.walk_tells _ s I) as (here & there & A & _ & _).
+    unfold Split.edge_of; destruct (Split.cut s).
+    - simpl; apply Z.eqb_refl.
+    - assert (Split.at_ s < length (Split.edges f))%nat as K.
+      { rewrite L; unfold Split.sides_of in A; rewrite nth_error_map in A.
+        apply nth_error_Some; intros O; rewrite O in A; discriminate. }
+      specialize (Fresh _ (nth_In _ (Split.kSplitter splitter) K)).
+      destruct (nth (Split.at_ s) (Split.edges f) (Split.kSplitter splitter));
+        simpl; [reflexivity|].
+      apply Z.eqb_neq; intros ->; now apply Fresh. }
+  assert (count (named splitter) (map (Split.edge_of f splitter) steps) =
+          count Split.cut steps) as ->.
+  { unfold count; revert E; generalize steps; clear.
+    induction steps as [|s l IH]; intros E; simpl; [reflexivity|].
+    rewrite (E s (or_introl eq_refl)).
+    specialize (IH (fun t I => E t (or_intror I))).
+    destruct (Split.cut s); simpl; now rewrite IH. }
+  unfold steps, Split.walk, Split.sides_of; clear E steps.
+  pose proof leaves_once as P; pose proof comes_back_once as Q.
+  unfold round in P, Q; destruct corners as [|p l]; [discriminate|].
+  destruct (cuts_along h p (p :: l) 0) as [X Y]; simpl map in *.
+  destruct side; [rewrite Y; exact Q | easy | rewrite X; exact P].
 Qed.
 
 (** S2.2: a part has as many corners as edges. *)
