@@ -7,9 +7,11 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/splitter.hpp"
+#include "halfspace/fast/traverse.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/split.hpp"
 #include "halfspace/ref/splitter.hpp"
+#include "halfspace/ref/traverse.hpp"
 
 namespace halfspace::agree {
 namespace {
@@ -113,6 +115,56 @@ TEST(AgreeTree, InsertionIntoABuiltTreeGivesTheReferences) {
     fast::insert(tree, scene, id);
   }
   EXPECT_EQ(fast::name_of(tree), ref::name_of(expected));
+}
+
+TEST(AgreeTree, PlanesAreTheReferences) {
+  Draws draws(5);
+  for (const Kind kind : kKinds) {
+    const Scene scene = random_scene(kind, 26, 20, draws);
+    const auto expected = ref::planes_of(scene);
+    const auto planes = fast::planes_of(scene);
+    ASSERT_EQ(planes.size(), expected.size());
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      // Normals of this grid are exact as doubles, offsets are rounded.
+      EXPECT_EQ(planes[p].a, nearest_double(expected[p].a));
+      EXPECT_EQ(planes[p].b, nearest_double(expected[p].b));
+      EXPECT_EQ(planes[p].c, nearest_double(expected[p].c));
+      EXPECT_DOUBLE_EQ(planes[p].d, nearest_double(expected[p].d));
+    }
+  }
+}
+
+/// Both orders, up to the fragment at which the display wants no more.
+TEST(AgreeTree, AWalkStopsWhereTheDisplayDoes) {
+  std::size_t stopped = 0;
+  const auto compare = [&](const Scene& scene, const Camera& camera) {
+    const ref::BspTree expected = ref::build(scene, {});
+    const fast::BspTree tree = fast::build(scene, {});
+    for (std::size_t most = 1; most < 9; ++most) {
+      std::vector<PolygonId> of_ref[2], of_fast[2];
+      const auto show = [&](std::vector<PolygonId>& shown) {
+        return [&shown, most](const auto&, const auto& fragment) {
+          shown.push_back(fragment.source);
+          return shown.size() < most;
+        };
+      };
+      ref::front_to_back(expected, camera, show(of_ref[0]));
+      fast::front_to_back(tree, scene, camera, show(of_fast[0]));
+      ref::back_to_front(expected, camera, show(of_ref[1]));
+      fast::back_to_front(tree, scene, camera, show(of_fast[1]));
+      EXPECT_EQ(of_fast[0], of_ref[0]);
+      EXPECT_EQ(of_fast[1], of_ref[1]);
+      EXPECT_LE(of_ref[1].size(), most);
+      if (of_ref[1].size() == most) ++stopped;
+    }
+  };
+  for_scenes(12, 2, [&](const Scene& scene, Draws& draws) {
+    compare(scene, random_camera(Kind::kFaces, scene, 8, 6, draws));
+  });
+  EXPECT_GT(stopped, 100u);
+  Draws draws(9);
+  const Scene some = random_scene(Kind::kSmall, 26, 4, draws);
+  compare(Scene(), random_camera(Kind::kSmall, some, 8, 6, draws));
 }
 
 /// Cuts polygons again and again, and compares all answers on the way.

@@ -47,7 +47,8 @@ FILES = [
     "ref/src/shade.cpp", "ref/src/classify.cpp", "ref/src/boolean.cpp",
     "fast/src/merge.cpp", "fast/src/split.cpp", "fast/src/geometry.cpp",
     "fast/src/predicate.cpp", "fast/src/splitter.cpp",
-    "fast/src/traverse.cpp", "fast/src/insert.cpp",
+    "fast/src/traverse.cpp", "fast/src/insert.cpp", "fast/src/screen.cpp",
+    "fast/src/boolean_parts.cpp", "fast/src/boolean_emit.cpp",
 ]
 
 # The source by which a header with functions of its own is compiled.
@@ -65,7 +66,17 @@ OTHERS = {
 QUICK = [("vectors_test", "*Implementations*"), ("ref_test", "*"),
          ("fast_test", "*")]
 LAWS = [("exhaustive_test", "*Word*"), ("agree_tree_test", "*"),
-        ("agree_image_test", "*"), ("proptest", "S*/*")]
+        ("agree_image_test", "*"), ("agree_boolean_test", "*"),
+        ("proptest", "S*/*")]
+
+# The tests that look at these files, where not all do.
+TESTS_OF = {
+    "fast/src/boolean": {"agree_boolean_test": "*",
+                         "fast_test": "FastBoolean*:FastChain*"},
+    "fast/src/screen": {"vectors_test": "*Implementations*",
+                        "fast_test": "DisplayTree*:Near*",
+                        "agree_image_test": "*"},
+}
 
 # The laws that look at a file, where not all do.
 LAWS_OF = {
@@ -387,6 +398,14 @@ def plan_for(path, programs):
     for target, filter_ in QUICK + LAWS:
         if target not in programs or f"{room}_test" != target in (
                 "ref_test", "fast_test"):
+            continue
+        chosen = next((tests for start, tests in TESTS_OF.items()
+                       if path.startswith(start)), None)
+        if chosen is not None:
+            if target not in chosen:
+                continue
+            filter_ = chosen[target]
+        elif target == "agree_boolean_test":
             continue
         if target == "proptest":
             laws = LAWS_OF.get(pathlib.Path(path).stem, "S*").split(":")

@@ -120,6 +120,7 @@ int Engine::level_before(std::size_t o, bool member) const {
   }
   if (!any) return member ? 1 : 0;
   // Faces back to back, and nothing else, are amid the operand.
+  // Never true: no operand's own faces overlap (S6.2).
   return least == most ? 1 : -least;
 }
 
@@ -132,8 +133,11 @@ const Wing& Engine::source_of(std::size_t first, std::size_t last,
   for (const std::int32_t o : {1, 0}) {
     for (std::size_t k = first; k < last; ++k) {
       if (wings_[k].operand != o) continue;
-      if (source == nullptr || wings_[k].turned == turned ||
-          source->turned != turned)
+      const bool is_right = wings_[k].turned == turned;
+      // Never false: the first operand's face turns as the result's does, for
+      // no operand's own faces overlap (S6.2).
+      // Never true: so what the other one does is not asked.
+      if (source == nullptr || is_right || source->turned != turned)
         source = &wings_[k];
     }
   }

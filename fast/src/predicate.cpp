@@ -42,6 +42,7 @@ std::array<GridPoint, 3> plane_corners(const Scene& scene, PolygonId id) {
   const auto at = [&](std::size_t i) -> const GridPoint& {
     return scene.point(corners[i % count]);
   };
+  // Never false: some corner turns, since a polygon has an area.
   for (std::size_t i = 0; i < count; ++i) {
     // A triangle has an area, so all its corners turn.
     if (count == 3 ||

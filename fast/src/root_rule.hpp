@@ -69,6 +69,7 @@ inline std::pair<std::uint64_t, std::uint64_t> root_cost(
                                       : counts.negative - counts.positive;
   const std::uint64_t not_cutting = polygon_count - counts.in_degree;
   switch (options.rule) {
+    // Never reached: choose_root() does not ask.
     case RootRule::kFirst:
       break;
     case RootRule::kRandom:
@@ -86,6 +87,7 @@ inline std::pair<std::uint64_t, std::uint64_t> root_cost(
     case RootRule::kH6:
       return {options.cut_weight * counts.out_degree + imbalance, 0};
   }
+  // Never reached: no other rule comes here.
   return {0, 0};
 }
 

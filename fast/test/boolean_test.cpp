@@ -154,9 +154,7 @@ TEST(FastBoolean, ManyPairsOfSolidsOfCubes) {
   }
 }
 
-/// A block in six faces of one colour.
-Solid block(const std::array<int, 3>& low, const std::array<int, 3>& high,
-            Rgb color, const Solid* with) {
+Cubes cubes_of(const std::array<int, 3>& low, const std::array<int, 3>& high) {
   Cubes cubes;
   for (int i = low[0]; i < high[0]; ++i) {
     for (int j = low[1]; j < high[1]; ++j) {
@@ -165,7 +163,13 @@ Solid block(const std::array<int, 3>& low, const std::array<int, 3>& high,
             (i * lattice::kSize + j) * lattice::kSize + k)] = true;
     }
   }
-  const auto surface = lattice::surface(cubes);
+  return cubes;
+}
+
+/// A block in six faces of one colour.
+Solid block(const std::array<int, 3>& low, const std::array<int, 3>& high,
+            Rgb color, const Solid* with) {
+  const auto surface = lattice::surface(cubes_of(low, high));
   Solid solid =
       merged(with != nullptr ? to_solid(surface, *with) : to_solid(surface),
              Merge::kPlane);
@@ -200,6 +204,32 @@ TEST(FastBoolean, WhatIsLeftOfAFaceIsOneFaceAndTheFirstOnesWhereTheyMeet) {
   EXPECT_EQ(boolean(BooleanOp::kIntersection, large, small).faces.size(), 6u);
   EXPECT_EQ(count_color(boolean(BooleanOp::kIntersection, large, small), red),
             1u);
+}
+
+TEST(FastBoolean, OfComplementsAreTheComplements) {
+  std::uint64_t state = 3;
+  for (int pair = 0; pair < 4; ++pair) {
+    // The first pair: faces of a large one that a small one touches amid.
+    const Cubes a = pair == 0 ? cubes_of({1, 1, 0}, {3, 3, 2})
+                              : lattice::random_cubes(2, state);
+    const Cubes b = pair == 0 ? cubes_of({0, 0, 0}, {4, 4, 4})
+                              : lattice::random_cubes(4, state);
+    const Solid first = merged(to_solid(lattice::surface(a)), Merge::kPlane);
+    const Solid second =
+        merged(to_solid(lattice::surface(b), first), Merge::kPlane);
+    const auto expect = [&](BooleanOp operation, const Solid& x, const Solid& y,
+                            const Cubes& cubes) {
+      const Solid result = boolean(operation, x, y);
+      EXPECT_TRUE(result.unbounded);
+      ASSERT_NO_FATAL_FAILURE(expect_cubes(complement(result), cubes));
+    };
+    expect(BooleanOp::kDifference, complement(first), second,
+           combined(BooleanOp::kUnion, a, b));
+    expect(BooleanOp::kUnion, complement(first), complement(second),
+           combined(BooleanOp::kIntersection, a, b));
+    expect(BooleanOp::kUnion, complement(first), second,
+           combined(BooleanOp::kDifference, a, b));
+  }
 }
 
 /// The octahedron of radius 4 about a point.

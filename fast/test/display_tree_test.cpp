@@ -201,6 +201,23 @@ TEST(DisplayTree, IsDividedOnTheWidestGridToo) {
   EXPECT_GT(tree.nodes.size(), 250u);
 }
 
+TEST(DisplayTree, OfLeavesWithoutPolygonsIsDividedToo) {
+  BspTree leaf;
+  leaf.nodes.emplace_back();
+  leaf.nodes[0].splitter = kNoPlane;
+  BspTree tree = leaf;
+  divide_leaves(tree, Scene());
+  EXPECT_TRUE(tree.nodes.empty());
+  const Scene scene = strewn(3, 1 << 10, 26);
+  tree = leaf;
+  divide_leaves(tree, scene);
+  ASSERT_EQ(tree.nodes.size(), 1u);
+  EXPECT_EQ(tree.nodes[0].first_fragment, kNoFragment);
+  // It can be inserted into.
+  insert(tree, scene, 1);
+  EXPECT_EQ(stats(tree).fragments, 1u);
+}
+
 TEST(DisplayTree, TellsHowFarItIs) {
   const Scene scene = strewn(40000, 1 << 19, 26);
   DisplayTreeOptions options;

@@ -37,6 +37,7 @@ Fragment whole(const Scene& scene, PolygonId id) {
 
 Plane plane_of(const std::vector<Point>& vertices) {
   const std::size_t count = vertices.size();
+  // Never false: some corner turns, since a polygon has an area.
   for (std::size_t i = 0; i < count; ++i) {
     const Point& p0 = vertices[i];
     const Point& p1 = vertices[(i + 1) % count];

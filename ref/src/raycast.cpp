@@ -153,7 +153,9 @@ std::optional<Hit> meet(const Ray& ray, const Polygon& polygon) {
   hit.weight = ray.perspective ? at_eye - at_s : at_eye;
   hit.point = times(polygon.at_eye, ray.s) - times(at_s, ray.eye);
   const int orientation = sign(hit.weight);
-  if (orientation == 0) return std::nullopt;  // parallel
+  // Never true: no plane is parallel to every ray, nor to one at a sample; of
+  // those that are so in an orthographic view can_be_seen() leaves none.
+  if (orientation == 0) return std::nullopt;
   hit.depth = Rational(orientation) * hit.depth;
   hit.weight = Rational(orientation) * hit.weight;
   hit.point = times(Rational(orientation), hit.point);
@@ -189,7 +191,9 @@ bool is_before(const Hit& a, const Hit& b) {
 bool hits_first(const Ray& ray, const Polygon& polygon, const Camera& camera,
                 std::optional<Hit>& first) {
   std::optional<Hit> hit = meet(ray, polygon);
-  if (!hit || !is_seen(*hit, camera)) return false;
+  // Never true: see meet().
+  if (!hit) return false;
+  if (!is_seen(*hit, camera)) return false;
   if (first && !is_before(*hit, *first)) return false;
   if (!is_inside(*hit, polygon)) return false;
   first = std::move(hit);

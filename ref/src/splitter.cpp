@@ -76,6 +76,7 @@ std::pair<std::uint64_t, std::uint64_t> cost(const Counts& counts,
                                              const BuildOptions& options) {
   const std::uint64_t not_cutting = polygon_count - counts.in_degree;
   switch (options.rule) {
+    // Never reached: choose_root() does not ask.
     case RootRule::kFirst:
       return {0, 0};
     case RootRule::kRandom:

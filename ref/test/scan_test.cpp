@@ -5,6 +5,9 @@
 #include <algorithm>
 
 #include "halfspace/image.hpp"
+#include "halfspace/ref/build.hpp"
+#include "halfspace/ref/painter.hpp"
+#include "halfspace/ref/raycast.hpp"
 #include "scenes.hpp"
 
 namespace halfspace::ref {
@@ -221,6 +224,53 @@ TEST(RefScan, AnEyeAtInfinityHasANearDistanceOnlyIfGivenOne) {
   EXPECT_EQ(whole_image(camera), seen(upright, camera));
   camera.near = -2 * 65536;  // z < 2
   EXPECT_EQ((Span{1, 5}), seen(upright, camera)[0].span);
+}
+
+/// Two rectangles that cross, one over both, and one seen from behind.
+const Polygons kFour = {{{0, 0, 0}, {6, 0, 6}, {6, 4, 6}, {0, 4, 0}},
+                        {{0, 0, 3}, {6, 0, 3}, {6, 4, 3}, {0, 4, 3}},
+                        {{1, 1, 9}, {3, 1, 9}, {3, 3, 9}, {1, 3, 9}},
+                        {{4, 4, 9}, {6, 4, 9}, {6, 0, 9}, {4, 0, 9}}};
+
+TEST(RefRaycast, ARayAloneSeesWhatItSeesInTheImage) {
+  const Scene scene = scene_of(kFour);
+  const Camera camera = camera_of(from_above(7, 5));
+  const std::vector<PolygonId> all = {0, 1, 2, 3};
+  const std::vector<PolygonId> some = {1, 3};
+  for (const bool cull : {false, true}) {
+    const ImageOptions options{.cull = cull};
+    const ItemImage image = raycast(scene, camera, options).items;
+    for (std::int32_t j = 0; j < 5; ++j) {
+      for (std::int32_t i = 0; i < 7; ++i) {
+        EXPECT_EQ(image.at(i, j),
+                  raycast_at(scene, camera, options, i, j, all));
+        const PolygonId found = raycast_at(scene, camera, options, i, j, some);
+        EXPECT_TRUE(found == kBackground || found == 1 || found == 3);
+      }
+    }
+    EXPECT_EQ(cull ? 0 : 3, raycast_at(scene, camera, options, 5, 2, all));
+    EXPECT_EQ(cull ? 1 : 3, raycast_at(scene, camera, options, 5, 2, some));
+    EXPECT_EQ(2, raycast_at(scene, camera, options, 2, 2, all));
+  }
+}
+
+TEST(RefPainter, ABlendIsBetweenNothingAndThePainting) {
+  const Scene scene = scene_of(kFour);
+  const Camera camera = camera_of(from_above(7, 5));
+  const BspTree tree = build(scene, {});
+  const ImageOptions options{.background = {200, 100, 0}};
+  const Rendering painted = paint(scene, tree, camera, options);
+  const Rendering opaque = blend(scene, tree, camera, options, kOpaque);
+  EXPECT_EQ(painted.items, opaque.items);
+  EXPECT_EQ(painted.colors, opaque.colors);
+  const Rendering unseen = blend(scene, tree, camera, options, 0);
+  EXPECT_EQ(painted.items, unseen.items);
+  for (const Rgb& color : unseen.colors.pixels)
+    EXPECT_EQ(options.background, color);
+  // One over the other at pixel (2, 2): 0, 1 and 2 have 10 of green.
+  const Rendering half = blend(scene, tree, camera, options, 51);
+  // 0.2 10 + 0.8 100 = 82; 67.6 is 68; 0.2 10 + 0.8 68 = 56.4.
+  EXPECT_EQ(56, half.colors.at(2, 2).g);
 }
 
 }  // namespace
