@@ -11,6 +11,7 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"
+#include "halfspace/fast/operand.hpp"
 #include "lattice.hpp"
 
 namespace halfspace::fast {
@@ -79,6 +80,47 @@ void add_surface(const Cubes& cubes, bool turned, bool in_least_faces,
     face.first_edge += edges;
     solid.faces.push_back(face);
   }
+}
+
+/// What check_operand() says, or that nothing is wrong.
+std::string said_of(const Solid& solid) {
+  const Result<Done> fine = check_operand(solid);
+  return fine ? "fine" : fine.error().message;
+}
+
+TEST(FastOperand, IsRefusedWithThePlace) {
+  Solid solid =
+      merged(to_solid(lattice::surface(block(0, 4, 4))), Merge::kPlane);
+  EXPECT_EQ(said_of(solid), "fine");
+  EXPECT_TRUE(open_faces(solid).empty());
+  // The edges of two faces change places: all edges together are as before.
+  Solid torn = solid;
+  std::swap(torn.edges[torn.faces[1].first_edge],
+            torn.edges[torn.faces[4].first_edge]);
+  EXPECT_TRUE(bad_edges(torn).empty());
+  EXPECT_EQ(open_faces(torn), (std::vector<std::int32_t>{1, 4}));
+  EXPECT_NE(said_of(torn).find("make no loops"), std::string::npos);
+  EXPECT_EQ(check_operand(torn).error().index, 1);
+  // A face is missing.
+  Solid open = solid;
+  open.faces.pop_back();
+  open.edges.resize(open.edges.size() - 4);
+  EXPECT_NE(said_of(open).find("4 bad edges"), std::string::npos);
+  // Blocks through each other, and a wall of no thickness.
+  const Solid crossed = both_surfaces(block(0, 4, 4), block(2, 6, 6));
+  EXPECT_NE(said_of(crossed).find(" cross near "), std::string::npos);
+  Solid wall = solid;
+  Solid back = complement(solid);
+  wall.faces.resize(1);
+  wall.faces.push_back(back.faces[0]);
+  wall.faces[1].first_edge += static_cast<std::uint32_t>(wall.edges.size());
+  wall.edges.insert(wall.edges.end(), back.edges.begin(), back.edges.end());
+  wall.edges.resize(wall.faces[1].first_edge + 4u);
+  wall.edges.erase(wall.edges.begin() + 4,
+                   wall.edges.begin() + wall.faces[1].first_edge);
+  wall.faces[1].first_edge = 4;
+  EXPECT_TRUE(bad_edges(wall).empty());
+  EXPECT_NE(said_of(wall), "fine");
 }
 
 TEST(FastRepair, WhatIsWoundRoundIsKept) {

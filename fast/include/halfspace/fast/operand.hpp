@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/fast/solid.hpp"
+#include "halfspace/result.hpp"
+
+namespace halfspace::fast {
+
+/// The faces whose edges make no loops: at some vertex not as many of them end
+/// as begin. Where bad_edges() is empty, too, the surface is closed, and so is
+/// each of its faces by itself. In the order of their numbers.
+std::vector<std::int32_t> open_faces(const Solid& solid);
+
+/// Whether a solid is one that booleans are right about (S6.1, S6.2): closed,
+/// edge by edge and face by face, with a surface that does not cross itself.
+///
+/// Exact:  yes.
+/// Errors: kNotClosed, with the number of the first face concerned. Names the
+///         polygons that the faces come from, and the place in model units,
+///         rounded for people to read.
+/// Cost:   of bad_edges() and crossings().
+Result<Done> check_operand(const Solid& solid);
+
+}  // namespace halfspace::fast

@@ -1,0 +1,112 @@
+#include "halfspace/fast/operand.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/crossings.hpp"
+#include "space.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+std::string near(const Solid& solid, std::int32_t vertex) {
+  const Vertex& at = solid.space->vertex(vertex).approximate;
+  const double step = std::pow(static_cast<double>(solid.unit.base),
+                               static_cast<double>(solid.unit.exponent));
+  char text[96];
+  std::snprintf(text, sizeof text, " near %.9g, %.9g, %.9g", step * at.x,
+                step * at.y, step * at.z);
+  return text;
+}
+
+std::string polygon_of(const Solid& solid, std::int32_t face) {
+  return std::to_string(solid.faces[static_cast<std::size_t>(face)].polygon);
+}
+
+/// The first face with the edge, one way or the other.
+std::int32_t face_at(const Solid& solid, std::int32_t u, std::int32_t v) {
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const Face& face = solid.faces[f];
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      const SolidEdge& edge = solid.edges[face.first_edge + i];
+      if (std::minmax(edge.from, edge.to) == std::minmax(u, v))
+        return static_cast<std::int32_t>(f);
+    }
+  }
+  return -1;
+}
+
+Error not_closed(const std::string& sentence, std::int32_t face) {
+  return {ErrorCode::kNotClosed, sentence, face};
+}
+
+/// A vertex at which the face is open, or -1.
+std::int32_t open_vertex(const Solid& solid, const Face& face,
+                         std::vector<std::int32_t>& from,
+                         std::vector<std::int32_t>& to) {
+  from.clear();
+  to.clear();
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    from.push_back(solid.edges[face.first_edge + i].from);
+    to.push_back(solid.edges[face.first_edge + i].to);
+  }
+  std::sort(from.begin(), from.end());
+  std::sort(to.begin(), to.end());
+  const auto [begun, ended] =
+      std::mismatch(from.begin(), from.end(), to.begin());
+  return begun == from.end() ? -1 : std::min(*begun, *ended);
+}
+
+}  // namespace
+
+std::vector<std::int32_t> open_faces(const Solid& solid) {
+  std::vector<std::int32_t> open, from, to;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    if (open_vertex(solid, solid.faces[f], from, to) >= 0)
+      open.push_back(static_cast<std::int32_t>(f));
+  }
+  return open;
+}
+
+Result<Done> check_operand(const Solid& solid) {
+  const auto bad = bad_edges(solid);
+  if (!bad.empty()) {
+    const BadEdge& first = bad.front();
+    const std::int32_t face = face_at(solid, first.from, first.to);
+    return not_closed(
+        "the surface is not closed or not consistently oriented: " +
+            std::to_string(bad.size()) +
+            (bad.size() == 1 ? " bad edge" : " bad edges") +
+            ", the first at polygon " + polygon_of(solid, face) +
+            near(solid, first.from),
+        face);
+  }
+  std::vector<std::int32_t> from, to;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const std::int32_t v = open_vertex(solid, solid.faces[f], from, to);
+    if (v < 0) continue;
+    const auto face = static_cast<std::int32_t>(f);
+    return not_closed("the edges of a face make no loops: of polygon " +
+                          polygon_of(solid, face) + near(solid, v),
+                      face);
+  }
+  const auto found = crossings(solid);
+  if (found.empty()) return Done{};
+  const Crossing& first = found.front();
+  std::string sentence =
+      "the surface crosses itself: polygons " + polygon_of(solid, first.first) +
+      " and " + polygon_of(solid, first.second) +
+      (first.in_plane ? " overlap" : " cross") + near(solid, first.vertex);
+  if (found.size() > 1) {
+    sentence += ", and " + std::to_string(found.size() - 1) +
+                " more pairs do such things";
+  }
+  return not_closed(sentence, first.first);
+}
+
+}  // namespace halfspace::fast
