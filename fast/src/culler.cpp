@@ -25,6 +25,17 @@ Extremes over(const Affine3& f, const Box& box) {
   return e;
 }
 
+/// The function at the corners of a box, from its share along each axis.
+void at_corners(const Affine3& f, const Box& box, double (&values)[8]) {
+  const double x[2] = {f.a * double(box.low[0]), f.a * double(box.high[0])};
+  const double y[2] = {f.b * double(box.low[1]), f.b * double(box.high[1])};
+  const double z[2] = {f.c * double(box.low[2]) + f.d,
+                       f.c * double(box.high[2]) + f.d};
+  for (std::size_t k = 0; k < 8; ++k) {
+    values[k] = x[k % 2] + y[k / 2 % 2] + z[k / 4];
+  }
+}
+
 /// The pixels whose centres may lie from `low` to `high`.
 PixelRange pixels(double low, double high, PixelRange within) {
   // A tenth of a pixel outweighs what rounding adds to coordinates that matter.
@@ -55,28 +66,28 @@ bool Culler::can_show(const Box& box) const {
     const double margin = 1e-3 * (t.most - t.least) + 1e6 * view_.t_error;
     if (!(t.least > margin)) return true;
     if (!(view_.xy_error / t.least < 0.01)) return true;
-    x_least = y_least = 1e300;
-    x_most = y_most = -1e300;
-    for (int corner = 0; corner < 8; ++corner) {
-      const double px =
-          (corner & 1) != 0 ? double(box.high[0]) : double(box.low[0]);
-      const double py =
-          (corner & 2) != 0 ? double(box.high[1]) : double(box.low[1]);
-      const double pz =
-          (corner & 4) != 0 ? double(box.high[2]) : double(box.low[2]);
-      const double reciprocal = 1 / view_.t.at(px, py, pz);
-      const double x = view_.x.at(px, py, pz) * reciprocal;
-      const double y = view_.y.at(px, py, pz) * reciprocal;
-      x_least = std::min(x_least, x);
-      x_most = std::max(x_most, x);
-      y_least = std::min(y_least, y);
-      y_most = std::max(y_most, y);
+    double xs[8], ys[8], ts[8];
+    at_corners(view_.x, box, xs);
+    at_corners(view_.y, box, ys);
+    at_corners(view_.t, box, ts);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const double reciprocal = 1 / ts[k];
+      xs[k] *= reciprocal;
+      ys[k] *= reciprocal;
+    }
+    x_least = x_most = xs[0];
+    y_least = y_most = ys[0];
+    for (std::size_t k = 1; k < 8; ++k) {
+      x_least = std::min(x_least, xs[k]);
+      x_most = std::max(x_most, xs[k]);
+      y_least = std::min(y_least, ys[k]);
+      y_most = std::max(y_most, ys[k]);
     }
   }
   const PixelRange columns = pixels(x_least, x_most, canvas_.columns);
   const PixelRange lines = pixels(y_least, y_most, canvas_.lines);
   if (columns.first >= columns.end || lines.first >= lines.end) return false;
-  return kernel_.any_open(canvas_, columns, lines);
+  return kernel_.any_unlit(canvas_, columns, lines);
 }
 
 }  // namespace halfspace::fast

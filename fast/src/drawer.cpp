@@ -22,7 +22,7 @@ constexpr std::uint8_t blended(std::uint32_t over, std::uint32_t under,
       (2 * (alpha * over + (kOpaque - alpha) * under) + kOpaque) / 510);
 }
 
-/// So many planes are remembered. A leaf's should mostly fit.
+/// So many planes are remembered.
 constexpr std::size_t kSeenPlanes = 512;
 
 }  // namespace
@@ -50,11 +50,8 @@ void Drawer<kBits>::prefetch(const TreeFragment& fragment) const {
     __builtin_prefetch(frame_.reader.address(corner.vertex));
   }
   const auto source = static_cast<std::size_t>(fragment.source);
-  if (gouraud_) {
-    __builtin_prefetch(scene.first_corner.data() + source);
-  } else {
-    __builtin_prefetch(scene.colors.data() + source);
-  }
+  gouraud_ ? __builtin_prefetch(scene.first_corner.data() + source)
+           : __builtin_prefetch(scene.colors.data() + source);
 }
 
 template <int kBits>
@@ -206,7 +203,7 @@ const Ink& Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
   eye_sign_ = eye_sign;
   scan_.start(fragment, eye_sign);
   ++serial_;
-  Seen& seen = seen_[static_cast<std::size_t>(fragment.source) % seen_.size()];
+  Seen& seen = seen_[static_cast<std::size_t>(fragment.source) % kSeenPlanes];
   if (seen.polygon != fragment.source) {
     seen.polygon = fragment.source;
     seen.ready = false;
@@ -340,7 +337,7 @@ Plane Drawer<kBits>::plane_of(PolygonId polygon,
 
 template <int kBits>
 const SeenApproximately& Drawer<kBits>::seen(PolygonId polygon) {
-  Seen& entry = seen_[static_cast<std::size_t>(polygon) % seen_.size()];
+  Seen& entry = seen_[static_cast<std::size_t>(polygon) % kSeenPlanes];
   if (entry.polygon != polygon) entry = {polygon, false, nullptr, {}};
   if (!entry.ready) {
     entry.ready = true;

@@ -27,7 +27,8 @@ namespace {
 
 }  // namespace
 
-const Kernel kAvx2Kernel = {draw, draw_lines, draw_small, any_open, leave_leaf, fill_rest};
+const Kernel kAvx2Kernel = {draw,      draw_lines, draw_small, any_open,
+                            any_unlit, leave_leaf, fill_rest};
 
 }  // namespace halfspace::fast
 #endif

@@ -111,6 +111,14 @@ inline Words8 none() {
 inline Words8 every() {
   return words([](int) { return ~std::uint32_t{0}; });
 }
+inline Words8 all_words(std::uint32_t word) {
+  return words([word](int) { return word; });
+}
+/// All bits of the lines from `first` up to `end`.
+inline Words8 lines_between(std::int32_t first, std::int32_t end) {
+  return words(
+      [=](int r) { return r >= first && r < end ? ~std::uint32_t{0} : 0u; });
+}
 /// A bit for each word that is not zero.
 inline std::uint32_t some_of(const Words8& a) {
   std::uint32_t some = 0;
@@ -250,8 +258,8 @@ std::int64_t draw_small(Canvas&, const View&, bool, SmallPolygons& polygons,
 
 }  // namespace
 
-const Kernel kPlainKernel = {draw,     draw_lines, draw_small,
-                             any_open, leave_leaf, fill_rest};
+const Kernel kPlainKernel = {draw,      draw_lines, draw_small, any_open,
+                             any_unlit, leave_leaf, fill_rest};
 
 const Kernel& best_kernel() {
 #if defined(__x86_64__)

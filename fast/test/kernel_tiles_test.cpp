@@ -96,6 +96,24 @@ class Both {
     }
   }
 
+  /// Whether the kernel finds an unlit pixel in the rectangle where one is.
+  void expect_unlit_found(const Rectangle& r) {
+    const PixelRange columns = {std::max(r.left, wanted_.left),
+                                std::min(r.right, wanted_.right)};
+    const PixelRange lines = {std::max(r.top, wanted_.top),
+                              std::min(r.bottom, wanted_.bottom)};
+    if (columns.first >= columns.end || lines.first >= lines.end) return;
+    bool expected = false;
+    for (std::int32_t j = lines.first; j < lines.end; ++j) {
+      for (std::int32_t i = columns.first; i < columns.end; ++i) {
+        expected = expected || expected_.at(i - wanted_.left,
+                                            j - wanted_.top) == kBackground;
+      }
+    }
+    ASSERT_EQ(kernel_.any_unlit(screen_.canvas(), columns, lines), expected);
+    (expected ? found_ : not_found_) += 1;
+  }
+
   void expect_same() {
     const std::int64_t unlit = kernel_.fill_rest(
         screen_.canvas(), ink_of(kBackground), decider_of(at_hand_));
@@ -108,6 +126,8 @@ class Both {
   }
 
   std::size_t contested() const { return contested_; }
+  std::size_t found() const { return found_; }
+  std::size_t not_found() const { return not_found_; }
 
  private:
   static Rendering blank(const ItemImage& like) {
@@ -134,12 +154,16 @@ class Both {
   PolygonId at_hand_ = 0;
   bool in_leaf_ = false;
   std::size_t contested_ = 0;
+  std::size_t found_ = 0;
+  std::size_t not_found_ = 0;
 };
 
 TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
   const Kernel* const kernels[] = {&kPlainKernel, &best_kernel()};
   Random random;
   std::size_t contested = 0;
+  std::size_t found = 0;
+  std::size_t not_found = 0;
   for (int round = 0; round < 200; ++round) {
     SCOPED_TRACE(round);
     Both both(*kernels[round % 2],
@@ -154,12 +178,17 @@ TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
       both.draw(random.rectangle(round % 3 == 0),
                 leaf ? k / 10 * 10 + k * 7 % 10 : k);
       if (leaf && k % 10 == 9) both.leave_leaf();
+      both.expect_unlit_found(random.rectangle(k % 3 != 0));
     }
     both.expect_same();
     if (HasFatalFailure()) return;
     contested += both.contested();
+    found += both.found();
+    not_found += both.not_found();
   }
   EXPECT_GT(contested, 1000u);
+  EXPECT_GT(found, 1000u);
+  EXPECT_GT(not_found, 1000u);
 }
 
 }  // namespace
