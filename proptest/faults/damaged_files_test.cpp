@@ -29,11 +29,15 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// The files of a corpus that have names; what a fuzzer found has a hash.
 std::vector<std::string> corpus(const char* name) {
+  constexpr std::size_t kHashLength = 40;
   std::vector<fs::path> paths;
   for (const auto& entry :
-       fs::directory_iterator(fs::path(HALFSPACE_CORPUS) / name))
-    paths.push_back(entry.path());
+       fs::directory_iterator(fs::path(HALFSPACE_CORPUS) / name)) {
+    if (entry.path().filename().string().size() < kHashLength)
+      paths.push_back(entry.path());
+  }
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> files;
   for (const fs::path& path : paths) files.push_back(bytes_of(path));
