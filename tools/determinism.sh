@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds proptest/determinism with many compilers, levels of optimisation and
-# sanitizers, and compares what it prints with proptest/determinism.txt and with
-# one another.
+# sanitizers, and with filters that are never sure, and compares what it prints
+# with proptest/determinism.txt and with one another.
 #
 #   tools/determinism.sh                    all compilers that are there
 #   tools/determinism.sh g++-12 clang++-19  these
@@ -23,6 +23,10 @@ as_the_first() {
   [ -n "$first" ] || first=$1
   cmp -s "$first" "$1"
 }
+# Filters that are never sure decide nothing, so there the inner hashes, which
+# count who decided, are others.
+any_inner() { true; }
+compare=as_the_first
 try() {
   local what=$1 folder=build/determinism/${1//[^a-zA-Z0-9]/_}
   shift
@@ -32,7 +36,7 @@ try() {
     "$folder/proptest/determinism" proptest/determinism.txt \
       >>"$folder.log" 2>&1 &&
     "$folder/proptest/determinism" --all >"$folder.hashes" &&
-    as_the_first "$folder.hashes"; then
+    "$compare" "$folder.hashes"; then
     echo "same   $what"
   else
     echo "OTHER  $what: see $folder.log"
@@ -51,4 +55,8 @@ done
     -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1 \
     -DHALFSPACE_SANITIZE="$sanitizers"
 done
+compare=any_inner
+try "${compilers[0]} -O2, filters never sure" \
+  -DCMAKE_CXX_COMPILER="${compilers[0]}" -DCMAKE_BUILD_TYPE=None \
+  -DCMAKE_CXX_FLAGS=-O2 -DHALFSPACE_FILTERS_UNSURE=ON
 exit $status

@@ -34,6 +34,6 @@ for target in "${targets[@]}"; do
   if [ -f "fuzz/dictionaries/$name.dict" ]; then
     cp "fuzz/dictionaries/$name.dict" "$OUT/$target.dict"
   fi
-  ldd "$OUT/$target" | sed -n 's/.* => \(\/[^ ]*\) .*/\1/p' |
+  ldd "$WORK/build/fuzz/$target" | sed -n 's/.* => \(\/[^ ]*\) .*/\1/p' |
     grep -E 'lib(tbb|gmp|png|z|stdc\+\+|gcc_s)' | xargs -r cp -t "$OUT/lib"
 done
