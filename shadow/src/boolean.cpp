@@ -223,17 +223,37 @@ void check(BooleanOp operation, const fast::Solid& a, const fast::Solid& b,
   }
 }
 
-fast::Solid boolean(BooleanOp operation, const fast::Solid& a,
-                    const fast::Solid& b, const BooleanOptions& how,
-                    BooleanReport& report) {
-  fast::Solid result = fast::boolean(operation, a, b);
-  // One of every so many, at a place that the seed chooses for each group.
+namespace {
+
+/// Whether the next operation is one of every so many, at a place that
+/// the seed chooses for each group.
+bool is_chosen(const BooleanOptions& how, const BooleanReport& report) {
   const auto group = static_cast<std::uint64_t>(
       std::max(1.0, std::round(1 / std::clamp(how.share, 1e-9, 1.0))));
   const std::uint64_t chosen =
       mix(how.seed + report.operations / group) % group;
-  if (report.operations % group == chosen)
-    check(operation, a, b, result, how, report);
+  return report.operations % group == chosen;
+}
+
+}  // namespace
+
+fast::Solid boolean(BooleanOp operation, const fast::Solid& a,
+                    const fast::Solid& b, const BooleanOptions& how,
+                    BooleanReport& report) {
+  fast::Solid result = fast::boolean(operation, a, b, how.threads);
+  if (is_chosen(how, report)) check(operation, a, b, result, how, report);
+  ++report.operations;
+  return result;
+}
+
+fast::Solid symmetric_difference(const fast::Solid& a, const fast::Solid& b,
+                                 const BooleanOptions& how,
+                                 BooleanReport& report) {
+  fast::Solid result = fast::symmetric_difference(a, b, how.threads);
+  if (is_chosen(how, report)) {
+    check(BooleanOp::kUnion, fast::boolean(BooleanOp::kDifference, a, b),
+          fast::boolean(BooleanOp::kDifference, b, a), result, how, report);
+  }
   ++report.operations;
   return result;
 }

@@ -21,6 +21,7 @@
 #include "measuring.hpp"
 #include "operands.hpp"
 #include "options.hpp"
+#include "shadowing.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -34,6 +35,8 @@ struct Arguments {
   bool strict = false;
   bool trust = false;
   bool repair = false;
+  std::optional<double> shadow;
+  std::string shadow_file = "halfspace-shadow.txt";
   std::optional<int> grid_bits;
   BuildArguments build;
 };
@@ -113,6 +116,7 @@ class Job {
   Status finish(const CsgScript& script, const CsgPlan& plan,
                 const Operands& operands, const CsgResult& result,
                 double boolean_ms) const;
+  Status shadow_status(const CsgResult& result) const;
 
   const Arguments& arguments_;
   Request request_;
@@ -134,6 +138,8 @@ Result<std::optional<CsgResult>> Job::evaluate(const CsgPlan& plan,
   // Files of triangles would have others than their origins tell of.
   options.triangles = io::format_of(arguments_.output) == io::Format::kStl;
   options.build = build_options(arguments_.build);
+  options.threads = thread_count(arguments_.build);
+  options.shadow = arguments_.shadow;
   options.progress = [&work](double share) { return work.report(share); };
   return by_ref ? evaluate_ref(plan, operands, options)
                 : evaluate_fast(plan, operands, options);
@@ -184,7 +190,21 @@ Status Job::finish(const CsgScript& script, const CsgPlan& plan,
         write_stats(*stats_file, stats_of(context, *report));
     if (!written) return fail(*stats_file, written.error());
   }
-  return Status::kFine;
+  return shadow_status(result);
+}
+
+/// Whether a checked boolean was wrong; then that is said, and written down.
+Status Job::shadow_status(const CsgResult& result) const {
+  if (!result.checks || result.checks->mismatches == 0) return Status::kFine;
+  const shadow::PointMismatch& first = result.checks->first.front();
+  const std::string& file = arguments_.shadow_file;
+  std::ofstream out(file, std::ios::binary);
+  out << first.reproducer;
+  out.close();
+  if (!out) return fail(file + ": cannot be written");
+  fail("--shadow: " + shadow::to_string(first) + "; this is a bug, and " +
+       file + " has the operation and the two solids");
+  return Status::kDiffers;
 }
 
 Status run(const Arguments& arguments) {
@@ -198,6 +218,8 @@ Status run(const Arguments& arguments) {
       library_of(arguments.build, Library::kFast) == Library::kRef;
   if (by_ref && !arguments.origin.empty())
     return fail("--origin: the reference does not know it; use --impl fast");
+  if (by_ref && arguments.shadow)
+    return fail("--shadow: it is the reference that checks; use --impl fast");
   if (by_ref && arguments.repair)
     return fail("--repair: the reference repairs nothing; use --impl fast");
   if (arguments.trust && arguments.repair)
@@ -259,6 +281,13 @@ void add_csg(CLI::App& program, Status& status) {
                 "once, instead of refusing it");
   app->add_flag("--trust", arguments->trust,
                 "Do not look whether surfaces cross themselves");
+  add_parsed(*app, "--shadow", "SHARE", arguments->shadow, parse_share,
+             "Check this share of the booleans without halves at "
+             "points near the surfaces, by the reference's numbers; exit "
+             "status 1, and a file that shows it, if one is wrong");
+  app->add_option("--shadow-file", arguments->shadow_file, "That file")
+      ->type_name("FILE.txt")
+      ->capture_default_str();
   add_grid_option(*app, arguments->grid_bits);
   add_build_options(*app, arguments->build, "fast");
   app->footer(kFooter);

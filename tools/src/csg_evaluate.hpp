@@ -20,7 +20,9 @@ namespace halfspace::tools {
 ///
 /// Long unions, intersections and symmetric differences are balanced: each
 /// solid takes part in about as many booleans as their number has bits. Their
-/// order stays, so of faces that coincide the first solid's is kept.
+/// order stays, so of faces that coincide the first solid's is kept. Where an
+/// algebra has takes_all(CsgKind) and that says so, its combine_all(CsgKind,
+/// std::vector<Value>) is given 64 at once.
 template <class Algebra>
 class Evaluator {
  public:
@@ -86,6 +88,31 @@ class Evaluator {
     return value;
   }
 
+  /// Whether the algebra combines many at once.
+  bool takes_all(CsgKind kind) const {
+    if constexpr (requires { algebra_.takes_all(kind); }) {
+      return algebra_.takes_all(kind);
+    } else {
+      return false;
+    }
+  }
+
+  Value all_of(CsgKind kind, std::span<const std::int32_t> terms) {
+    std::vector<Value> values;
+    for (const std::int32_t term : terms) {
+      values.push_back(take(term));
+      if (!goes_on()) return {};
+    }
+    done_ += terms.size() - 1;
+    stopped_ = !progress_(static_cast<double>(done_) /
+                          static_cast<double>(plan_.booleans));
+    if constexpr (requires { algebra_.combine_all(kind, values); }) {
+      return algebra_.combine_all(kind, values);
+    } else {
+      return {};
+    }
+  }
+
   /// The terms, one or more, combined in a balanced way: like the digits of a
   /// binary counter, what is of one size is combined at once.
   Value folded(CsgKind kind, std::span<const std::int32_t> terms) {
@@ -94,12 +121,22 @@ class Evaluator {
       std::size_t size = 0;
     };
     std::vector<Part> parts;
-    for (const std::int32_t term : terms) {
-      parts.push_back({take(term), 1});
+    const auto join_equals = [&] {
       while (goes_on() && parts.size() > 1 &&
              parts[parts.size() - 2].size == parts.back().size) {
         join_last(kind, parts);
       }
+    };
+    // As many as make one part of the digits' sizes, for threads to share.
+    while (terms.size() >= kMany && takes_all(kind)) {
+      parts.push_back({all_of(kind, terms.first(kMany)), kMany});
+      terms = terms.subspan(kMany);
+      join_equals();
+      if (!goes_on()) return {};
+    }
+    for (const std::int32_t term : terms) {
+      parts.push_back({take(term), 1});
+      join_equals();
       if (!goes_on()) return {};
     }
     while (goes_on() && parts.size() > 1) join_last(kind, parts);
@@ -140,6 +177,8 @@ class Evaluator {
     }
     return value;
   }
+
+  static constexpr std::size_t kMany = 64;
 
   const CsgPlan& plan_;
   Algebra& algebra_;

@@ -5,9 +5,11 @@
 #include "csg_evaluate.hpp"
 #include "csg_result.hpp"
 #include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"
 #include "halfspace/fast/repair.hpp"
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/shadow/boolean.hpp"
 #include "volume.hpp"
 
 namespace halfspace::tools {
@@ -22,10 +24,17 @@ class FastAlgebra {
  public:
   using Value = fast::Solid;
 
-  FastAlgebra(const CsgPlan& plan, Operands& operands)
+  FastAlgebra(const CsgPlan& plan, Operands& operands,
+              const CsgOptions& options)
       : operands_(operands),
+        threads_(options.threads),
         nothing_(fast::to_solid(operands.nothing())),
-        leaf_count_(static_cast<std::int32_t>(plan.leaves.size())) {}
+        leaf_count_(static_cast<std::int32_t>(plan.leaves.size())) {
+    if (!options.shadow) return;
+    shadow_.emplace();
+    how_.share = *options.shadow;
+    how_.threads = threads_;
+  }
 
   Result<Value> leaf(std::int32_t id) {
     const Result<Solid> solid = operands_.leaf(id);
@@ -52,23 +61,47 @@ class FastAlgebra {
   Value complement(Value value) { return fast::complement(std::move(value)); }
 
   Value combine(CsgKind kind, const Value& a, const Value& b) {
-    switch (kind) {
-      case CsgKind::kIntersection:
-        return fast::boolean(BooleanOp::kIntersection, a, b);
-      case CsgKind::kDifference:
-        return fast::boolean(BooleanOp::kDifference, a, b);
-      case CsgKind::kSymmetricDifference:
-        return fast::symmetric_difference(a, b);
-      default:
-        return fast::boolean(BooleanOp::kUnion, a, b);
+    // What has no bound has no points that could be drawn.
+    const bool checked = shadow_ && !is_half_space(a) && !is_half_space(b);
+    if (kind == CsgKind::kSymmetricDifference) {
+      return checked ? shadow::symmetric_difference(a, b, how_, *shadow_)
+                     : fast::symmetric_difference(a, b, threads_);
     }
+    const BooleanOp operation = operation_of(kind);
+    return checked ? shadow::boolean(operation, a, b, how_, *shadow_)
+                   : fast::boolean(operation, a, b, threads_);
   }
 
+  /// Whether many values are better combined at once.
+  bool takes_all(CsgKind kind) const {
+    return !shadow_ &&
+           (kind == CsgKind::kUnion || kind == CsgKind::kIntersection);
+  }
+  Value combine_all(CsgKind kind, const std::vector<Value>& values) {
+    return fast::combined(operation_of(kind), values, threads_);
+  }
+
+  const std::optional<shadow::BooleanReport>& checks() const { return shadow_; }
+
  private:
+  static BooleanOp operation_of(CsgKind kind) {
+    return kind == CsgKind::kIntersection ? BooleanOp::kIntersection
+           : kind == CsgKind::kDifference ? BooleanOp::kDifference
+                                          : BooleanOp::kUnion;
+  }
+  static bool is_half_space(const Value& value) {
+    return std::any_of(
+        value.faces.begin(), value.faces.end(),
+        [](const fast::Face& face) { return face.edge_count == 0; });
+  }
+
   Operands& operands_;
+  int threads_;
   fast::Solid nothing_;
   std::int32_t leaf_count_;
   std::vector<CsgRepair> repairs_;
+  shadow::BooleanOptions how_;
+  std::optional<shadow::BooleanReport> shadow_;
 };
 
 fast::Solid merged_by(const fast::Solid& solid, MergeRule rule) {
@@ -154,7 +187,8 @@ CsgResult finished(fast::Solid solid, const CsgOptions& options) {
   const Unit unit = solid.unit;
   // In steps, doubles hold every point of the grid.
   solid.unit = {2, 0};
-  fast::ExportedMesh mesh = fast::exported(solid, {options.triangles});
+  const fast::ExportOptions how{options.triangles, options.threads};
+  fast::ExportedMesh mesh = fast::exported(solid, how);
   result.polygons = mesh.faces.size();
   // Faces may be no loops even where the edges of all of them cancel.
   result.bad_edges = std::max(result.bad_edges, bad_edges_of(mesh));
@@ -167,7 +201,7 @@ CsgResult finished(fast::Solid solid, const CsgOptions& options) {
   result.scene = scene_of(mesh, unit);
   if (result.scene) return result;
   solid.unit = unit;
-  if (unit != Unit{2, 0}) mesh = fast::exported(solid, {options.triangles});
+  if (unit != Unit{2, 0}) mesh = fast::exported(solid, how);
   result.moved = mesh.moved;
   result.max_move = mesh.max_move;
   result.turned = std::move(mesh.turned);
@@ -187,13 +221,14 @@ const std::vector<std::string>& merge_words() {
 Result<std::optional<CsgResult>> evaluate_fast(const CsgPlan& plan,
                                                Operands& operands,
                                                const CsgOptions& options) {
-  FastAlgebra algebra(plan, operands);
+  FastAlgebra algebra(plan, operands, options);
   Evaluator<FastAlgebra> evaluator(plan, algebra, options.progress);
   Result<std::optional<fast::Solid>> solid = evaluator.result();
   if (!solid) return solid.error();
   if (!*solid) return std::optional<CsgResult>();
   CsgResult result = finished(**std::move(solid), options);
   result.repairs = algebra.repairs();
+  result.checks = algebra.checks();
   return std::optional<CsgResult>(std::move(result));
 }
 

@@ -12,6 +12,7 @@
 #include "halfspace/io/write_mesh.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
+#include "halfspace/shadow/boolean.hpp"
 #include "operands.hpp"
 
 namespace halfspace::tools {
@@ -26,6 +27,9 @@ struct CsgOptions {
   MergeRule merge = MergeRule::kOrigin;  ///< the fast library's
   bool triangles = false;                ///< the fast library's
   BuildOptions build;                    ///< the trees of the reference
+  int threads = 1;                       ///< the fast library's
+  /// The share of the fast library's booleans to be checked.
+  std::optional<double> shadow;
   /// Told the share that is done; where it returns false, the work stops.
   std::function<bool(double)> progress;
 };
@@ -60,6 +64,8 @@ struct CsgResult {
   /// The polygons that rounding may have turned over or flattened.
   std::vector<std::int32_t> turned;
   std::vector<CsgRepair> repairs;
+  /// What was checked, if anything was to be.
+  std::optional<shadow::BooleanReport> checks;
 };
 
 /// The result of the plan of the operands; nothing where it was stopped.

@@ -133,27 +133,34 @@ nlohmann::json stats_of(const CsgContext& context,
                         const io::ExportReport& report) {
   const io::ImportReport& import = context.operands.report();
   const CsgResult& result = context.result;
-  return {{"operands", context.plan.leaves.size()},
-          {"booleans", context.plan.booleans},
-          {"polygons", polygons_in(context)},
-          {"faces", result.faces},
-          {"polygons_out", result.polygons},
-          {"bad_edges", result.bad_edges},
-          {"repaired", result.repairs.size()},
-          {"volume", result.volume},
-          {"boolean_ms", context.boolean_ms},
-          {"import",
-           {{"moved", import.moved},
-            {"max_move", import.max_move},
-            {"triangulated", import.triangulated},
-            {"dropped", import.dropped},
-            {"unit", to_string(import.unit)},
-            {"grid_bits", import.grid_bits}}},
-          {"export",
-           {{"moved", report.moved},
-            {"max_move", report.max_move},
-            {"turned", result.turned.size()},
-            {"triangulated", report.triangulated}}}};
+  nlohmann::json stats = {{"operands", context.plan.leaves.size()},
+                          {"booleans", context.plan.booleans},
+                          {"polygons", polygons_in(context)},
+                          {"faces", result.faces},
+                          {"polygons_out", result.polygons},
+                          {"bad_edges", result.bad_edges},
+                          {"repaired", result.repairs.size()},
+                          {"volume", result.volume},
+                          {"boolean_ms", context.boolean_ms},
+                          {"import",
+                           {{"moved", import.moved},
+                            {"max_move", import.max_move},
+                            {"triangulated", import.triangulated},
+                            {"dropped", import.dropped},
+                            {"unit", to_string(import.unit)},
+                            {"grid_bits", import.grid_bits}}},
+                          {"export",
+                           {{"moved", report.moved},
+                            {"max_move", report.max_move},
+                            {"turned", result.turned.size()},
+                            {"triangulated", report.triangulated}}}};
+  if (result.checks) {
+    stats["shadow_booleans"] = result.checks->operations;
+    stats["shadow_checked"] = result.checks->checked;
+    stats["shadow_points"] = result.checks->points;
+    stats["shadow_mismatches"] = result.checks->mismatches;
+  }
+  return stats;
 }
 
 void print_summary(const CsgContext& context, const io::ExportReport& report,
@@ -168,6 +175,13 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
         "dropped\n",
         context.operands.name_of(repair.leaf).c_str(), repair.crossings,
         repair.faces_cut, repair.faces_dropped);
+  }
+  if (result.checks) {
+    std::printf(
+        "shadow: %zu of %zu booleans checked at %zu points, %zu mismatches\n",
+        static_cast<std::size_t>(result.checks->checked),
+        static_cast<std::size_t>(result.checks->operations),
+        result.checks->points, result.checks->mismatches);
   }
   std::printf("result: %zu polygons, closed, volume %.12g, %.3f ms\n",
               result.polygons, result.volume, context.boolean_ms);

@@ -156,6 +156,24 @@ expect 0 'result' csg difference red.off green.off -o out.off
   wrong "colours of A in out.off"
 [ "$(grep -c ' 40 50 60$' out.off)" = 3 ] || wrong "colours of B in out.off"
 
+# Any number of threads writes the same bytes; a share is checked.
+for i in $(seq 0 69); do
+  printf 'translate(scale(A, 0.5), %d, %d, 0.25) |\n' $((i % 10)) $((i / 7))
+done | sed '$s/|$//' >many.csg
+for threads in 1 2 4; do
+  expect 0 'closed' csg --script many.csg --threads $threads -o many.off \
+    --stats many.json A=a.off
+  [ $threads = 1 ] && cp many.off one.off
+  cmp -s many.off one.off || wrong "$threads threads write other bytes"
+done
+expect 0 'shadow: 69 of 69 booleans checked at .* points, 0 mismatches' \
+  csg --script many.csg --shadow 1 -o many.off A=a.off
+cmp -s many.off one.off || wrong "--shadow changes the result"
+expect 0 'shadow: 2 of 2 booleans' csg '(A ^ B) - half(x < 1) - B' A=a.off \
+  B=b.off --shadow 1 -o out.off
+expect 2 'impl fast' csg 'A - B' A=a.off B=b.off --shadow 1 --impl ref -o o.off
+expect 2 'shadow' csg 'A - B' A=a.off B=b.off --shadow 1.5 -o o.off
+
 # Surfaces that cross themselves, and open ones, are refused with the place.
 {
   echo OFF

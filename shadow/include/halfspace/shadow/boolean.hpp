@@ -19,6 +19,7 @@ struct BooleanOptions {
   std::uint64_t seed = 1;   ///< chooses them, and the points
   std::size_t points = 32;  ///< of each checked operation
   std::size_t kept = 16;    ///< so many mismatches are told in full
+  int threads = 1;          ///< of fast::boolean()
 };
 
 /// A point that is in the result and should not be, or the other way round.
@@ -56,6 +57,12 @@ void check(BooleanOp operation, const fast::Solid& a, const fast::Solid& b,
 fast::Solid boolean(BooleanOp operation, const fast::Solid& a,
                     const fast::Solid& b, const BooleanOptions& how,
                     BooleanReport& report);
+
+/// Likewise fast::symmetric_difference(). What is checked is that it is the
+/// union of the two differences.
+fast::Solid symmetric_difference(const fast::Solid& a, const fast::Solid& b,
+                                 const BooleanOptions& how,
+                                 BooleanReport& report);
 
 /// One sentence.
 std::string to_string(const PointMismatch& mismatch);
