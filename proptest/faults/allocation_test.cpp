@@ -45,6 +45,15 @@ void* allocate(std::size_t size, std::size_t alignment) {
                                      std::align_val_t alignment) {
   return allocate(size == 0 ? 1 : size, static_cast<std::size_t>(alignment));
 }
+// Where it is left to a sanitizer, it does not go with the operators below.
+[[gnu::noinline]] void* operator new(std::size_t size,
+                                     const std::nothrow_t&) noexcept {
+  try {
+    return allocate(size == 0 ? 1 : size, 1);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }
