@@ -7,6 +7,7 @@
 
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/read_mesh.hpp"
+#include "trimmed.hpp"
 
 namespace halfspace::identities {
 namespace {
@@ -40,24 +41,6 @@ void centre(std::vector<GridPoint>& points) {
   const auto [low, high] = box_of(points);
   move(points, {-low.x - (high.x - low.x) / 2, -low.y - (high.y - low.y) / 2,
                 -low.z - (high.z - low.z) / 2});
-}
-
-SceneData trimmed(const Scene& scene) {
-  SceneData data = scene.data();
-  std::vector<VertexId> ids(data.vertices.size(), -1);
-  std::vector<GridPoint> vertices;
-  for (VertexId& corner : data.corners) {
-    VertexId& id = ids[static_cast<std::size_t>(corner)];
-    if (id < 0) {
-      id = static_cast<VertexId>(vertices.size());
-      vertices.push_back(scene.point(corner));
-    }
-    corner = id;
-  }
-  data.vertices = std::move(vertices);
-  data.corner_colors.clear();
-  data.unit = {2, 0};
-  return data;
 }
 
 std::optional<Solid> solid_of(SceneData data, int grid_bits) {
@@ -125,7 +108,8 @@ Result<Solid> load(const std::string& path) {
   if (!imported) return imported.error();
   if (imported->scene.polygon_count() == 0)
     return Error{ErrorCode::kEmpty, "no polygons", -1};
-  SceneData data = trimmed(imported->scene);
+  SceneData data = tools::trimmed(imported->scene);
+  data.unit = {2, 0};
   centre(data.vertices);
   Result<Scene> scene = make_scene(std::move(data));
   if (!scene) return scene.error();

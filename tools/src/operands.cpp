@@ -7,27 +7,10 @@
 #include "crossing_check.hpp"
 #include "loading.hpp"
 #include "step_map.hpp"
+#include "trimmed.hpp"
 
 namespace halfspace::tools {
 namespace {
-
-/// The scene with just those vertices that a polygon has.
-Result<Scene> trimmed(const Scene& scene) {
-  SceneData data = scene.data();
-  std::vector<VertexId> ids(data.vertices.size(), -1);
-  std::vector<GridPoint> vertices;
-  for (VertexId& corner : data.corners) {
-    VertexId& id = ids[static_cast<std::size_t>(corner)];
-    if (id < 0) {
-      id = static_cast<VertexId>(vertices.size());
-      vertices.push_back(scene.point(corner));
-    }
-    corner = id;
-  }
-  data.vertices = std::move(vertices);
-  data.corner_colors.clear();
-  return make_scene(std::move(data));
-}
 
 /// A mesh of points alone: faces without area hold them. Import drops those,
 /// but finds the grid that holds the points.
@@ -79,7 +62,7 @@ Result<Done> Operands::read_files() {
       path = (std::filesystem::path(options_.folder) / path).string();
     Result<Loaded> loaded = tools::load(path, {});
     if (!loaded) return loaded.error();
-    Result<Scene> scene = trimmed(loaded->file.scene);
+    Result<Scene> scene = make_scene(trimmed(loaded->file.scene));
     if (!scene) return about(path, scene.error());
     if (scene->polygon_count() == 0)
       return Error{ErrorCode::kEmpty, path + ": there are no polygons"};
