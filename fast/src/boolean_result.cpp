@@ -1,23 +1,15 @@
 #include "boolean_result.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <tuple>
 #include <utility>
 
+#include "hubs.hpp"
+
 namespace halfspace::fast {
 namespace {
-
-/// An edge as one of its ends sees it.
-struct Spoke {
-  std::int32_t hub;
-  std::int32_t end;
-  std::int32_t plane;
-  std::int32_t other;
-};
 
 /// Whether three points of the grid are on one line.
 bool on_line(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
@@ -36,79 +28,6 @@ bool in_line(const Spoke& s, const Spoke& t, const Space& space) {
   return on_line(space.vertex(s.hub).point, space.vertex(s.end).point,
                  space.vertex(t.end).point);
 }
-
-Spoke spoke_of(const Piece& piece, bool from_end) {
-  return from_end ? Spoke{piece.to, piece.from, piece.plane, piece.other}
-                  : Spoke{piece.from, piece.to, piece.plane, piece.other};
-}
-
-/// The ends of pieces, and which of them are straight: all edges there are on
-/// one line, and none ends there.
-class Hubs {
- public:
-  Hubs(const std::vector<Piece>& pieces,
-       const std::function<bool(std::int32_t)>& is_pinned, const Space& space)
-      : slots_(std::bit_ceil(3 * pieces.size() + 1)) {
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      for (const bool from_end : {false, true}) {
-        const Spoke spoke = spoke_of(pieces[i], from_end);
-        if (!is_pinned(spoke.hub)) add(spoke);
-      }
-    }
-    for (Slot& slot : slots_) {
-      if (slot.hub >= 0 && slot.ends == 2)
-        slot.straight = in_line(slot.spoke(0), slot.spoke(1), space);
-    }
-  }
-
-  bool is_straight(std::int32_t v) const {
-    std::size_t at = first_of(v);
-    while (slots_[at].hub >= 0 && slots_[at].hub != v) at = after(at);
-    return slots_[at].straight;
-  }
-
- private:
-  /// A vertex with the first two of the ends of its spokes, and of each of
-  /// them a spoke whose two planes are known, if there is one.
-  struct Slot {
-    std::int32_t hub = -1;
-    std::uint8_t ends = 0;  ///< 3: more
-    bool straight = false;
-    std::array<std::int32_t, 2> end{}, plane{}, other{};
-    Spoke spoke(std::size_t k) const {
-      return {hub, end[k], plane[k], other[k]};
-    }
-  };
-
-  /// Vertices have their numbers in a row, nearly: these are their hashes.
-  std::size_t first_of(std::int32_t v) const {
-    return static_cast<std::size_t>(v) & (slots_.size() - 1);
-  }
-  std::size_t after(std::size_t at) const {
-    return (at + 1) & (slots_.size() - 1);
-  }
-
-  void add(const Spoke& spoke) {
-    std::size_t at = first_of(spoke.hub);
-    while (slots_[at].hub >= 0 && slots_[at].hub != spoke.hub) at = after(at);
-    Slot& slot = slots_[at];
-    slot.hub = spoke.hub;
-    for (std::size_t k = 0; k < 2 && k < slot.ends; ++k) {
-      if (slot.end[k] != spoke.end) continue;
-      if (slot.other[k] < 0) put(slot, k, spoke);
-      return;
-    }
-    if (slot.ends < 2) put(slot, slot.ends, spoke);
-    if (slot.ends < 3) ++slot.ends;
-  }
-  static void put(Slot& slot, std::size_t k, const Spoke& spoke) {
-    slot.end[k] = spoke.end;
-    slot.plane[k] = spoke.plane;
-    slot.other[k] = spoke.other;
-  }
-
-  std::vector<Slot> slots_;
-};
 
 /// One bucket's pieces, loop by loop, straight vertices left out.
 class LoopWalk {
@@ -173,10 +92,33 @@ Box face_box(const Solid& solid, const Face& face) {
   return box;
 }
 
-void straighten(std::vector<Piece>& pieces,
-                const std::function<bool(std::int32_t)>& is_pinned,
-                const Space& space) {
-  const Hubs hubs(pieces, is_pinned, space);
+void Hubs::begin(std::int32_t hub, Ends& ends, bool is_pinned) {
+  if (is_pinned) {
+    ends.state = kMore;
+    return;
+  }
+  const Spoke none{hub, -1, -1, -1};
+  Pair pair{{none, none}};
+  for (std::size_t k = 0; k < 2; ++k) pair.spokes[k].end = ends.end[k];
+  ends.end[0] = static_cast<std::int32_t>(pairs_.size());
+  ends.state = kAsked;
+  pairs_.push_back(pair);
+}
+
+void Hubs::put(Pair& pair, const Spoke& spoke) {
+  Spoke& known = pair.spokes[pair.spokes[0].end == spoke.end ? 0 : 1];
+  if (known.other < 0) known = spoke;
+}
+
+void Hubs::decide(const Space& space) {
+  for (const Pair& pair : pairs_) {
+    if (!in_line(pair.spokes[0], pair.spokes[1], space)) continue;
+    ends_[places_.find(pair.spokes[0].hub)].state = kStraight;
+    any_ = true;
+  }
+}
+
+void walk_loops(std::vector<Piece>& pieces, const Hubs& hubs) {
   std::sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) {
     return std::tie(x.bucket, x.from, x.to) < std::tie(y.bucket, y.from, y.to);
   });
@@ -189,6 +131,18 @@ void straighten(std::vector<Piece>& pieces,
     i = j;
   }
   pieces.swap(out);
+}
+
+void straighten(std::vector<Piece>& pieces,
+                const std::function<bool(std::int32_t)>& is_pinned,
+                const Space& space) {
+  const auto for_spokes = [&](const auto& visit) {
+    for (const Piece& p : pieces) {
+      visit(Spoke{p.from, p.to, p.plane, p.other});
+      visit(Spoke{p.to, p.from, p.plane, p.other});
+    }
+  };
+  walk_loops(pieces, Hubs(for_spokes, is_pinned, space));
 }
 
 }  // namespace halfspace::fast

@@ -3,6 +3,8 @@
 #include <tuple>
 
 #include "boolean_result.hpp"
+#include "hubs.hpp"
+#include "places.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -28,40 +30,146 @@ bool may_merge(const Face& f, const Face& g, Merge rule) {
   return true;
 }
 
-std::vector<Entry> sorted_edges(const Solid& solid) {
-  std::vector<Entry> entries;
-  entries.reserve(solid.edges.size());
-  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
-    const Face& face = solid.faces[f];
-    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-      const std::uint32_t at = face.first_edge + i;
-      const auto [low, high] =
-          std::minmax(solid.edges[at].from, solid.edges[at].to);
-      entries.push_back({low, high, static_cast<std::int32_t>(f), at});
+/// Puts entries in the order of `low`, which is less than `count`, and leaves
+/// those with one `low` in their order.
+void sort_by_low(std::vector<Entry>& entries, std::size_t count) {
+  std::vector<std::uint32_t> place(count + 1);
+  for (const Entry& e : entries) ++place[static_cast<std::size_t>(e.low) + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<Entry> sorted(entries.size());
+  for (const Entry& e : entries)
+    sorted[place[static_cast<std::size_t>(e.low)]++] = e;
+  entries.swap(sorted);
+}
+
+/// Merges the faces of a solid. Most have no other beside them in their plane,
+/// and no vertex at which nothing turns: those are passed on as they are.
+class Merger {
+ public:
+  Merger(const Solid& solid, Merge rule)
+      : solid_(solid),
+        rule_(rule),
+        parent_(solid.faces.size()),
+        merges_(solid.faces.size()),
+        dropped_(solid.edges.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  Solid run() {
+    drop_edges(entries());
+    const auto for_spokes = [this](const auto& visit) {
+      for_edges([&](std::int32_t, const Face& face, const SolidEdge& edge) {
+        visit(Spoke{edge.from, edge.to, face.plane, edge.other});
+        visit(Spoke{edge.to, edge.from, face.plane, edge.other});
+      });
+    };
+    const Hubs hubs(
+        for_spokes, [](std::int32_t) { return false; }, *solid_.space);
+    return result(hubs);
+  }
+
+ private:
+  /// Calls `visit(face's number, face, edge)` for the edges not dropped.
+  template <class Visit>
+  void for_edges(const Visit& visit) const {
+    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
+      const Face& face = solid_.faces[f];
+      const std::uint32_t last = face.first_edge + face.edge_count;
+      for (std::uint32_t at = face.first_edge; at < last; ++at) {
+        if (dropped_[at] == 0)
+          visit(static_cast<std::int32_t>(f), face, solid_.edges[at]);
+      }
     }
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-    return std::tie(x.low, x.high, x.edge) < std::tie(y.low, y.high, y.edge);
+
+  std::vector<std::uint8_t> company() const;
+  std::vector<Entry> entries() const;
+  void drop_edges(const std::vector<Entry>& entries);
+  std::int32_t root(std::int32_t f);
+  bool stays(std::size_t f, const Hubs& hubs) const;
+  void pass_on(const Face& face, Solid& result) const;
+  Solid result(const Hubs& hubs);
+
+  const Solid& solid_;
+  Merge rule_;
+  std::vector<std::int32_t> parent_;   ///< by face
+  std::vector<std::uint8_t> merges_;   ///< by face: it has dropped edges
+  std::vector<std::uint8_t> dropped_;  ///< by edge
+};
+
+/// By face, whether another may be in its plane and face the same way.
+std::vector<std::uint8_t> Merger::company() const {
+  const auto number = [](const Face& face) {
+    return 2 * face.plane + (face.turned ? 1 : 0);
+  };
+  Extent extent;
+  for (const Face& face : solid_.faces) extent.add(number(face));
+  Places places(extent);
+  std::vector<std::uint8_t> count(places.size());
+  for (const Face& face : solid_.faces) {
+    std::uint8_t& of = count[places(number(face))];
+    of = static_cast<std::uint8_t>(std::min(of + 1, 2));
+  }
+  std::vector<std::uint8_t> result;
+  result.reserve(solid_.faces.size());
+  for (const Face& face : solid_.faces)
+    result.push_back(count[places(number(face))] > 1 ? 1 : 0);
+  return result;
+}
+
+/// The edges of faces in company, and all others with the same ends, sorted by
+/// them.
+std::vector<Entry> Merger::entries() const {
+  const std::vector<std::uint8_t> in_company = company();
+  Extent extent;
+  for_edges([&](std::int32_t f, const Face&, const SolidEdge& edge) {
+    if (in_company[static_cast<std::size_t>(f)] != 0) {
+      extent.add(edge.from);
+      extent.add(edge.to);
+    }
   });
+  if (extent.uses == 0) return {};
+  Places places(extent);
+  std::vector<std::uint8_t> is_end(places.size());
+  for_edges([&](std::int32_t f, const Face&, const SolidEdge& edge) {
+    if (in_company[static_cast<std::size_t>(f)] != 0)
+      is_end[places(edge.from)] = is_end[places(edge.to)] = 1;
+  });
+  const auto ends_there = [&](std::int32_t v) {
+    return v >= extent.low && v <= extent.high && is_end[places.find(v)] != 0;
+  };
+  std::vector<Entry> entries;
+  for_edges([&](std::int32_t f, const Face&, const SolidEdge& edge) {
+    if (!ends_there(edge.from) || !ends_there(edge.to)) return;
+    const auto [low, high] =
+        std::minmax({static_cast<std::int32_t>(places.find(edge.from)),
+                     static_cast<std::int32_t>(places.find(edge.to))});
+    const auto at = &edge - solid_.edges.data();
+    entries.push_back({low, high, f, static_cast<std::uint32_t>(at)});
+  });
+  sort_by_low(entries, places.size());
+  for (auto i = entries.begin(); i != entries.end();) {
+    const auto j = std::find_if(
+        i, entries.end(), [&](const Entry& e) { return e.low != i->low; });
+    std::sort(i, j, [](const Entry& x, const Entry& y) {
+      return std::tie(x.high, x.edge) < std::tie(y.high, y.edge);
+    });
+    i = j;
+  }
   return entries;
 }
 
-}  // namespace
+std::int32_t Merger::root(std::int32_t f) {
+  while (parent_[static_cast<std::size_t>(f)] != f) {
+    std::int32_t& up = parent_[static_cast<std::size_t>(f)];
+    up = parent_[static_cast<std::size_t>(up)];
+    f = up;
+  }
+  return f;
+}
 
-Solid merged(const Solid& solid, Merge rule) {
-  // Step 1: drop the edges that just two faces share which may be one.
-  const std::vector<Entry> entries = sorted_edges(solid);
-  std::vector<std::int32_t> parent(solid.faces.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t f) {
-    while (parent[static_cast<std::size_t>(f)] != f) {
-      std::int32_t& up = parent[static_cast<std::size_t>(f)];
-      up = parent[static_cast<std::size_t>(up)];
-      f = up;
-    }
-    return f;
-  };
-  std::vector<bool> dropped(solid.edges.size());
+/// Drops the edges that just two faces share which may be one.
+void Merger::drop_edges(const std::vector<Entry>& entries) {
   for (std::size_t i = 0; i < entries.size();) {
     std::size_t j = i + 1;
     while (j < entries.size() && entries[j].low == entries[i].low &&
@@ -70,42 +178,91 @@ Solid merged(const Solid& solid, Merge rule) {
     if (j == i + 2) {
       const std::int32_t f = root(entries[i].face);
       const std::int32_t g = root(entries[i + 1].face);
-      if (may_merge(solid.faces[static_cast<std::size_t>(f)],
-                    solid.faces[static_cast<std::size_t>(g)], rule)) {
-        dropped[entries[i].edge] = dropped[entries[i + 1].edge] = true;
-        parent[static_cast<std::size_t>(std::max(f, g))] = std::min(f, g);
+      if (may_merge(solid_.faces[static_cast<std::size_t>(f)],
+                    solid_.faces[static_cast<std::size_t>(g)], rule_)) {
+        parent_[static_cast<std::size_t>(std::max(f, g))] = std::min(f, g);
+        for (std::size_t k = i; k < j; ++k) {
+          dropped_[entries[k].edge] = 1;
+          merges_[static_cast<std::size_t>(entries[k].face)] = 1;
+        }
       }
     }
     i = j;
   }
-  // Step 2: what is left, by the first of the faces that are one.
+}
+
+/// Whether walk_loops() would leave the face as it is, but for the edge that it
+/// begins with: one small loop that visits nothing twice.
+bool Merger::stays(std::size_t f, const Hubs& hubs) const {
+  constexpr std::uint32_t kFew = 8;
+  const Face& face = solid_.faces[f];
+  if (merges_[f] != 0 || face.edge_count > kFew) return false;
+  const SolidEdge* edges = solid_.edges.data() + face.first_edge;
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    const std::uint32_t next = i + 1 < face.edge_count ? i + 1 : 0;
+    if (edges[i].to != edges[next].from || hubs.is_straight(edges[i].from))
+      return false;
+    for (std::uint32_t k = 0; k < i; ++k) {
+      if (edges[k].from == edges[i].from) return false;
+    }
+  }
+  return face.edge_count > 0;
+}
+
+/// Begins with the least vertex, as walk_loops() does.
+void Merger::pass_on(const Face& face, Solid& result) const {
+  const SolidEdge* first = solid_.edges.data() + face.first_edge;
+  const SolidEdge* last = first + face.edge_count;
+  const SolidEdge* least = std::min_element(
+      first, last,
+      [](const SolidEdge& x, const SolidEdge& y) { return x.from < y.from; });
+  result.faces.push_back(face);
+  result.faces.back().first_edge =
+      static_cast<std::uint32_t>(result.edges.size());
+  result.edges.insert(result.edges.end(), least, last);
+  result.edges.insert(result.edges.end(), first, least);
+}
+
+Solid Merger::result(const Hubs& hubs) {
+  std::vector<std::uint8_t> staying(solid_.faces.size());
+  for (std::size_t f = 0; f < staying.size(); ++f) staying[f] = stays(f, hubs);
+  // What is left of the others, by the first of the faces that are one.
   std::vector<Piece> pieces;
-  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
-    const Face& face = solid.faces[f];
-    const std::int32_t bucket = root(static_cast<std::int32_t>(f));
-    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-      const SolidEdge& edge = solid.edges[face.first_edge + i];
-      if (!dropped[face.first_edge + i])
-        pieces.push_back({bucket, face.plane, edge.from, edge.to, edge.other});
+  for_edges([&](std::int32_t f, const Face& face, const SolidEdge& edge) {
+    if (staying[static_cast<std::size_t>(f)] == 0)
+      pieces.push_back({root(f), face.plane, edge.from, edge.to, edge.other});
+  });
+  walk_loops(pieces, hubs);
+  Solid result{{}, {}, solid_.unbounded, solid_.unit, solid_.space};
+  result.faces.reserve(solid_.faces.size());
+  result.edges.reserve(solid_.edges.size());
+  auto piece = pieces.begin();
+  for (std::size_t f = 0; f < staying.size(); ++f) {
+    const Face& face = solid_.faces[f];
+    if (staying[f] != 0) {
+      pass_on(face, result);
+      continue;
     }
+    if (piece == pieces.end() || piece->bucket != static_cast<std::int64_t>(f))
+      continue;
+    Face whole = face;
+    whole.first_edge = static_cast<std::uint32_t>(result.edges.size());
+    for (;
+         piece != pieces.end() && piece->bucket == static_cast<std::int64_t>(f);
+         ++piece)
+      result.edges.push_back({piece->from, piece->to, piece->other});
+    whole.edge_count =
+        static_cast<std::uint32_t>(result.edges.size()) - whole.first_edge;
+    whole.box = face_box(result, whole);
+    result.faces.push_back(whole);
   }
-  straighten(
-      pieces, [](std::int32_t) { return false; }, *solid.space);
-  Solid result{{}, {}, solid.unbounded, solid.unit, solid.space};
-  std::int64_t last = -1;
-  for (const Piece& piece : pieces) {
-    if (piece.bucket != last) {
-      Face face = solid.faces[static_cast<std::size_t>(piece.bucket)];
-      face.first_edge = static_cast<std::uint32_t>(result.edges.size());
-      face.edge_count = 0;
-      result.faces.push_back(face);
-      last = piece.bucket;
-    }
-    result.edges.push_back({piece.from, piece.to, piece.other});
-    ++result.faces.back().edge_count;
-  }
-  for (Face& face : result.faces) face.box = face_box(result, face);
   return result;
+}
+
+}  // namespace
+
+Solid merged(const Solid& solid, Merge rule) {
+  return Merger(solid, rule).run();
 }
 
 }  // namespace halfspace::fast

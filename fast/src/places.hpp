@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace halfspace::fast {
+
+/// The least and the greatest of some numbers, and how many they were.
+struct Extent {
+  std::int32_t low = std::numeric_limits<std::int32_t>::max();
+  std::int32_t high = -1;
+  std::size_t uses = 0;
+
+  void add(std::int32_t number) {
+    low = std::min(low, number);
+    high = std::max(high, number);
+    ++uses;
+  }
+  bool is_dense() const {
+    return uses > 0 && static_cast<std::size_t>(high - low) < 8 * uses;
+  }
+};
+
+/// Places in a list for numbers, which are not negative: a list that is not
+/// much longer than the numbers are many, however large they are.
+class Places {
+ public:
+  explicit Places(const Extent& extent) {
+    if (extent.is_dense()) {
+      low_ = extent.low;
+      size_ = static_cast<std::size_t>(extent.high - extent.low) + 1;
+    } else {
+      size_ = std::bit_ceil(2 * extent.uses + 1);
+      keys_.assign(size_, -1);
+    }
+  }
+  std::size_t size() const { return size_; }
+
+  /// The place of one of the numbers that make up the extent.
+  std::size_t operator()(std::int32_t number) {
+    if (keys_.empty()) return static_cast<std::size_t>(number - low_);
+    const std::size_t at = probe(number);
+    keys_[at] = number;
+    return at;
+  }
+  /// Likewise; for one that has been given no place yet, any that is free.
+  std::size_t find(std::int32_t number) const {
+    return keys_.empty() ? static_cast<std::size_t>(number - low_)
+                         : probe(number);
+  }
+
+ private:
+  /// Numbers stand in rows, nearly: they are their own hashes.
+  std::size_t probe(std::int32_t number) const {
+    const std::size_t mask = size_ - 1;
+    std::size_t at = static_cast<std::size_t>(number) & mask;
+    while (keys_[at] >= 0 && keys_[at] != number) at = (at + 1) & mask;
+    return at;
+  }
+
+  std::int32_t low_ = 0;
+  std::size_t size_ = 0;
+  std::vector<std::int32_t> keys_;
+};
+
+}  // namespace halfspace::fast
