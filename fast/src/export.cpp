@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <numeric>
 #include <span>
-#include <utility>
 
+#include "digits.hpp"
 #include "parallel.hpp"
+#include "places.hpp"
 #include "space.hpp"
 #include "triangulate.hpp"
 
@@ -21,26 +22,52 @@ double scaled(double value, Unit unit) {
                            : value * std::pow(10.0, unit.exponent);
 }
 
-/// A polygon of the mesh by points' ids, then by vertices.
-struct Polygon {
+/// Polygons in a row, by points' ids, then by vertices.
+struct Polygons {
   std::vector<std::int32_t> corners;
-  std::int32_t face = 0;
+  std::vector<std::uint32_t> first_corner = {0};
+  std::vector<std::int32_t> faces;
+
+  std::size_t size() const { return faces.size(); }
+  std::span<std::int32_t> at(std::size_t p) {
+    return std::span(corners).subspan(first_corner[p],
+                                      first_corner[p + 1] - first_corner[p]);
+  }
+  void add(std::span<const std::int32_t> polygon, std::int32_t face) {
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    first_corner.push_back(static_cast<std::uint32_t>(corners.size()));
+    faces.push_back(face);
+  }
 };
+
+/// Adds a face that is one triangle. Whether it is.
+bool add_triangle(const Solid& solid, std::size_t f, Polygons& polygons) {
+  const Face& face = solid.faces[f];
+  if (face.edge_count != 3) return false;
+  const SolidEdge* e = solid.edges.data() + face.first_edge;
+  // Three edges in a row are a loop round what they bound.
+  if (e[0].to != e[1].from || e[1].to != e[2].from || e[2].to != e[0].from)
+    return false;
+  polygons.add(std::array{e[0].from, e[1].from, e[2].from},
+               static_cast<std::int32_t>(f));
+  return true;
+}
 
 /// Adds the polygons of the faces from `first` to before `last`.
 void add_polygons(const Solid& solid, std::size_t first, std::size_t last,
-                  bool triangles, std::vector<Polygon>& polygons) {
+                  bool triangles, Polygons& polygons) {
   std::vector<std::array<std::int32_t, 3>> parts;
   std::vector<std::vector<std::int32_t>> joined;
   for (std::size_t f = first; f < last; ++f) {
+    if (add_triangle(solid, f, polygons)) continue;
     const auto id = static_cast<std::int32_t>(f);
     const Face& face = solid.faces[f];
-    if (!triangles || face.edge_count == 3) {
-      auto loop = convex_loop(
+    if (!triangles) {
+      const auto loop = convex_loop(
           solid, face,
           std::span(solid.edges).subspan(face.first_edge, face.edge_count));
       if (!loop.empty()) {
-        polygons.push_back({std::move(loop), id});
+        polygons.add(loop, id);
         continue;
       }
     }
@@ -49,56 +76,113 @@ void add_polygons(const Solid& solid, std::size_t first, std::size_t last,
     if (!triangles) {
       joined.clear();
       join_convex(solid, face, parts, joined);
-      for (auto& part : joined) polygons.push_back({std::move(part), id});
+      for (const auto& part : joined) polygons.add(part, id);
       continue;
     }
-    for (const auto& part : parts)
-      polygons.push_back({{part.begin(), part.end()}, id});
+    for (const auto& part : parts) polygons.add(part, id);
   }
 }
 
-std::vector<Polygon> polygons_of(const Solid& solid,
-                                 const ExportOptions& options) {
+Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
   constexpr std::size_t kBlock = 256;
-  std::vector<std::vector<Polygon>> blocks((solid.faces.size() + kBlock - 1) /
-                                           kBlock);
+  Polygons all;
+  if (options.threads <= 1) {
+    all.corners.reserve(solid.edges.size());
+    all.first_corner.reserve(solid.faces.size() + 1);
+    all.faces.reserve(solid.faces.size());
+    add_polygons(solid, 0, solid.faces.size(), options.triangles, all);
+    return all;
+  }
+  std::vector<Polygons> blocks((solid.faces.size() + kBlock - 1) / kBlock);
   for_blocks(options.threads, solid.faces.size(), kBlock,
              [&](std::size_t number, std::size_t first, std::size_t last) {
                add_polygons(solid, first, last, options.triangles,
                             blocks[number]);
              });
-  std::vector<Polygon> polygons;
-  for (auto& block : blocks) {
-    polygons.insert(polygons.end(), std::make_move_iterator(block.begin()),
-                    std::make_move_iterator(block.end()));
+  for (Polygons& block : blocks) {
+    for (std::size_t p = 0; p < block.size(); ++p)
+      all.add(block.at(p), block.faces[p]);
   }
-  return polygons;
+  return all;
+}
+
+/// A vertex at hand: comparing is mostly of what is here.
+struct Corner {
+  Vertex approximate;
+  std::int32_t id;
+};
+
+/// Whether a vertex comes before another, by their coordinates.
+bool is_before(const Corner& a, const Corner& b, const Space& space) {
+  const double p[3] = {a.approximate.x, a.approximate.y, a.approximate.z};
+  const double q[3] = {b.approximate.x, b.approximate.y, b.approximate.z};
+  const bool exact = a.approximate.error == 0 && b.approximate.error == 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = p[axis] - q[axis];
+    if (exact && d == 0) continue;
+    const int order =
+        exact ? (d < 0 ? -1 : 1) : space.compare(axis, a.id, b.id);
+    if (order != 0) return order < 0;
+  }
+  return false;
+}
+
+/// The vertices of the polygons, in the order of their coordinates.
+std::vector<std::int32_t> vertices_in_order(
+    const std::vector<std::int32_t>& used, const Space& space) {
+  std::vector<Corner> corners;
+  std::vector<Keyed> keyed;
+  corners.reserve(used.size());
+  keyed.reserve(used.size());
+  double error = 0;
+  for (const std::int32_t v : used) {
+    const Vertex& at = space.vertex(v).approximate;
+    error = std::max(error, at.error);
+    keyed.push_back({key_of(at.x), static_cast<std::uint32_t>(corners.size())});
+    corners.push_back({at, v});
+  }
+  sort_by_key(keyed);
+  // What is nearly level along the first axis is sorted anew.
+  const auto corner = [&](const Keyed& k) -> const Corner& {
+    return corners[k.item];
+  };
+  for (auto i = keyed.begin(); i != keyed.end();) {
+    auto j = i + 1;
+    while (j != keyed.end() &&
+           corner(*j).approximate.x - corner(*(j - 1)).approximate.x <=
+               3 * error)
+      ++j;
+    if (j - i > 1) {
+      std::sort(i, j, [&](const Keyed& a, const Keyed& b) {
+        return is_before(corner(a), corner(b), space);
+      });
+    }
+    i = j;
+  }
+  std::vector<std::int32_t> order;
+  order.reserve(used.size());
+  for (const Keyed& k : keyed) order.push_back(corner(k).id);
+  return order;
 }
 
 /// Puts the vertices that the polygons have in the mesh, in the order of their
 /// coordinates, and their numbers there in place of the points' ids.
-void add_vertices(const Solid& solid, std::vector<Polygon>& polygons,
-                  ExportedMesh& mesh) {
+void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
   const Space& space = *solid.space;
-  std::vector<std::int32_t> numbers(space.vertex_count(), -1);
+  Extent extent;
+  for (const std::int32_t v : polygons.corners) extent.add(v);
+  Places places(extent);
+  std::vector<std::int32_t> numbers(places.size(), -1);
   std::vector<std::int32_t> used;
-  for (const Polygon& polygon : polygons) {
-    for (const std::int32_t v : polygon.corners) {
-      std::int32_t& number = numbers[static_cast<std::size_t>(v)];
-      if (number < 0) used.push_back(v);
-      number = 0;
-    }
+  for (const std::int32_t v : polygons.corners) {
+    std::int32_t& number = numbers[places(v)];
+    if (number < 0) used.push_back(v);
+    number = 0;
   }
-  std::sort(used.begin(), used.end(), [&](std::int32_t u, std::int32_t v) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const int order = space.compare(axis, u, v);
-      if (order != 0) return order < 0;
-    }
-    return false;
-  });
-  for (const std::int32_t v : used) {
-    numbers[static_cast<std::size_t>(v)] =
-        static_cast<std::int32_t>(mesh.vertices.size());
+  const std::vector<std::int32_t> order = vertices_in_order(used, space);
+  mesh.vertices.reserve(order.size());
+  for (const std::int32_t v : order) {
+    numbers[places(v)] = static_cast<std::int32_t>(mesh.vertices.size());
     bool rounded = false;
     std::array<double, 3> at = space.nearest(v, rounded);
     for (double& coordinate : at) coordinate = scaled(coordinate, solid.unit);
@@ -112,22 +196,53 @@ void add_vertices(const Solid& solid, std::vector<Polygon>& polygons,
     mesh.max_move = std::max(mesh.max_move,
                              size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
   }
-  for (Polygon& polygon : polygons) {
-    for (std::int32_t& v : polygon.corners)
-      v = numbers[static_cast<std::size_t>(v)];
-    std::rotate(
-        polygon.corners.begin(),
-        std::min_element(polygon.corners.begin(), polygon.corners.end()),
-        polygon.corners.end());
+  for (std::int32_t& v : polygons.corners) v = numbers[places(v)];
+  for (std::size_t p = 0; p < polygons.size(); ++p) {
+    const auto corners = polygons.at(p);
+    std::rotate(corners.begin(),
+                std::min_element(corners.begin(), corners.end()),
+                corners.end());
   }
 }
 
+/// The polygons in the order of their corners, the first of which are the
+/// least.
+std::vector<std::uint32_t> polygons_in_order(Polygons& polygons,
+                                             std::size_t vertex_count) {
+  std::vector<std::uint32_t> place(vertex_count + 1);
+  const auto first = [&](std::size_t p) {
+    return static_cast<std::size_t>(polygons.corners[polygons.first_corner[p]]);
+  };
+  for (std::size_t p = 0; p < polygons.size(); ++p) ++place[first(p) + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<std::uint32_t> order(polygons.size());
+  for (std::size_t p = 0; p < polygons.size(); ++p)
+    order[place[first(p)]++] = static_cast<std::uint32_t>(p);
+  auto i = order.begin();
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const auto j = order.begin() + static_cast<std::ptrdiff_t>(place[v]);
+    std::sort(i, j, [&](std::uint32_t p, std::uint32_t q) {
+      const auto x = polygons.at(p);
+      const auto y = polygons.at(q);
+      const auto [at, other] =
+          std::mismatch(x.begin(), x.end(), y.begin(), y.end());
+      if (at == x.end() || other == y.end())
+        return x.size() != y.size() ? x.size() < y.size()
+                                    : polygons.faces[p] < polygons.faces[q];
+      return *at < *other;
+    });
+    i = j;
+  }
+  return order;
+}
+
 /// Whether a corner surely turns to the left as seen from outside.
-bool surely_turns(const ExportedMesh& mesh, const Polygon& polygon,
-                  std::size_t i, const Plane& normal, double sign) {
+bool surely_turns(const ExportedMesh& mesh,
+                  std::span<const std::int32_t> polygon, std::size_t i,
+                  const Plane& normal, double sign) {
   const auto at = [&](std::size_t k) -> const std::array<double, 3>& {
-    return mesh.vertices[static_cast<std::size_t>(
-        polygon.corners[(i + k) % polygon.corners.size()])];
+    return mesh
+        .vertices[static_cast<std::size_t>(polygon[(i + k) % polygon.size()])];
   };
   std::array<double, 3> u, v;
   double size = 0, length = 0;
@@ -150,27 +265,29 @@ bool surely_turns(const ExportedMesh& mesh, const Polygon& polygon,
 ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
   ExportedMesh mesh;
   if (solid.faces.empty()) return mesh;
-  auto polygons = polygons_of(solid, options);
+  Polygons polygons = polygons_of(solid, options);
   add_vertices(solid, polygons, mesh);
-  std::sort(
-      polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
-        return p.corners != q.corners ? p.corners < q.corners : p.face < q.face;
-      });
-  for (const Polygon& polygon : polygons) {
-    const Face& face = solid.faces[static_cast<std::size_t>(polygon.face)];
+  mesh.corners.reserve(polygons.corners.size());
+  mesh.first_corner.reserve(polygons.size() + 1);
+  mesh.faces.reserve(polygons.size());
+  mesh.colors.reserve(polygons.size());
+  for (const std::uint32_t p :
+       polygons_in_order(polygons, mesh.vertices.size())) {
+    const auto corners = polygons.at(p);
+    const std::int32_t f = polygons.faces[p];
+    const Face& face = solid.faces[static_cast<std::size_t>(f)];
     const Plane& normal = solid.space->plane(face.plane).filter.plane;
     // A convex polygon may have straight corners: one sure corner is enough to
     // tell where it faces.
     bool turned = true;
-    for (std::size_t i = 0; i < polygon.corners.size() && turned; ++i)
-      turned = !surely_turns(mesh, polygon, i, normal, face.turned ? -1 : 1);
+    for (std::size_t i = 0; i < corners.size() && turned; ++i)
+      turned = !surely_turns(mesh, corners, i, normal, face.turned ? -1 : 1);
     if (turned)
       mesh.turned.push_back(static_cast<std::int32_t>(mesh.faces.size()));
-    mesh.corners.insert(mesh.corners.end(), polygon.corners.begin(),
-                        polygon.corners.end());
+    mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
     mesh.first_corner.push_back(
         static_cast<std::uint32_t>(mesh.corners.size()));
-    mesh.faces.push_back(polygon.face);
+    mesh.faces.push_back(f);
     mesh.colors.push_back(face.color);
   }
   return mesh;

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace halfspace::fast {
+
+/// What is to be sorted, by a key.
+struct Keyed {
+  std::uint64_t key;
+  std::uint32_t item;
+};
+
+/// Sorts by key; what has one key stays in its order.
+///
+/// Cost: linear, with a pass for each digit in which keys differ.
+inline void sort_by_key(std::vector<Keyed>& keyed) {
+  constexpr int kDigitBits = 11;
+  constexpr std::size_t kMany = 256;
+  if (keyed.size() < kMany) {
+    std::stable_sort(
+        keyed.begin(), keyed.end(),
+        [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
+    return;
+  }
+  std::uint64_t differs = 0;
+  for (const Keyed& k : keyed) differs |= k.key ^ keyed.front().key;
+  std::vector<Keyed> sorted(keyed.size());
+  for (int shift = 0; shift < 64; shift += kDigitBits) {
+    constexpr std::uint64_t kMask = (1u << kDigitBits) - 1;
+    if ((differs >> shift & kMask) == 0) continue;
+    std::array<std::uint32_t, kMask + 2> place{};
+    for (const Keyed& k : keyed) ++place[(k.key >> shift & kMask) + 1];
+    for (std::size_t d = 1; d < place.size(); ++d) place[d] += place[d - 1];
+    for (const Keyed& k : keyed) sorted[place[k.key >> shift & kMask]++] = k;
+    keyed.swap(sorted);
+  }
+}
+
+/// A key in whose order numbers are, -0 before 0.
+/// Requires: it is a number.
+inline std::uint64_t key_of(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+  return (bits & kSign) != 0 ? ~bits : bits | kSign;
+}
+
+}  // namespace halfspace::fast
