@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,12 +19,6 @@ using Boolean = std::function<fast::Solid(BooleanOp, const fast::Solid&,
 fast::Solid shipped(BooleanOp operation, const fast::Solid& a,
                     const fast::Solid& b);
 
-/// Six times the volume in cubic grid steps, modulo two primes of 61 and 62
-/// bits: rational volumes that differ there are different, and those that do
-/// not differ by no less than the product of the primes, if at all.
-/// Requires: a bounded solid.
-std::array<std::uint64_t, 2> volume6(const fast::Solid& solid);
-
 /// Whether the solids are one point set: their least surfaces are the same,
 /// edge by edge.
 /// Requires: one table.
@@ -41,9 +34,9 @@ std::size_t count_foreign_faces(const fast::Solid& a, const fast::Solid& b);
 /// place.
 std::vector<std::string> faults_of(const fast::Solid& solid);
 
-/// The identities that do not hold for the two solids: volumes add up, what is
-/// cut is put together again, De Morgan's laws, either with itself; and what
-/// is wrong with the form of the results.
+/// The identities that do not hold for the two solids: volumes add up, exactly,
+/// what is cut is put together again, De Morgan's laws, either with itself; and
+/// what is wrong with the form of the results.
 /// Requires: one table, bounded, parts 0 and 1.
 std::vector<std::string> broken_identities(const fast::Solid& a,
                                            const fast::Solid& b,

@@ -7,7 +7,9 @@
 
 #include "../agree_solids.hpp"
 #include "halfspace/fast/boolean.hpp"
+#include "halfspace/ref/boolean.hpp"
 #include "placing.hpp"
+#include "volume.hpp"
 
 namespace halfspace::identities {
 namespace {
@@ -93,6 +95,43 @@ TEST(Identities, AreBrokenByWrongBooleans) {
     }
   }
   for (const int count : found) EXPECT_GE(count, 3);
+}
+
+TEST(Identities, VolumesAreExact) {
+  Draws draws(9);
+  for (const SolidKind kind : kSolidKinds) {
+    const auto a = agree::random_solid(kind, 12, draws);
+    const Solid whole = fast::to_solid(a);
+    VolumeSum sum;
+    sum.add(whole, 2);
+    sum.add(whole, 1);
+    EXPECT_TRUE(sum.times6() ==
+                ref::Rational(3) * ref::volume6(ref::to_solid(a)));
+  }
+  // A cube of 3 steps, less what is beyond x + 2 y + 4 z = 5.
+  const auto cube = [](std::int64_t size) {
+    SceneData data;
+    for (int i = 0; i < 8; ++i)
+      data.vertices.push_back(
+          {size * (i & 1), size * (i >> 1 & 1), size * (i >> 2)});
+    data.corners = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4,
+                    2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+    data.first_corner = {0, 4, 8, 12, 16, 20, 24};
+    data.colors.resize(6);
+    return fast::to_solid(*make_solid(*make_scene(std::move(data))));
+  };
+  const Solid large = cube(3);
+  const fast::Halves halves =
+      fast::split(large, {{{5, 0, 0}, {1, 2, 0}, {1, 0, 1}}});
+  VolumeSum part;
+  part.add(halves.positive, 1);
+  // The plane's pyramid in the corner, 5^3/(1*2*4), less those of its tips
+  // beyond x = 3, 2^3/8.
+  const ref::Rational tip = ref::Rational(125 - 8) / ref::Rational(8);
+  EXPECT_TRUE(part.times6() == tip ||
+              part.times6() == ref::Rational(6 * 27) - tip);
+  part.add(halves.negative, 1);
+  EXPECT_TRUE(part.times6() == 6 * 27);
 }
 
 TEST(Identities, EdgesInTheWrongFaceAreAFault) {

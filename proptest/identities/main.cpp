@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/crossings.hpp"
+#include "halfspace/fast/operand.hpp"
 #include "identities.hpp"
 #include "placing.hpp"
 
@@ -40,10 +40,10 @@ std::vector<Model> usable(const std::vector<std::string>& paths,
       std::printf("left out: %s: %zu polygons\n", path.c_str(), size);
       continue;
     }
-    const auto found = fast::crossings(fast::to_solid(*solid));
-    if (!found.empty()) {
-      std::printf("left out: %s: crosses itself, %zu pairs of polygons\n",
-                  path.c_str(), found.size());
+    const Result<Done> fine = fast::check_operand(fast::to_solid(*solid));
+    if (!fine) {
+      std::printf("left out: %s: %s\n", path.c_str(),
+                  fine.error().message.c_str());
       continue;
     }
     models.push_back({path, *solid, size});
@@ -70,13 +70,21 @@ bool check(const Model& a, const Model& b, Position position,
   return broken.empty();
 }
 
-int run(const std::vector<std::string>& paths, std::size_t most,
-        double seconds) {
+struct Bounds {
+  std::size_t least = 0;  ///< polygons of the larger one
+  std::size_t most = 100000;
+  double seconds = 1e9;
+};
+
+int run(const std::vector<std::string>& paths, const Bounds& bounds) {
   const auto start = std::chrono::steady_clock::now();
-  const auto models = usable(paths, most);
+  const auto models = usable(paths, bounds.most);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < models.size(); ++i) {
-    for (std::size_t j = 0; j < models.size(); ++j) pairs.emplace_back(i, j);
+    for (std::size_t j = 0; j < models.size(); ++j) {
+      if (std::max(models[i].size, models[j].size) >= bounds.least)
+        pairs.emplace_back(i, j);
+    }
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [&](const auto& x, const auto& y) {
@@ -87,11 +95,11 @@ int run(const std::vector<std::string>& paths, std::size_t most,
   for (const auto& [i, j] : pairs) {
     const std::chrono::duration<double> passed =
         std::chrono::steady_clock::now() - start;
-    if (passed.count() > seconds) break;
+    if (passed.count() > bounds.seconds) break;
     for (const Position position : kPositions)
       if (!check(models[i], models[j], position, checked)) ++wrong;
     ++done;
-    if (done % 100 == 0) {
+    if (done % 50 == 0) {
       std::printf("%zu pairs, up to %zu polygons together\n", done,
                   models[i].size + models[j].size);
     }
@@ -107,24 +115,26 @@ int run(const std::vector<std::string>& paths, std::size_t most,
 }  // namespace halfspace::identities
 
 int main(int argc, char** argv) {
-  std::size_t most = 100000;
-  double seconds = 1e9;
+  halfspace::identities::Bounds bounds;
   std::vector<std::string> paths;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word == "--max-polygons" && i + 1 < argc) {
-      most = std::strtoull(argv[++i], nullptr, 10);
+    if (word == "--min-polygons" && i + 1 < argc) {
+      bounds.least = std::strtoull(argv[++i], nullptr, 10);
+    } else if (word == "--max-polygons" && i + 1 < argc) {
+      bounds.most = std::strtoull(argv[++i], nullptr, 10);
     } else if (word == "--seconds" && i + 1 < argc) {
-      seconds = std::strtod(argv[++i], nullptr);
+      bounds.seconds = std::strtod(argv[++i], nullptr);
     } else {
       paths.push_back(word);
     }
   }
   if (paths.empty()) {
-    std::fprintf(stderr,
-                 "usage: check_identities [--max-polygons N] [--seconds S] "
-                 "MESH...\n");
+    std::fprintf(
+        stderr,
+        "usage: check_identities [--min-polygons N] [--max-polygons N] "
+        "[--seconds S] MESH...\n");
     return 2;
   }
-  return halfspace::identities::run(paths, most, seconds);
+  return halfspace::identities::run(paths, bounds);
 }
