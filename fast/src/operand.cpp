@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/crossings.hpp"
+#include "self_wings.hpp"
 #include "space.hpp"
 
 namespace halfspace::fast {
@@ -62,6 +62,48 @@ std::int32_t open_vertex(const Solid& solid, const Face& face,
   return begun == from.end() ? -1 : std::min(*begun, *ended);
 }
 
+Error crossed(const Solid& solid, const std::vector<Crossing>& found) {
+  const Crossing& first = found.front();
+  std::string sentence =
+      "the surface crosses itself: polygons " + polygon_of(solid, first.first) +
+      " and " + polygon_of(solid, first.second) +
+      (first.in_plane ? " overlap" : " cross") + near(solid, first.vertex);
+  if (found.size() > 1) {
+    sentence += ", and " + std::to_string(found.size() - 1) +
+                " more pairs do such things";
+  }
+  return not_closed(sentence, first.first);
+}
+
+/// Of a surface that does not cross itself each part has the same outside all
+/// over, round which nothing may be wound.
+Result<Done> check_windings(const Solid& solid, SelfWings& wings) {
+  const auto parts = parts_of_surface(
+      wings.contacts().operand, std::vector<std::uint8_t>(solid.faces.size()));
+  std::size_t wrong = 0;
+  Error error;
+  for (std::size_t f = 0; f < parts.size(); ++f) {
+    const Face& face = solid.faces[f];
+    const auto id = static_cast<std::int32_t>(f);
+    if (parts[f] != id || face.edge_count == 0) continue;
+    const int level = wings.level_outside(id);
+    if (level == 0 || ++wrong > 1) continue;
+    const std::string polygon = "polygon " + polygon_of(solid, id);
+    error = not_closed(
+        level < 0 ? "the surface is inside out: " + polygon + " faces inwards"
+                  : "the surface winds round a place twice: " + polygon +
+                        " is within the solid, and faces outwards",
+        id);
+    error.message += near(solid, solid.edges[face.first_edge].from);
+  }
+  if (wrong == 0) return Done{};
+  if (wrong > 1) {
+    error.message += ", and so do " + std::to_string(wrong - 1) +
+                     (wrong == 2 ? " other part" : " other parts") + " of it";
+  }
+  return error;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> open_faces(const Solid& solid) {
@@ -95,18 +137,10 @@ Result<Done> check_operand(const Solid& solid) {
                           polygon_of(solid, face) + near(solid, v),
                       face);
   }
-  const auto found = crossings(solid);
-  if (found.empty()) return Done{};
-  const Crossing& first = found.front();
-  std::string sentence =
-      "the surface crosses itself: polygons " + polygon_of(solid, first.first) +
-      " and " + polygon_of(solid, first.second) +
-      (first.in_plane ? " overlap" : " cross") + near(solid, first.vertex);
-  if (found.size() > 1) {
-    sentence += ", and " + std::to_string(found.size() - 1) +
-                " more pairs do such things";
-  }
-  return not_closed(sentence, first.first);
+  SelfWings wings(solid);
+  const auto found = crossings_of(wings.contacts());
+  if (!found.empty()) return crossed(solid, found);
+  return check_windings(solid, wings);
 }
 
 }  // namespace halfspace::fast

@@ -1,13 +1,11 @@
 #include "halfspace/fast/repair.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <utility>
 
 #include "boolean_result.hpp"
-#include "boolean_wings.hpp"
-#include "self_contacts.hpp"
+#include "self_wings.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -23,10 +21,9 @@ class Resolver {
   explicit Resolver(const Solid& solid)
       : solid_(solid),
         space_(*solid.space),
-        contacts_(self_contacts(solid)),
-        operand_(contacts_.operand),
-        locator_(operand_, space_) {
-    index_.add(solid, 0);
+        wings_(solid),
+        contacts_(wings_.contacts()),
+        operand_(contacts_.operand) {
     std::sort(operand_.cuts.begin(), operand_.cuts.end(),
               [](const Cut& x, const Cut& y) { return x.edge < y.edge; });
   }
@@ -54,23 +51,16 @@ class Resolver {
   void emit_trace(const Trace& trace);
   void emit_segments(Segment line);
   void emit(const Segment& segment);
-  void find_wings(const Segment& segment);
-  void add_wings(std::int32_t f, const Segment& segment);
-  int level_before_first(const Segment& segment) const;
   void add_points_of(std::int32_t f, const Trace& trace);
-  bool stays(std::int32_t f);
-  std::vector<std::int32_t> untouched_parts() const;
   Solid result(Repaired& repaired);
 
   const Solid& solid_;
   Space& space_;
-  SelfContacts contacts_;
+  SelfWings wings_;
+  SelfContacts& contacts_;
   Operand& operand_;
-  Locator locator_;
-  FaceIndex index_;
   std::vector<std::uint8_t> is_cut_;  ///< by face: something crosses it
   std::vector<std::int32_t> points_;
-  std::vector<Wing> wings_;
   std::set<std::pair<std::int32_t, std::int32_t>> done_;  ///< segments
   std::vector<Piece> pieces_;
 };
@@ -136,7 +126,7 @@ void Resolver::emit_trace(const Trace& trace) {
   extend(box, space_.vertex(trace.low).approximate);
   extend(box, space_.vertex(trace.high).approximate);
   std::vector<std::int32_t> near;
-  index_.find(box, [&](std::int32_t f) { near.push_back(f); });
+  wings_.index().find(box, [&](std::int32_t f) { near.push_back(f); });
   for (const std::int32_t f : near) {
     if (f != trace.first && f != trace.second) add_points_of(f, trace);
   }
@@ -190,96 +180,24 @@ void Resolver::emit_segments(Segment line) {
   }
 }
 
-/// The faces that have the segment in them or along an edge.
-void Resolver::find_wings(const Segment& segment) {
-  wings_.clear();
-  Box box = kEmptyBox;
-  extend(box, space_.vertex(segment.low).approximate);
-  extend(box, space_.vertex(segment.high).approximate);
-  std::vector<std::int32_t> near;
-  index_.find(box, [&](std::int32_t f) {
-    if (space_.side(face(f).plane, segment.low) == 0 &&
-        space_.side(face(f).plane, segment.high) == 0)
-      near.push_back(f);
-  });
-  std::sort(near.begin(), near.end());
-  for (const std::int32_t f : near) add_wings(f, segment);
-}
-
-/// Seen from right beside the line, on either side, the face begins and ends
-/// where its edges cross that side.
-void Resolver::add_wings(std::int32_t f, const Segment& segment) {
-  const Face& of = face(f);
-  const std::int32_t across = other_than(of.plane, segment.planes);
-  bool positive = false, negative = false;
-  for (std::uint32_t i = 0; i < of.edge_count; ++i) {
-    const SolidEdge& edge = solid_.edges[of.first_edge + i];
-    const int from = space_.side(across, edge.from);
-    const int to = space_.side(across, edge.to);
-    const bool on_positive = (from > 0) != (to > 0);
-    const bool on_negative = (from < 0) != (to < 0);
-    if (!on_positive && !on_negative) continue;
-    const std::int32_t at =
-        from == 0 ? edge.from
-        : to == 0
-            ? edge.to
-            : space_.meet(of.plane, plane_athwart(edge, of, space_), across);
-    if (space_.compare(segment.axis, at, segment.low) > 0) continue;
-    positive = positive != on_positive;
-    negative = negative != on_negative;
-  }
-  const bool positive_is_left =
-      space_.cross_sign(segment.axis, across, of.plane) > 0;
-  if (positive_is_left ? positive : negative)
-    wings_.push_back({0, f, of.plane, 1, of.turned});
-  if (positive_is_left ? negative : positive)
-    wings_.push_back({0, f, of.plane, -1, of.turned});
-}
-
-/// How often the surface winds round the wedge before the first wing.
-///
-/// The locator tells of the wedge that holds a point beside the segment, in a
-/// direction D that has a sign against every plane. The angle from a wing to D
-/// has a sine of that sign, times the wing's turn.
-int Resolver::level_before_first(const Segment& segment) const {
-  const auto sine = [this](const Wing& w) {
-    for (const int axis : {0, 2, 1}) {
-      const int sign = space_.normal_sign(w.plane, axis);
-      if (sign != 0) return sign * w.turn;
-    }
-    return 0;
-  };
-  int level = locator_.winding(segment.low, segment.high);
-  const Wing& first = wings_.front();
-  const bool within_half = sine(first) > 0;
-  for (const Wing& w : wings_) {
-    const int part = part_of_turn(first, w, segment.axis, space_);
-    const int doubtful = within_half ? 1 : 3;
-    if (part < doubtful || (part == doubtful && sine(w) > 0))
-      level -= change(w);
-  }
-  return level;
-}
-
 void Resolver::emit(const Segment& segment) {
-  find_wings(segment);
-  if (wings_.empty()) return;
-  sort_wings(wings_, segment.axis, space_);
-  int level = level_before_first(segment);
+  const std::vector<Wing>& wings = wings_.at(segment);
+  if (wings.empty()) return;
+  int level = wings_.level_before_first(segment);
   const std::size_t before_any = pieces_.size();
-  for (std::size_t i = 0; i < wings_.size();) {
+  for (std::size_t i = 0; i < wings.size();) {
     const bool before = level > 0;
     const std::size_t first = i;
     do {
-      level += change(wings_[i]);
+      level += change(wings[i]);
       ++i;
-    } while (i < wings_.size() && as_last(wings_, i));
+    } while (i < wings.size() && as_last(wings, i));
     const bool after = level > 0;
     if (before == after) continue;
     // One of the wings looks outwards there, where the result ends or begins.
     std::size_t source = first;
-    while (change(wings_[source]) != (before ? -1 : 1)) ++source;
-    const Wing& wing = wings_[source];
+    while (change(wings[source]) != (before ? -1 : 1)) ++source;
+    const Wing& wing = wings[source];
     Piece piece{wing.face, wing.plane, segment.low, segment.high,
                 other_than(wing.plane, segment.planes)};
     if (!before) std::swap(piece.from, piece.to);
@@ -291,56 +209,10 @@ void Resolver::emit(const Segment& segment) {
     pieces_.resize(before_any);
 }
 
-/// Whether a face that nothing cuts bounds the result.
-bool Resolver::stays(std::int32_t f) {
-  const LineEdge& of = operand_.edge(operand_.edge_of[face(f).first_edge]);
-  LineEdge edge = of;
-  const Segment segment{edge.low,
-                        edge.high,
-                        edge.axis,
-                        {edge.plane, second_plane(edge, operand_, space_)}};
-  find_wings(segment);
-  sort_wings(wings_, segment.axis, space_);
-  int level = level_before_first(segment);
-  for (std::size_t i = 0; i < wings_.size(); ++i) {
-    const bool before = level > 0;
-    level += change(wings_[i]);
-    if (wings_[i].face == f) return before != (level > 0);
-  }
-  return false;
-}
-
-/// For each face that nothing cuts, one that stays if it does: of two at an
-/// edge that no others have.
-std::vector<std::int32_t> Resolver::untouched_parts() const {
-  std::vector<std::int32_t> parent(solid_.faces.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t f) {
-    while (parent[static_cast<std::size_t>(f)] != f) {
-      std::int32_t& up = parent[static_cast<std::size_t>(f)];
-      up = parent[static_cast<std::size_t>(up)];
-      f = up;
-    }
-    return f;
-  };
-  for (const LineEdge& edge : operand_.edges) {
-    if (edge.use_count != 2) continue;
-    const std::int32_t f = operand_.uses[edge.first_use].face;
-    const std::int32_t g = operand_.uses[edge.first_use + 1].face;
-    if (is_cut(f) || is_cut(g)) continue;
-    const std::int32_t r = root(f);
-    const std::int32_t s = root(g);
-    parent[static_cast<std::size_t>(std::max(r, s))] = std::min(r, s);
-  }
-  for (std::size_t f = 0; f < parent.size(); ++f)
-    parent[f] = root(static_cast<std::int32_t>(f));
-  return parent;
-}
-
 Solid Resolver::result(Repaired& repaired) {
   Solid result{{}, {}, false, solid_.unit, solid_.space};
   // Step 1: the faces that nothing cuts, as they are.
-  const std::vector<std::int32_t> part = untouched_parts();
+  const std::vector<std::int32_t> part = parts_of_surface(operand_, is_cut_);
   std::vector<std::uint8_t> stay(solid_.faces.size());
   std::set<std::int32_t> pinned;
   const auto begin = [&](std::int32_t f) {
@@ -354,7 +226,7 @@ Solid Resolver::result(Repaired& repaired) {
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(part.size()); ++f) {
     if (is_cut(f)) continue;
     const auto at = static_cast<std::size_t>(f);
-    stay[at] = part[at] == f ? stays(f)
+    stay[at] = part[at] == f ? wings_.level_outside(f) == 0
                              : stay[static_cast<std::size_t>(part[at])] != 0;
     if (stay[at] == 0) continue;
     begin(f);

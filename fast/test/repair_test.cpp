@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -121,6 +122,38 @@ TEST(FastOperand, IsRefusedWithThePlace) {
   wall.faces[1].first_edge = 4;
   EXPECT_TRUE(bad_edges(wall).empty());
   EXPECT_NE(said_of(wall), "fine");
+}
+
+TEST(FastOperand, WindsRoundPlacesOnceOrNotAtAll) {
+  const auto said = [](std::initializer_list<std::pair<Cubes, bool>> shells,
+                       bool in_least_faces) {
+    Solid solid = to_solid(lattice::surface(Cubes{}));
+    for (const auto& [cubes, turned] : shells)
+      add_surface(cubes, turned, in_least_faces, solid);
+    solid.unbounded = false;
+    return said_of(solid);
+  };
+  const Cubes large = block(0, 6, 6), small = block(1, 4, 4);
+  const Cubes tiny = block(2, 3, 3), corner = block(4, 8, 8);
+  for (const bool least : {true, false}) {
+    // A cavity, and a solid in it; solids side by side.
+    EXPECT_EQ(said({{large, false}, {small, true}, {tiny, false}}, least),
+              "fine");
+    EXPECT_EQ(said({{small, false}, {block(4, 6, 6), false}}, least), "fine");
+    EXPECT_EQ(said({{large, true}}, least).find("the surface is inside out"),
+              0u);
+    const std::string twice =
+        said({{large, false}, {small, false}, {tiny, false}}, least);
+    EXPECT_EQ(twice.find("the surface winds round a place twice"), 0u);
+    EXPECT_NE(twice.find("1 other part "), std::string::npos);
+    // A solid less what it does not have.
+    EXPECT_NE(said({{small, false}, {block(6, 8, 8), true}}, least)
+                  .find("inside out"),
+              std::string::npos);
+    EXPECT_NE(said({{large, false}, {corner, false}}, least)
+                  .find(least ? "crosses" : "twice"),
+              std::string::npos);
+  }
 }
 
 TEST(FastRepair, WhatIsWoundRoundIsKept) {

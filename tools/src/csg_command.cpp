@@ -169,9 +169,14 @@ Status Job::finish(const CsgScript& script, const CsgPlan& plan,
                    double boolean_ms) const {
   const CsgContext context{script, plan, operands, result, boolean_ms};
   if (result.bad_edges != 0) {
-    return fail("this is a bug: the result has " +
-                std::to_string(result.bad_edges) +
-                " bad edges; nothing was written");
+    const std::string edges =
+        std::to_string(result.bad_edges) + " bad edges; nothing was written";
+    if (!operands.are_trusted())
+      return fail("this is a bug: the result has " + edges);
+    return fail(
+        "a surface crosses itself, and --trust did not look which: the "
+        "result has " +
+        edges);
   }
   if (!result.turned.empty() && arguments_.strict) {
     return fail(turned_sentence(context) + "; nothing was written");
@@ -280,7 +285,8 @@ void add_csg(CLI::App& program, Status& status) {
                 "Keep what a surface that crosses itself winds round at least "
                 "once, instead of refusing it");
   app->add_flag("--trust", arguments->trust,
-                "Do not look whether surfaces cross themselves");
+                "Do not look whether surfaces cross themselves: if one does, "
+                "the result may be wrong");
   add_parsed(*app, "--shadow", "SHARE", arguments->shadow, parse_share,
              "Check this share of the booleans without halves at "
              "points near the surfaces, by the reference's numbers; exit "

@@ -7,9 +7,11 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"
+#include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/repair.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/shadow/boolean.hpp"
+#include "loading.hpp"
 #include "volume.hpp"
 
 namespace halfspace::tools {
@@ -40,8 +42,14 @@ class FastAlgebra {
     const Result<Solid> solid = operands_.leaf(id);
     if (!solid) return solid.error();
     Value value = fast::to_solid(*solid, nothing_, id);
-    if (!operands_.crosses_itself(id)) return value;
+    if (!operands_.to_repair(id)) return value;
     fast::Repaired repaired = fast::repair(value);
+    if (repaired.solid.faces.empty()) {
+      return about(operands_.path_of(id),
+                   {ErrorCode::kNotClosed,
+                    "--repair leaves nothing of it: its surface winds round no "
+                    "place as it should, so it is empty or inside out"});
+    }
     repairs_.push_back({id, repaired.crossings.size(), repaired.faces_cut,
                         repaired.faces_dropped});
     return std::move(repaired.solid);
@@ -180,18 +188,24 @@ std::size_t bad_edges_of(const fast::ExportedMesh& mesh) {
 }
 
 CsgResult finished(fast::Solid solid, const CsgOptions& options) {
-  solid = merged_by(solid, options.merge);
   CsgResult result;
+  // Only of closed faces can there be polygons.
+  const auto is_closed = [&result](const fast::Solid& made) {
+    result.bad_edges =
+        std::max(fast::bad_edges(made).size(), fast::open_faces(made).size());
+    return result.bad_edges == 0;
+  };
+  if (!is_closed(solid)) return result;
+  solid = merged_by(solid, options.merge);
   result.faces = solid.faces.size();
-  result.bad_edges = fast::bad_edges(solid).size();
+  if (!is_closed(solid)) return result;
   const Unit unit = solid.unit;
   // In steps, doubles hold every point of the grid.
   solid.unit = {2, 0};
   const fast::ExportOptions how{options.triangles, options.threads};
   fast::ExportedMesh mesh = fast::exported(solid, how);
   result.polygons = mesh.faces.size();
-  // Faces may be no loops even where the edges of all of them cancel.
-  result.bad_edges = std::max(result.bad_edges, bad_edges_of(mesh));
+  result.bad_edges = bad_edges_of(mesh);
   result.volume = about_volume(mesh.vertices, mesh.first_corner, mesh.corners) *
                   std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
   for (const std::int32_t f : mesh.faces) {

@@ -140,6 +140,7 @@ nlohmann::json stats_of(const CsgContext& context,
                           {"polygons_out", result.polygons},
                           {"bad_edges", result.bad_edges},
                           {"repaired", result.repairs.size()},
+                          {"trusted", context.operands.are_trusted()},
                           {"volume", result.volume},
                           {"boolean_ms", context.boolean_ms},
                           {"import",
@@ -169,6 +170,11 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
   std::printf("operands: %zu of %zu polygons; %s\n", context.plan.leaves.size(),
               polygons_in(context),
               to_string(context.operands.report()).c_str());
+  if (context.operands.are_trusted()) {
+    std::printf(
+        "trusted: nobody looked whether a surface crosses itself; if one does, "
+        "the result may be wrong\n");
+  }
   for (const CsgRepair& repair : result.repairs) {
     std::printf(
         "repaired: %s: %zu pairs of polygons crossed; %zu polygons cut, %zu "

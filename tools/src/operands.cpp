@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "crossing_check.hpp"
+#include "halfspace/fast/operand.hpp"
 #include "loading.hpp"
 #include "step_map.hpp"
 #include "trimmed.hpp"
+#include "volume.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -47,12 +48,22 @@ Result<io::Imported> imported_again(const SceneData& data) {
 
 }  // namespace
 
-/// Whether the surface crosses itself; an error if that is not to be repaired.
-Result<bool> Operands::find_crossings(const Solid& solid) const {
-  if (!options_.find_crossings) return false;
-  const Result<Done> fine = without_crossings(solid);
+/// Whether the surface must be repaired; an error if that is not wanted.
+Result<bool> Operands::needs_repair(const Solid& solid) const {
+  if (!options_.find_crossings) {
+    // What is found without a search.
+    const std::string volume = exact_volume(solid.scene());
+    if (volume != "0" && volume.front() != '-') return false;
+    return Error{ErrorCode::kNotClosed,
+                 volume == "0"
+                     ? "the surface holds nothing: its volume is 0"
+                     : "the surface is inside out: its volume is " + volume};
+  }
+  const Result<Done> fine = fast::check_operand(fast::to_solid(solid));
   if (fine || options_.repair) return !fine;
-  return fine.error();
+  Error error = fine.error();
+  error.message += " (--repair keeps what it winds round)";
+  return error;
 }
 
 Result<Done> Operands::read_files() {
@@ -68,8 +79,8 @@ Result<Done> Operands::read_files() {
       return Error{ErrorCode::kEmpty, path + ": there are no polygons"};
     const Result<Solid> solid = make_solid(*scene);
     if (!solid) return about(path, solid.error());
-    const Result<bool> crosses = find_crossings(*solid);
-    if (!crosses) return about(path, crosses.error());
+    const Result<bool> repairs = needs_repair(*solid);
+    if (!repairs) return about(path, repairs.error());
     const io::ImportReport& report = loaded->report;
     report_.vertices += report.vertices;
     report_.polygons += report.polygons;
@@ -77,7 +88,7 @@ Result<Done> Operands::read_files() {
     report_.max_move = std::max(report_.max_move, report.max_move);
     report_.triangulated += report.triangulated;
     report_.dropped += report.dropped;
-    sources_.push_back({std::move(path), *std::move(scene), *crosses});
+    sources_.push_back({std::move(path), *std::move(scene), *repairs});
   }
   return Done{};
 }
@@ -188,13 +199,13 @@ Result<Solid> Operands::leaf(std::int32_t id) {
   Result<Solid> solid = make_solid(*std::move(scene));
   if (!solid) return located(solid.error());
   // An exact map makes no new crossings.
-  bool crosses = source_of(id).crosses_itself;
+  bool repairs = source_of(id).to_repair;
   if (report_.moved != moved_before) {
-    const Result<bool> found = find_crossings(*solid);
+    const Result<bool> found = needs_repair(*solid);
     if (!found) return located(found.error());
-    crosses = *found;
+    repairs = *found;
   }
-  crossing_[static_cast<std::size_t>(id)] = crosses;
+  repair_[static_cast<std::size_t>(id)] = repairs;
   return solid;
 }
 

@@ -18,8 +18,8 @@ struct OperandOptions {
   /// The folder that files in quotes are sought in; empty: where we are.
   std::string folder;
   std::optional<int> grid_bits;
-  /// Whether surfaces that cross themselves are found, which takes time, and
-  /// then whether they are noted, and not refused.
+  /// Whether surfaces that cross themselves, or wind round something twice, are
+  /// found, which takes time, and then whether they are noted, and not refused.
   bool find_crossings = true;
   bool repair = false;
 };
@@ -32,7 +32,8 @@ class Operands {
   ///
   /// Requires: `script` and `plan` outlive the operands, which are the plan's.
   /// Errors: those of reading and importing; kEmpty (no polygons); kNotClosed
-  ///         (bad edges, or faces that cross). The message names the file.
+  ///         (bad edges, faces that cross, inside out). The message names the
+  ///         file.
   static Result<Operands> load(const CsgScript& script, const CsgPlan& plan,
                                const OperandOptions& options);
 
@@ -55,9 +56,12 @@ class Operands {
   const io::ImportReport& report() const { return report_; }
 
   /// Whether the surface of a leaf that was asked for crosses itself.
-  bool crosses_itself(std::int32_t leaf) const {
-    return crossing_[static_cast<std::size_t>(leaf)];
+  bool to_repair(std::int32_t leaf) const {
+    return repair_[static_cast<std::size_t>(leaf)];
   }
+
+  /// Whether nobody looked for that.
+  bool are_trusted() const { return !options_.find_crossings; }
 
   /// How many polygons a leaf's file has.
   std::size_t polygon_count(std::int32_t leaf) const;
@@ -72,7 +76,7 @@ class Operands {
   struct Source {
     std::string path;
     Scene scene;
-    bool crosses_itself = false;
+    bool to_repair = false;
   };
 
   Operands(const CsgScript& script, const CsgPlan& plan,
@@ -80,8 +84,8 @@ class Operands {
       : script_(&script),
         plan_(&plan),
         options_(options),
-        crossing_(plan.leaves.size()) {}
-  Result<bool> find_crossings(const Solid& solid) const;
+        repair_(plan.leaves.size()) {}
+  Result<bool> needs_repair(const Solid& solid) const;
   Result<Done> read_files();
   Result<Done> choose_grid();
   const Source& source_of(std::int32_t leaf) const;
@@ -91,7 +95,7 @@ class Operands {
   const CsgPlan* plan_;
   OperandOptions options_;
   std::vector<Source> sources_;  // by file of the script
-  std::vector<bool> crossing_;   // by leaf
+  std::vector<bool> repair_;     // by leaf
   io::ImportReport report_;
 };
 

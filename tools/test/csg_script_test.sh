@@ -192,4 +192,36 @@ expect 2 'repairs nothing' csg X X=crossed.off --repair -o o.off --impl ref
 expect 2 'crossed.off.*5 more' csg '"crossed.off"' -o out.off --impl ref
 sed '$d' a.off | sed 's/^8 6/8 5/' >lid.off
 expect 2 'lid.off.*4 bad edges' csg 'A - X' A=a.off X=lid.off -o out.off
+# One within another that faces outwards too, one that faces inwards, and a wall
+# of no thickness. What --trust does not look for is told, or the result is.
+box 1 1 1 2 2 2 | sed -n '3,$p' >inner
+box 0 0 0 4 4 4 | sed -n '3,10p' >eight
+inner_faces=$(sed '1,8d' inner |
+  awk '{ print $1, $2 + 8, $3 + 8, $4 + 8, $5 + 8 }')
+shell_of() { # NAME FACES-WITHIN
+  { echo OFF; echo "16 $((6 + $(wc -l <<<"$2"))) 0"; cat eight
+    head -8 inner; box 0 0 0 4 4 4 | sed -n '11,16p'; echo "$2"; } >"$1"
+}
+shell_of twice.off "$inner_faces"
+expect 2 'twice.off.*winds round a place twice: polygon 6 .* near 1, 1, 1' \
+  csg X X=twice.off -o out.off
+expect 0 'volume 64,' csg X X=twice.off --repair -o out.off
+shell_of hollow.off "$(awk '{ print $1, $5, $4, $3, $2 }' <<<"$inner_faces")"
+expect 0 'volume 63,' csg X X=hollow.off -o out.off --stats stats.json
+grep -q '"trusted": false' stats.json || wrong "trusted without --trust"
+{ head -10 hollow.off | sed '2s/.*/8 6 0/'
+  box 0 0 0 4 4 4 | sed -n '11,16p' | awk '{ print $1, $5, $4, $3, $2 }'
+} >inwards.off
+expect 2 'inside out: polygon 0 faces inwards' csg X X=inwards.off -o out.off
+expect 2 'inside out: its volume is -64' csg X X=inwards.off --trust -o out.off
+expect 2 'leaves nothing' csg X X=inwards.off --repair -o out.off
+shell_of wall.off "4 8 9 11 10
+4 10 11 9 8"
+box 1.5 1 0 3 3 5 >cutter.off
+expect 2 'wall.off.*polygons 6 and 7 overlap' csg X X=wall.off -o out.off
+expect 2 'trust did not look.*bad edges' csg 'X - C' X=wall.off C=cutter.off \
+  --trust -o out.off
+expect 0 'trusted: nobody looked' csg 'A - B' A=a.off B=b.off --trust \
+  -o out.off --stats stats.json
+grep -q '"trusted": true' stats.json || wrong "--trust is not in the statistics"
 finish

@@ -19,7 +19,8 @@ struct Crossing {
 
 /// The crossings of the solid's faces, by the lower face and then the other.
 /// Empty: its surface does not cross itself, which booleans require, unless it
-/// does so just where the edges of all the faces there are.
+/// does so just where the edges of all the faces there are. check_operand()
+/// finds that, too.
 ///
 /// Exact: yes.
 std::vector<Crossing> crossings(const Solid& solid);

@@ -14,13 +14,15 @@ namespace halfspace::fast {
 std::vector<std::int32_t> open_faces(const Solid& solid);
 
 /// Whether a solid is one that booleans are right about (S6.1, S6.2): closed,
-/// edge by edge and face by face, with a surface that does not cross itself.
+/// edge by edge and face by face, with a surface that does not cross itself and
+/// winds round points once or not at all.
 ///
 /// Exact:  yes.
 /// Errors: kNotClosed, with the number of the first face concerned. Names the
 ///         polygons that the faces come from, and the place in model units,
 ///         rounded for people to read.
-/// Cost:   of bad_edges() and crossings().
+/// Cost:   of bad_edges() and crossings(), and a search for each connected part
+///         of the surface.
 Result<Done> check_operand(const Solid& solid);
 
 }  // namespace halfspace::fast
