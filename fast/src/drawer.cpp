@@ -1,6 +1,7 @@
 #include "drawer.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace halfspace::fast {
@@ -50,8 +51,10 @@ void Drawer<kBits>::prefetch(const TreeFragment& fragment) const {
     __builtin_prefetch(frame_.reader.address(corner.vertex));
   }
   const auto source = static_cast<std::size_t>(fragment.source);
-  gouraud_ ? __builtin_prefetch(scene.first_corner.data() + source)
-           : __builtin_prefetch(scene.colors.data() + source);
+  const void* const next =
+      gouraud_ ? static_cast<const void*>(scene.first_corner.data() + source)
+               : scene.colors.data() + source;
+  __builtin_prefetch(next);
 }
 
 template <int kBits>
@@ -210,15 +213,10 @@ const Ink& Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
   }
   seen.fragment = &fragment;
   const Scene& scene = frame_.reader.scene();
-  bool smooth = false;
-  Rgb color;
-  if (gouraud_) {
-    smooth = has_gradient(scene, fragment.source);
-    if (smooth) shader_.start(fragment.source, eye_sign);
-    color = scene.corner_colors(fragment.source)[0];
-  } else {
-    color = scene.color(fragment.source);
-  }
+  const bool smooth = gouraud_ && has_gradient(scene, fragment.source);
+  if (smooth) shader_.start(fragment.source, eye_sign);
+  const Rgb color = gouraud_ ? scene.corner_colors(fragment.source)[0]
+                             : scene.color(fragment.source);
   ink_ = {fragment.source,
           {color.r, color.g, color.b},
           static_cast<std::int8_t>(eye_sign),
@@ -375,16 +373,20 @@ void Drawer<kBits>::nearer(void* self, std::int32_t other, std::int32_t x,
     std::fill_n(lit, kTileHeight, 0u);
     return;
   }
-  const Rival& rival = drawer.rival(other);
+  const OrderLine& line = drawer.rival(other).line;
   for (std::int32_t r = 0; r < kTileHeight; ++r) {
+    if (lit[r] == 0) continue;
     const std::int32_t j = y + r;
-    const double level = rival.line.b * j + rival.line.c;
+    // What holds at both ends holds between them.
+    const int first = line.known_sign_at(x + std::countr_zero(lit[r]), j);
+    const int last = line.known_sign_at(x + 31 - std::countl_zero(lit[r]), j);
+    if (first > 0 && last > 0) continue;
+    if (first < 0 && last < 0) lit[r] = 0;
     for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
-      const int k = __builtin_ctz(bits);
-      const double order = rival.line.a * (x + k) + level;
-      const bool is_nearer = std::abs(order) > rival.line.error
-                                 ? order > 0
-                                 : drawer.is_nearer(other, x + k, j);
+      const int k = std::countr_zero(bits);
+      const int known = line.known_sign_at(x + k, j);
+      const bool is_nearer =
+          known != 0 ? known > 0 : drawer.is_nearer(other, x + k, j);
       if (!is_nearer) lit[r] &= ~(std::uint32_t{1} << k);
     }
   }

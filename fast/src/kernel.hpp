@@ -185,7 +185,7 @@ struct Kernel {
                              SmallPolygons& polygons, const Decider& decider);
   /// Whether a tile that meets the rectangle is open.
   bool (*any_open)(const Canvas& canvas, PixelRange columns, PixelRange lines);
-  /// Whether a pixel of the rectangle is unlit.
+  /// Out of leaves: whether a pixel of the rectangle is unlit.
   bool (*any_unlit)(const Canvas& canvas, PixelRange columns, PixelRange lines);
   /// Ends a leaf: closes tiles that it has filled.
   void (*leave_leaf)(Canvas& canvas, const Decider& decider);

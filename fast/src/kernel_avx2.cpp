@@ -11,6 +11,8 @@ namespace {
 //
 #include "kernel_avx2.inc"
 //
+#include "kernel_avx2_flat.inc"
+//
 #include "kernel_avx2_shade.inc"
 //
 #include "kernel_shade.inc"
@@ -18,6 +20,8 @@ namespace {
 #include "kernel_edges.inc"
 //
 #include "kernel_paint.inc"
+//
+#include "kernel_merge.inc"
 //
 #include "kernel.inc"
 //

@@ -39,9 +39,6 @@ inline Doubles8 lines_from(double top) {
 inline Doubles8 operator+(const Doubles8& a, const Doubles8& b) {
   return doubles([&](int r) { return a.lines[r] + b.lines[r]; });
 }
-inline Doubles8 operator-(const Doubles8& a, const Doubles8& b) {
-  return doubles([&](int r) { return a.lines[r] - b.lines[r]; });
-}
 inline Doubles8 operator*(const Doubles8& a, const Doubles8& b) {
   return doubles([&](int r) { return a.lines[r] * b.lines[r]; });
 }
@@ -63,18 +60,19 @@ inline std::int32_t to_column(double x, std::int32_t from, std::int32_t to) {
   return k + (v > k ? 1 : 0);
 }
 
-inline std::uint32_t columns_of(const Doubles8& left_low,
-                                const Doubles8& left_high,
-                                const Doubles8& right_low,
-                                const Doubles8& right_high, std::int32_t from,
-                                std::int32_t to, std::int32_t* first,
-                                std::int32_t* end) {
+/// The pixels between the left and the right x of 8 lines, which are off by at
+/// most the errors; gives the lines on which that matters.
+inline std::uint32_t columns_of(const Doubles8& left, double left_error,
+                                const Doubles8& right, double right_error,
+                                std::int32_t from, std::int32_t to,
+                                std::int32_t* first, std::int32_t* end) {
   std::uint32_t doubt = 0;
   for (int r = 0; r < 8; ++r) {
-    first[r] = to_column(left_low.lines[r], from, to);
-    end[r] = to_column(right_high.lines[r], from, to);
-    const bool told = first[r] == to_column(left_high.lines[r], from, to) &&
-                      end[r] == to_column(right_low.lines[r], from, to);
+    first[r] = to_column(left.lines[r] - left_error, from, to);
+    end[r] = to_column(right.lines[r] + right_error, from, to);
+    const bool told =
+        first[r] == to_column(left.lines[r] + left_error, from, to) &&
+        end[r] == to_column(right.lines[r] - right_error, from, to);
     // Where even the widest reading is empty there is nothing to tell.
     if (!told && end[r] > first[r]) doubt |= 1u << r;
   }
@@ -145,6 +143,18 @@ inline PixelRange columns_between(const Words8& first, const Words8& end) {
   return range;
 }
 
+/// The columns that all lines have.
+inline PixelRange columns_in_all(const Words8& first, const Words8& end) {
+  PixelRange range = {0, 0x7fffffff};
+  for (int r = 0; r < 8; ++r) {
+    const auto from = static_cast<std::int32_t>(first.lines[r]);
+    const auto to = static_cast<std::int32_t>(end.lines[r]);
+    range.first = from > range.first ? from : range.first;
+    range.end = to < range.end ? to : range.end;
+  }
+  return range;
+}
+
 /// The pixels from `first` up to `end` of each line, of the 32 from `x` on.
 inline Words8 cover_of(const Words8& first, const Words8& end, std::int32_t x) {
   const auto from = [x](std::uint32_t column) -> std::uint32_t {
@@ -160,6 +170,11 @@ inline Words8 cover_of(const Words8& first, const Words8& end, std::int32_t x) {
 inline void store_items(std::int32_t* items, std::int64_t first,
                         std::uint32_t bits, std::int32_t id, bool) {
   for (; bits != 0; bits &= bits - 1) items[first + __builtin_ctz(bits)] = id;
+}
+
+/// Stores `id` in a line of `tiles` tiles.
+inline void fill_items(std::int32_t* to, std::int32_t tiles, std::int32_t id) {
+  for (std::int32_t k = 0; k < 32 * tiles; ++k) to[k] = id;
 }
 
 /// Copies 32 items, or the colours of 32 pixels.
@@ -193,9 +208,12 @@ inline FlatColor flat_color(const std::uint8_t* rgb) {
   return {{rgb[0], rgb[1], rgb[2]}};
 }
 
-/// Fills a tile's 8 lines of 32 pixels, one after another.
-inline void fill_colors(std::uint8_t* colors, const FlatColor& color) {
-  for (int k = 0; k < 3 * 32 * 8; ++k) colors[k] = color.rgb[k % 3];
+/// Fills `tiles` times 32 pixels, one after another.
+inline void fill_colors(std::uint8_t* colors, std::int32_t tiles,
+                        const FlatColor& color) {
+  for (std::int32_t k = 0; k < 3 * 32 * tiles; ++k) {
+    colors[k] = color.rgb[k % 3];
+  }
 }
 
 /// Stores the colour at pixel k after byte `first` for every bit k.
@@ -207,6 +225,12 @@ inline void store_colors(std::uint8_t* colors, std::int64_t first,
     at[1] = color.rgb[1];
     at[2] = color.rgb[2];
   }
+}
+
+/// Here all tiles are put together part by part.
+inline bool write_flat(const Canvas&, const Pieces&, std::int32_t, std::int32_t,
+                       const Words8&, const Ink*) {
+  return false;
 }
 
 /// Here each line is for itself.
@@ -245,6 +269,8 @@ inline std::uint32_t shade_pixels(const Target& target, const ShadedLine& line,
 #include "kernel_edges.inc"
 //
 #include "kernel_paint.inc"
+//
+#include "kernel_merge.inc"
 //
 #include "kernel.inc"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "filter.hpp"
 #include "halfspace/camera.hpp"
@@ -96,6 +97,12 @@ struct OrderLine {
   double b = 0;
   double c = 0;
   double error = 0;
+
+  /// Its sign at the centre of pixel (i, j), or 0 where doubles cannot tell.
+  int known_sign_at(std::int32_t i, std::int32_t j) const {
+    const double value = a * i + (b * j + c);
+    return (value > error) - (value < -error);
+  }
 };
 
 /// With E, F the true values at the eye, |E| <= |e| + e', and q, p the values
