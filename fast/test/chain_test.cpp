@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "halfspace/fast/boolean.hpp"
@@ -106,6 +107,44 @@ TEST(FastChain, UnionsAreTheSameInAnyOrderAndLeast) {
   some.insert(some.begin(), combined(BooleanOp::kUnion, solids));
   EXPECT_TRUE(same_bytes(least(rest.solid()),
                          least(combined(BooleanOp::kDifference, some))));
+}
+
+/// Random cubes under a linear map: no two of them have a plane in common but
+/// by chance, and corners of what is cut are fractions.
+halfspace::Solid skewed(int which, std::uint64_t& state) {
+  SceneData data =
+      lattice::surface(lattice::random_cubes(4, state)).scene().data();
+  for (GridPoint& p : data.vertices) {
+    p = {5 * p.x + which % 4 * p.y, 4 * p.y + which % 3 * p.z + which,
+         6 * p.z - which % 2 * p.x};
+  }
+  return *make_solid(*make_scene(std::move(data)));
+}
+
+TEST(FastChain, UnionsOfAnySolidsAreTheSameInAnyOrder) {
+  std::uint64_t state = 37;
+  std::vector<halfspace::Solid> all;
+  for (int i = 0; i < 7; ++i) all.push_back(skewed(i, state));
+  const auto least = [](const Solid& solid) {
+    return exported(merged(solid, Merge::kPlane), {.triangles = true});
+  };
+  std::optional<ExportedMesh> expected;
+  for (std::size_t step = 1; step < 7; ++step) {
+    // The table of planes and points, too, begins with another one.
+    std::vector<Solid> solids;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const halfspace::Solid& solid = all[(step + i * step) % 7];
+      solids.push_back(i == 0 ? to_solid(solid) : to_solid(solid, solids[0]));
+    }
+    const ExportedMesh at_once = least(combined(BooleanOp::kUnion, solids));
+    if (!expected) expected = at_once;
+    EXPECT_GT(at_once.moved, 20u);
+    EXPECT_TRUE(same_bytes(at_once, *expected));
+    Chain chain(solids[0]);
+    for (std::size_t i = 1; i < solids.size(); ++i)
+      chain.apply(BooleanOp::kUnion, solids[i]);
+    EXPECT_TRUE(same_bytes(least(chain.solid()), *expected));
+  }
 }
 
 /// The same faces, edge by edge.

@@ -38,6 +38,28 @@ for format in obj ply stl off; do
   expect 0 'surface    closed' info "out.$format"
   expect 0 'volume 7,' csg union "out.$format" "out.$format" -o out.scene
 done
+# The least surface, and the same bytes in whatever order the solids come: a
+# block of 64 cubes, and some that are turned.
+box 0 0 0 1 1 1 >unit.off
+# union_of COUNT STEP TERM: the terms, every STEPth of them first.
+union_of() {
+  awk -v count="$1" -v step="$2" -v term="$3" 'BEGIN {
+    for (n = 0; n < count; ++n) {
+      i = n * step % count
+      printf n ? " | " term : term, int(i / 16), int(i / 4) % 4, i % 4
+    }
+  }'
+}
+cube='translate(U, %d, %d, %d)'
+turned='matrix(U, 2.1, -2.8, 0, %d.1, 2.8, 2.1, 0.5, %d, 0, 0, 3, %d)'
+for step in 1 5 27; do
+  expect 0 'result: 12 polygons' csg "$(union_of 64 $step "$cube")" \
+    U=unit.off --merge plane -o block$step.stl
+  expect 0 'moved [1-9]' csg "$(union_of 31 $step "$turned")" U=unit.off \
+    --merge plane -o turned$step.off
+  same block1.stl block$step.stl
+  same turned1.off turned$step.off
+done
 # Corners off the grid: tilted bars. They are rounded, and that is said.
 box -250 -250 -100 250 250 70 >block.off
 "$make_model" pinwheel -o bars.scene || exit 1
