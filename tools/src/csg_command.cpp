@@ -50,16 +50,24 @@ struct Request {
 };
 
 /// The request of `csg union A B` and its like; nothing if it is none.
-std::optional<Request> request_by_word(const std::vector<std::string>& words) {
+std::optional<Result<Request>> request_by_word(
+    const std::vector<std::string>& words) {
   constexpr std::pair<const char*, const char*> kWords[] = {
       {"union", "A | B"},
       {"intersection", "A & B"},
       {"difference", "A - B"},
       {"symmetric-difference", "A ^ B"}};
   for (const auto& [word, expression] : kWords) {
-    if (words.size() != 3 || words[0] != word) continue;
-    return Request{
-        expression, "the expression", {}, {{"A", words[1]}, {"B", words[2]}}};
+    if (words.empty() || words[0] != word) continue;
+    if (words.size() == 3) {
+      return Request{
+          expression, "the expression", {}, {{"A", words[1]}, {"B", words[2]}}};
+    }
+    // It may be the name of a solid, too.
+    if (words.size() > 1 && words[1].find('=') != std::string::npos) continue;
+    return Error{ErrorCode::kSyntax,
+                 std::string(word) + " takes two files (--help tells more)",
+                 -1};
   }
   return std::nullopt;
 }

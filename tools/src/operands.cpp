@@ -50,6 +50,7 @@ Result<io::Imported> imported_again(const SceneData& data) {
 
 /// Whether the surface must be repaired; an error if that is not wanted.
 Result<bool> Operands::needs_repair(const Solid& solid) const {
+  if (solid.scene().polygon_count() == 0) return false;
   if (!options_.find_crossings) {
     // What is found without a search.
     const std::string volume = exact_volume(solid.scene());
@@ -75,8 +76,6 @@ Result<Done> Operands::read_files() {
     if (!loaded) return loaded.error();
     Result<Scene> scene = make_scene(trimmed(loaded->file.scene));
     if (!scene) return about(path, scene.error());
-    if (scene->polygon_count() == 0)
-      return Error{ErrorCode::kEmpty, path + ": there are no polygons"};
     const Result<Solid> solid = make_solid(*scene);
     if (!solid) return about(path, solid.error());
     const Result<bool> repairs = needs_repair(*solid);
@@ -98,6 +97,7 @@ Result<Done> Operands::choose_grid() {
   bool decimal = true;
   for (const CsgLeaf& leaf : plan_->leaves) {
     const Scene& scene = sources_[static_cast<std::size_t>(leaf.file)].scene;
+    if (scene.polygon_count() == 0) continue;
     decimal = decimal && scene.unit().base == 10;
     const StepMap map = step_map(
         plan_->matrices[static_cast<std::size_t>(leaf.matrix)], scene.unit());

@@ -31,7 +31,7 @@ class Operands {
   /// Reads the files and chooses the grid (S1.7).
   ///
   /// Requires: `script` and `plan` outlive the operands, which are the plan's.
-  /// Errors: those of reading and importing; kEmpty (no polygons); kNotClosed
+  /// Errors: those of reading and importing; kNotClosed
   ///         (bad edges, faces that cross, inside out). The message names the
   ///         file.
   static Result<Operands> load(const CsgScript& script, const CsgPlan& plan,

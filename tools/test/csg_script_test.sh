@@ -65,6 +65,13 @@ expect 2 'inside out' csg '~A' A=a.off -o out.off
 expect 2 'no half-spaces' csg 'A & half(x < 1)' A=a.off -o out.off --impl ref
 # Nothing is left: a mesh of no polygons.
 expect 0 'volume 0,' csg 'A - A' A=a.off -o out.off
+# It is an operand like any other.
+cp out.off nothing.off
+gives 64 'A - N | translate(N, 1, 2, 3)' A=a.off N=nothing.off
+expect 0 'volume 0,' csg 'A & scale(N, 2) | N' A=a.off N=nothing.off -o out.off
+expect 0 'volume 0,' csg N N=nothing.off --trust -o out.off
+expect 2 'union takes two files' csg union a.off -o out.off
+expect 2 'union takes two files' csg union a.off a.off a.off -o out.off
 
 # Transforms: exact in decimals, powers of two, quarter turns and mirrors.
 expect 0 'moved 0 coordinates' csg 'translate(A, 0.1, -1e-6, 3) | A' A=a.off \
