@@ -1,7 +1,9 @@
 #include "boolean_result.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -83,12 +85,28 @@ class LoopWalk {
 
 Box face_box(const Solid& solid, const Face& face) {
   Box box = kEmptyBox;
-  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-    const std::int32_t v = solid.edges[face.first_edge + i].from;
-    extend(box, solid.space->vertex(v).approximate);
-  }
   // One without edges is all of its plane.
-  if (face.edge_count == 0) std::swap(box.low, box.high);
+  if (face.edge_count == 0) {
+    std::swap(box.low, box.high);
+    return box;
+  }
+  // Rounding outwards keeps the order: it is enough to do so once.
+  constexpr double kMost = std::numeric_limits<double>::max();
+  std::array<double, 3> low{kMost, kMost, kMost};
+  std::array<double, 3> high{-kMost, -kMost, -kMost};
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    const std::int32_t id = solid.edges[face.first_edge + i].from;
+    const Vertex& v = solid.space->vertex(id).approximate;
+    const double at[3] = {v.x, v.y, v.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], at[k] - v.error);
+      high[k] = std::max(high[k], at[k] + v.error);
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = rounded_down(low[k]);
+    box.high[k] = rounded_up(high[k]);
+  }
   return box;
 }
 

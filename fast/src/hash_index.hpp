@@ -16,20 +16,33 @@ class HashIndex {
   std::int32_t find(std::uint64_t hash, Equal&& equal) const {
     if (slots_.empty()) return -1;
     const std::size_t mask = slots_.size() - 1;
-    for (std::size_t s = hash & mask; slots_[s].index >= 0;
+    const std::uint32_t mark = mark_of(hash);
+    for (std::size_t s = mark & mask; slots_[s].index >= 0;
          s = (s + 1) & mask) {
-      if (slots_[s].hash == hash && equal(slots_[s].index))
+      if (slots_[s].mark == mark && equal(slots_[s].index))
         return slots_[s].index;
     }
     return -1;
   }
   void enter(std::uint64_t hash, std::int32_t index);
+  /// Begins to fetch what find() will look at first.
+  void prefetch(std::uint64_t hash) const {
+    if (!slots_.empty())
+      __builtin_prefetch(&slots_[mark_of(hash) & (slots_.size() - 1)]);
+  }
+  /// Makes room for so many in all.
+  void reserve(std::size_t count);
 
  private:
+  /// A part of the hash is enough to tell nearly all that are not equal.
   struct Slot {
-    std::uint64_t hash = 0;
+    std::uint32_t mark = 0;
     std::int32_t index = -1;
   };
+  static std::uint32_t mark_of(std::uint64_t hash) {
+    return static_cast<std::uint32_t>(hash);
+  }
+  void grow(std::size_t size);
   void place(const Slot& slot);
 
   std::vector<Slot> slots_;

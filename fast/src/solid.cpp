@@ -10,20 +10,36 @@
 namespace halfspace::fast {
 namespace {
 
+/// The planes of all polygons.
+std::vector<OrientedPlane> planes_of(const Scene& scene, Space& space) {
+  std::vector<std::array<GridPoint, 3>> corners;
+  corners.reserve(scene.polygon_count());
+  for (std::size_t p = 0; p < scene.polygon_count(); ++p)
+    corners.push_back(plane_corners(scene, static_cast<PolygonId>(p)));
+  std::vector<OrientedPlane> planes;
+  planes.reserve(corners.size());
+  space.add_planes(corners, planes);
+  return planes;
+}
+
 Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
                std::int32_t part) {
   const Scene& scene = solid.scene();
   Solid result;
   result.unit = scene.unit();
   result.space = std::move(space);
+  result.space->reserve(scene.data().vertices.size(), scene.polygon_count());
+  result.faces.reserve(scene.polygon_count());
+  result.edges.reserve(scene.data().corners.size());
   std::vector<std::int32_t> ids;
+  ids.reserve(scene.data().vertices.size());
   for (const GridPoint& point : scene.data().vertices)
     ids.push_back(result.space->add_point(point));
+  const std::vector<OrientedPlane> planes = planes_of(scene, *result.space);
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
     const auto id = static_cast<PolygonId>(p);
     const auto corners = scene.corners(id);
-    const OrientedPlane plane =
-        result.space->add_plane(plane_corners(scene, id));
+    const OrientedPlane plane = planes[p];
     Face face;
     face.plane = plane.plane;
     face.turned = plane.turned;
@@ -35,9 +51,9 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
     face.edge_count = static_cast<std::uint32_t>(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const auto at = [&](std::size_t k) {
-        return ids[static_cast<std::size_t>(corners[k % corners.size()])];
+        return ids[static_cast<std::size_t>(corners[k])];
       };
-      result.edges.push_back({at(i), at(i + 1)});
+      result.edges.push_back({at(i), at(i + 1 < corners.size() ? i + 1 : 0)});
     }
     face.box = face_box(result, face);
     result.faces.push_back(face);

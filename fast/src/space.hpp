@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "exact.hpp"
@@ -39,6 +40,9 @@ struct OrientedPlane {
   bool turned = false;
 };
 
+template <int kBits>
+struct ReducedPlane;
+
 /// What a boolean notes of vertices, of either operand's or of both.
 struct Notes {
   std::array<Stamped<std::uint8_t>, 2> on_other;
@@ -71,9 +75,14 @@ class Space {
     return vertices_[static_cast<std::size_t>(v)];
   }
 
+  /// Makes room for more points of the grid and planes.
+  void reserve(std::size_t points, std::size_t planes);
   std::int32_t add_point(const GridPoint& point);
   /// The plane of a polygon with these defining corners (S1.4).
   OrientedPlane add_plane(const std::array<GridPoint, 3>& corners);
+  /// Likewise for many at once, which takes less time; adds them to `planes`.
+  void add_planes(std::span<const std::array<GridPoint, 3>> corners,
+                  std::vector<OrientedPlane>& planes);
   /// The plane through `origin` with this normal.
   /// Requires: it is the plane of a polygon on the grid, or of add_line_plane.
   OrientedPlane add_plane(const Vector3<Int128>& normal,
@@ -112,7 +121,9 @@ class Space {
 
  private:
   template <int kBits>
-  void make_exact(const std::array<std::int32_t, 3>& planes);
+  OrientedPlane enter(const ReducedPlane<kBits>& reduced);
+  template <int kBits>
+  std::uint64_t make_exact(const std::array<std::int32_t, 3>& planes);
   template <int kBits>
   std::array<typename Grid<kBits>::Determinant, 4> exact(
       std::int32_t vertex) const;

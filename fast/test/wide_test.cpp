@@ -5,6 +5,10 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <random>
 
+#include "cell.hpp"
+#include "digits.hpp"
+#include "quotient.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -88,6 +92,88 @@ TEST(Wide, SmallValuesRoundTrip) {
     EXPECT_EQ(to_big(Wide<4>(value)), cpp_int(value));
     EXPECT_EQ(to_double(Wide<4>(value)), static_cast<double>(value));
   }
+}
+
+/// n / d of which n has few bits more than d, often nearly or just a double
+/// or halfway between two.
+std::pair<Wide<4>, Wide<4>> random_quotient(std::mt19937_64& random,
+                                            int dropped) {
+  auto d = random_wide<4>(random, 1 + random() % 3);
+  if (d.is_negative()) d = -d;
+  if (sign(d) == 0) d = Wide<4>(1);
+  const auto bits = static_cast<int>(random() % 54);
+  auto n =
+      multiply<4>(d, Int128{static_cast<std::int64_t>(random() >> dropped)});
+  if (random() % 2 == 0) n = n + n + d;
+  if (random() % 3 == 0) n = n + Wide<4>(static_cast<int>(random() % 3) - 1);
+  if (random() % 3 == 0) n = n + random_wide<4>(random, 2);
+  return {random() % 2 == 0 ? n : -n,
+          multiply<4>(d, Int128{std::int64_t{1} << bits})};
+}
+
+TEST(Wide, QuotientsAreTheNearestDoubles) {
+  std::mt19937_64 random(7);
+  int quick = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto [n, d] = random_quotient(random, 10);
+    bool rounded = false, exactly = false;
+    const double found = quotient(n, d, rounded);
+    ASSERT_EQ(found, exact_quotient(n, d, exactly));
+    ASSERT_EQ(rounded, exactly);
+    quick += quick_quotient(n, d) != 0 ? 1 : 0;
+    // Twice the distance is at most the step to the next double. Times 2^200,
+    // so that all of it is whole.
+    const cpp_int over = to_big(n) << 200;
+    const cpp_int off = abs(cpp_int(std::ldexp(found, 200)) * to_big(d) - over);
+    ASSERT_EQ(rounded, off != 0);
+    const double step =
+        std::nextafter(std::abs(found), HUGE_VAL) - std::abs(found);
+    ASSERT_LE(2 * off, cpp_int(std::ldexp(step, 200)) * to_big(d));
+  }
+  EXPECT_GT(quick, 2000);
+}
+
+TEST(Wide, CellsAreThoseOfTheExactQuotients) {
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 20000; ++i) {
+    const auto [n, d] = random_quotient(random, 16);
+    const int digits = cell_digits(i % 2 == 0 ? 26 : 54);
+    bool rounded = false;
+    if (std::abs(quotient(n, d, rounded)) > 0x1p48) continue;
+    const double error = std::abs(quotient(n, d, rounded)) * 0x1p-50;
+    const double off = static_cast<double>(random() % 3) - 1;
+    const double approximate = quotient(n, d, rounded) + off * error / 2;
+    // The floor of the quotient in cells and one half.
+    const cpp_int over = (to_big(n) << (digits + 1)) + to_big(d);
+    const cpp_int by = 2 * to_big(d);
+    cpp_int cell = over / by;
+    if (cell * by > over) --cell;
+    ASSERT_EQ(cell_of<5>(approximate, error, n, d, digits), cell);
+    ASSERT_EQ(exact_cell<5>(approximate, n, d, digits), cell);
+  }
+}
+
+TEST(Digits, SortByKeyIsStable) {
+  std::mt19937_64 random(9);
+  for (const std::size_t count : {0u, 1u, 200u, 3000u}) {
+    std::vector<Keyed> keyed;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double value = std::ldexp(static_cast<double>(random() % 100) - 50,
+                                      static_cast<int>(random() % 40) - 20);
+      keyed.push_back({key_of(value), i});
+    }
+    auto expected = keyed;
+    std::stable_sort(
+        expected.begin(), expected.end(),
+        [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
+    sort_by_key(keyed);
+    for (std::size_t i = 0; i < count; ++i)
+      ASSERT_EQ(keyed[i].item, expected[i].item);
+  }
+  EXPECT_LT(key_of(-2.0), key_of(-1.0));
+  EXPECT_LT(key_of(-1.0), key_of(0.0));
+  EXPECT_LT(key_of(0.0), key_of(1e-30));
+  EXPECT_LT(key_of(1.0), key_of(1e30));
 }
 
 }  // namespace

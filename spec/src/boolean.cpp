@@ -34,9 +34,48 @@ std::vector<std::uint32_t> places_of(const std::vector<GridPoint>& points,
   return places;
 }
 
+/// Whether every edge is used equally often in each direction even if vertices
+/// at one point are told apart. Then it is so if they are not.
+bool is_closed_by_index(const Scene& scene) {
+  // The other ends of edges by the lesser one, and whether they go down.
+  const std::size_t count = scene.data().vertices.size();
+  std::vector<std::uint32_t> first(count + 1);
+  const auto for_edges = [&](const auto& visit) {
+    for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+      const auto corners = scene.corners(static_cast<PolygonId>(p));
+      VertexId from = corners.back();
+      for (const VertexId to : corners) {
+        const auto [low, high] = std::minmax(from, to);
+        visit(static_cast<std::size_t>(low),
+              static_cast<std::uint32_t>(high) << 1 | (from == low ? 0u : 1u));
+        from = to;
+      }
+    }
+  };
+  for_edges([&](std::size_t low, std::uint32_t) { ++first[low + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> uses(scene.data().corners.size());
+  std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
+  for_edges(
+      [&](std::size_t low, std::uint32_t use) { uses[end[low]++] = use; });
+  for (std::size_t v = 0; v < count; ++v) {
+    auto i = uses.begin() + first[v];
+    const auto last = uses.begin() + end[v];
+    std::sort(i, last);
+    while (i != last) {
+      const std::uint32_t high = *i >> 1;
+      std::int64_t excess = 0;
+      for (; i != last && *i >> 1 == high; ++i) excess += *i % 2 == 0 ? 1 : -1;
+      if (excess != 0) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<BadEdge> bad_edges(const Scene& scene) {
+  if (is_closed_by_index(scene)) return {};
   std::vector<GridPoint> points;
   const auto places = places_of(scene.data().vertices, points);
   // The places of both ends, the lesser first, and whether the edge goes down.

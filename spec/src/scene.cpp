@@ -65,6 +65,21 @@ int monotone_chains(std::size_t count, PointAt&& at) {
   return changes;
 }
 
+/// The first of the shape errors of S1.3 that a triangle has: if it has an
+/// area, it is planar and convex. Its normal has 2n + 3 bits, 111 at most.
+template <class PointAt>
+std::optional<Error> triangle_error(std::size_t polygon, PointAt&& at) {
+  if (at(0) == at(1) || at(1) == at(2) || at(2) == at(0)) {
+    return error_at(ErrorCode::kRepeatedVertex, polygon,
+                    "visits a point twice");
+  }
+  if (is_zero(cross(difference<Int128>(at(1), at(0)),
+                    difference<Int128>(at(2), at(1))))) {
+    return error_at(ErrorCode::kZeroArea, polygon, "has no area");
+  }
+  return std::nullopt;
+}
+
 /// The first of the shape errors of S1.3 that a polygon has.
 ///
 /// With Int of b bits and a grid of n bits: a difference has n + 1 bits, a
@@ -119,9 +134,9 @@ std::optional<Error> shape_error(std::size_t polygon, std::size_t count,
     const bool straight = turned == 0;
     const bool wrong = (turned < 0) != (sign_of < 0);
     const bool back =
-        straight && dot(difference<Int>(at((i + 1) % count), at(i)),
-                        difference<Int>(at((i + 2) % count),
-                                        at((i + 1) % count))) < 0;
+        straight &&
+        dot(difference<Int>(at((i + 1) % count), at(i)),
+            difference<Int>(at((i + 2) % count), at((i + 1) % count))) < 0;
     if ((!straight && wrong) || back) {
       return error_at(
           ErrorCode::kNotConvex, polygon,
@@ -137,9 +152,9 @@ std::optional<Error> shape_error(std::size_t polygon, std::size_t count,
 
 std::optional<Error> count_error(const SceneData& data) {
   const auto too_many = [](const char* what, std::size_t count) {
-    return Error{ErrorCode::kOutOfRange,
-                 "there are " + std::to_string(count) + " " + what +
-                     ", more than 2147483647"};
+    return Error{ErrorCode::kOutOfRange, "there are " + std::to_string(count) +
+                                             " " + what +
+                                             ", more than 2147483647"};
   };
   if (data.vertices.size() > kMaxCount) {
     return too_many("vertices", data.vertices.size());
@@ -163,9 +178,8 @@ std::optional<Error> count_error(const SceneData& data) {
 std::optional<Error> grid_error(const SceneData& data) {
   if (std::find(std::begin(kGridBits), std::end(kGridBits), data.grid_bits) ==
       std::end(kGridBits)) {
-    return Error{ErrorCode::kOutOfRange,
-                 "a grid has 26, 40 or 54 bits, not " +
-                     std::to_string(data.grid_bits)};
+    return Error{ErrorCode::kOutOfRange, "a grid has 26, 40 or 54 bits, not " +
+                                             std::to_string(data.grid_bits)};
   }
   const Unit unit = data.unit;
   if ((unit.base != 2 && unit.base != 10) || unit.exponent < -4096 ||
@@ -204,17 +218,17 @@ std::optional<Error> polygon_error(const SceneData& data, std::size_t polygon) {
     }
   }
   const auto at = [&](std::size_t i) -> const GridPoint& {
-    return data
-        .vertices[static_cast<std::size_t>(data.corners[first + i])];
+    return data.vertices[static_cast<std::size_t>(data.corners[first + i])];
   };
+  if (count == 3) return triangle_error(polygon, at);
   if (auto error = data.grid_bits < 54
                        ? shape_error<Int128>(polygon, count, at)
                        : shape_error<Int256>(polygon, count, at)) {
     return error;
   }
   if (count > 3 && !data.corner_colors.empty()) {
-    const auto begin = data.corner_colors.begin() +
-                       static_cast<std::ptrdiff_t>(first);
+    const auto begin =
+        data.corner_colors.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = begin + static_cast<std::ptrdiff_t>(count);
     if (std::adjacent_find(begin, end, std::not_equal_to<>()) != end) {
       return error_at(ErrorCode::kNotTriangle, polygon,
