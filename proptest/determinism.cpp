@@ -1,3 +1,5 @@
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -5,9 +7,14 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "agree_scenes.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/export.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/tree_file.hpp"
@@ -127,7 +134,7 @@ void hash_small(agree::Kind kind, bool with_inner, std::ostream& out) {
 /// same hash.
 void hash_large(bool with_inner, std::ostream& out) {
   const View v = view_of(agree::Kind::kWide, 40, 8, 400, 300);
-  for (const int threads : {1, 4}) {
+  for (const int threads : {1, 2, 4}) {
     fast::DisplayTreeOptions display;
     display.threads = threads;
     const auto tree = fast::build_display_tree(v.scene, display);
@@ -181,6 +188,80 @@ void hash_solids(std::ostream& out) {
       << "booleans " << booleans.text() << '\n';
 }
 
+/// Random heights over a field of squares, closed below. `turned`: stood on
+/// its edge, across one that lies.
+Solid field(std::uint64_t seed, bool turned) {
+  constexpr int kSquares = 20;
+  agree::Draws draws(seed);
+  SceneData data;
+  for (int i = 0; i <= kSquares; ++i) {
+    for (int j = 0; j <= kSquares; ++j) {
+      const std::int64_t height = draws.from_to(1, 6000);
+      for (const std::int64_t z : {std::int64_t{0}, height}) {
+        const GridPoint p{1000 * i, 1000 * j, z};
+        data.vertices.push_back(turned ? GridPoint{p.z + 7137, p.x, p.y - 9333}
+                                       : p);
+      }
+    }
+  }
+  const auto add = [&](const std::vector<VertexId>& corners) {
+    data.corners.insert(data.corners.end(), corners.begin(), corners.end());
+    data.first_corner.push_back(
+        static_cast<std::uint32_t>(data.corners.size()));
+    data.colors.push_back({});
+  };
+  const auto low = [](int i, int j) { return 2 * (i * (kSquares + 1) + j); };
+  const auto high = [&](int i, int j) { return low(i, j) + 1; };
+  for (int i = 0; i < kSquares; ++i) {
+    for (int j = 0; j < kSquares; ++j) {
+      add({high(i, j), high(i + 1, j), high(i + 1, j + 1)});
+      add({high(i, j), high(i + 1, j + 1), high(i, j + 1)});
+      add({low(i, j), low(i, j + 1), low(i + 1, j + 1), low(i + 1, j)});
+    }
+    const int n = kSquares, k = i + 1;
+    add({low(i, 0), low(k, 0), high(k, 0), high(i, 0)});
+    add({low(k, n), low(i, n), high(i, n), high(k, n)});
+    add({low(0, k), low(0, i), high(0, i), high(0, k)});
+    add({low(n, i), low(n, k), high(n, k), high(n, i)});
+  }
+  return *make_solid(*make_scene(std::move(data)));
+}
+
+/// Booleans of the fast library by one thread and by several. The points where
+/// something turns are those of the result; what polygons it is made of is not.
+void hash_fast_booleans(bool with_inner, std::ostream& out) {
+  const fast::Solid a = fast::to_solid(field(1, false));
+  for (const int threads : {1, 2, 4}) {
+    const auto name = std::to_string(threads) + " threads ";
+    Hash points, polygons;
+    const auto add = [&](const fast::Solid& solid) {
+      const auto least = fast::exported(
+          fast::merged(solid, fast::Merge::kPlane), {.triangles = true});
+      for (const auto& vertex : least.vertices) {
+        for (const double c : vertex)
+          points.add(std::bit_cast<std::uint64_t>(c));
+      }
+      const auto mesh = fast::exported(solid, {.threads = threads});
+      for (const VertexId corner : mesh.corners)
+        polygons.add(static_cast<std::uint64_t>(corner));
+      for (const std::uint32_t first : mesh.first_corner) polygons.add(first);
+    };
+    const fast::Solid b = fast::to_solid(field(2, true), a);
+    add(fast::symmetric_difference(a, b, threads));
+    for (const BooleanOp operation :
+         {BooleanOp::kUnion, BooleanOp::kIntersection,
+          BooleanOp::kDifference}) {
+      add(fast::boolean(operation, a, b, threads));
+    }
+    add(fast::combined(BooleanOp::kDifference,
+                       std::vector{a, b, fast::to_solid(field(3, true))},
+                       threads));
+    out << "fast booleans, " << name << points.text() << '\n';
+    if (with_inner)
+      out << "their polygons, " << name << polygons.text() << '\n';
+  }
+}
+
 }  // namespace
 }  // namespace halfspace
 
@@ -195,6 +276,7 @@ int main(int count, char** words) {
     halfspace::hash_small(kind, with_inner, out);
   halfspace::hash_large(with_inner, out);
   halfspace::hash_solids(out);
+  halfspace::hash_fast_booleans(with_inner, out);
   std::fputs(out.str().c_str(), stdout);
   if (count < 2 || with_inner) return 0;
   std::ifstream in(words[1]);

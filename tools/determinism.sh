@@ -5,7 +5,9 @@
 #
 #   tools/determinism.sh                    all compilers that are there
 #   tools/determinism.sh g++-12 clang++-19  these
-#   LEVELS="-O0 -O3" tools/determinism.sh   these levels
+#   LEVELS="-O0 -O3" tools/determinism.sh   these levels, nothing else
+#   SANITIZERS=thread tools/determinism.sh  g++ 12 with these, nothing else
+#   UNSURE=-O0 tools/determinism.sh         filters never sure, nothing else
 #
 # Exit status: 0 the same bytes everywhere, 1 not.
 set -euo pipefail
@@ -15,6 +17,11 @@ if [ ${#compilers[@]} = 0 ]; then
   for compiler in g++-12 clang++-14 clang++-19; do
     command -v "$compiler" >/dev/null && compilers+=("$compiler")
   done
+fi
+if [ -z "${LEVELS+set}${SANITIZERS+set}${UNSURE+set}" ]; then
+  LEVELS="-O0 -O1 -O2 -O3"
+  SANITIZERS="address,undefined thread"
+  UNSURE=-O2
 fi
 status=0
 first=
@@ -45,18 +52,20 @@ try() {
 }
 mkdir -p build/determinism
 for compiler in "${compilers[@]}"; do
-  for level in ${LEVELS:--O0 -O1 -O2 -O3}; do
+  for level in ${LEVELS:-}; do
     try "$compiler $level" -DCMAKE_CXX_COMPILER="$compiler" \
       -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$level"
   done
 done
-[ -n "${LEVELS:-}" ] || for sanitizers in address,undefined thread; do
+for sanitizers in ${SANITIZERS:-}; do
   try "g++-12 $sanitizers" -DCMAKE_CXX_COMPILER=g++-12 \
     -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1 \
     -DHALFSPACE_SANITIZE="$sanitizers"
 done
 compare=any_inner
-try "${compilers[0]} -O2, filters never sure" \
-  -DCMAKE_CXX_COMPILER="${compilers[0]}" -DCMAKE_BUILD_TYPE=None \
-  -DCMAKE_CXX_FLAGS=-O2 -DHALFSPACE_FILTERS_UNSURE=ON
+for level in ${UNSURE:-}; do
+  try "${compilers[0]} $level, filters never sure" \
+    -DCMAKE_CXX_COMPILER="${compilers[0]}" -DCMAKE_BUILD_TYPE=None \
+    -DCMAKE_CXX_FLAGS="$level" -DHALFSPACE_FILTERS_UNSURE=ON
+done
 exit $status
