@@ -44,19 +44,14 @@ std::vector<Point> vertices_of(const Solid& solid) {
   return vertices;
 }
 
-bool is_between(const Rational& value, const Rational& p, const Rational& q) {
-  return p < q ? p <= value && value <= q : q <= value && value <= p;
-}
-
 /// Whether `r` is on the line through `p` and `q`.
 bool is_on_line(const Point& r, const Point& p, const Point& q) {
-  const auto is_zero = [](const Rational& u1, const Rational& v1,
-                          const Rational& u2,
-                          const Rational& v2) { return u1 * v2 == u2 * v1; };
-  const Point u{q.x - p.x, q.y - p.y, q.z - p.z};
-  const Point v{r.x - p.x, r.y - p.y, r.z - p.z};
-  return is_zero(u.x, v.x, u.y, v.y) && is_zero(u.y, v.y, u.z, v.z) &&
-         is_zero(u.z, v.z, u.x, v.x);
+  // Seen along each axis.
+  const auto is_on = [&](Rational Point::*a, Rational Point::*b) {
+    return (q.*a - p.*a) * (r.*b - p.*b) == (q.*b - p.*b) * (r.*a - p.*a);
+  };
+  return is_on(&Point::x, &Point::y) && is_on(&Point::y, &Point::z) &&
+         is_on(&Point::z, &Point::x);
 }
 
 /// Those of `vertices`, which are in order, that lie strictly between `p` and
@@ -70,10 +65,7 @@ std::vector<Point> inside_edge(const std::vector<Point>& vertices,
   const auto last = std::lower_bound(first, vertices.end(), ascends ? q : p);
   std::vector<Point> found;
   for (auto it = first; it != last; ++it) {
-    if (is_between(it->y, p.y, q.y) && is_between(it->z, p.z, q.z) &&
-        is_on_line(*it, p, q)) {
-      found.push_back(*it);
-    }
+    if (is_on_line(*it, p, q)) found.push_back(*it);
   }
   if (!ascends) std::reverse(found.begin(), found.end());
   return found;
@@ -99,9 +91,10 @@ void close(Solid& solid) {
 
 /// One grid step in model units (S1.1).
 Rational step_of(Unit unit) {
-  Rational power = 1;
-  for (int i = 0; i < std::abs(unit.exponent); ++i) power *= unit.base;
-  return unit.exponent < 0 ? 1 / power : power;
+  Rational step = 1;
+  for (int i = 0; i < unit.exponent; ++i) step *= unit.base;
+  for (int i = unit.exponent; i < 0; ++i) step = step / unit.base;
+  return step;
 }
 
 }  // namespace
@@ -198,10 +191,9 @@ RoundedSolid rounded(const Solid& solid, Unit unit) {
       result.max_move = std::abs(nearest);
       return nearest;
     }
-    Rational move = exact - Rational(BigRational(nearest));
-    if (sign(move) < 0) move = -move;
+    const Rational move = exact - Rational(BigRational(nearest));
     if (sign(move) != 0) ++result.moved;
-    if (max_move < move) max_move = move;
+    max_move = std::max({max_move, move, -move});
     return nearest;
   };
 

@@ -12,8 +12,8 @@ namespace {
 /// A part of the polygon on its way down the tree.
 struct Part {
   Fragment fragment;
-  NodeId node;  ///< where it has arrived; kNoNode: at a missing child
-  Side side;    ///< the side of that node's parent
+  NodeId node;    ///< where it has arrived; kNoNode: at a missing child
+  bool positive;  ///< on which side of that node's parent; none: the positive
   /// The node in whose plane it lies, once it has met one.
   const Node* plane_node = nullptr;
   /// Its class on the positive side of that node, once it has been there.
@@ -38,30 +38,29 @@ SolidClass class_in_plane(SolidClass positive, SolidClass negative,
 
 /// One step down for a part at `node`: what is to follow is put on `parts`.
 void descend(Part part, const Node& node, std::vector<Part>& parts) {
-  const auto follow = [&](Fragment fragment, Side side) {
-    const NodeId child =
-        side == Side::kPositive ? node.positive : node.negative;
-    parts.push_back({std::move(fragment), child, side, part.plane_node,
+  const auto follow = [&](Fragment fragment, bool positive) {
+    const NodeId child = positive ? node.positive : node.negative;
+    parts.push_back({std::move(fragment), child, positive, part.plane_node,
                      part.positive_class});
   };
   switch (relation(part.fragment, node.plane)) {
     case Relation::kPositive:
-      follow(std::move(part.fragment), Side::kPositive);
+      follow(std::move(part.fragment), /*positive=*/true);
       break;
     case Relation::kNegative:
-      follow(std::move(part.fragment), Side::kNegative);
+      follow(std::move(part.fragment), /*positive=*/false);
       break;
     case Relation::kSpanning: {
       SplitResult cut = split(part.fragment, node.plane, node.splitter);
-      follow(std::move(cut.negative), Side::kNegative);
-      follow(std::move(cut.positive), Side::kPositive);
+      follow(std::move(cut.negative), /*positive=*/false);
+      follow(std::move(cut.positive), /*positive=*/true);
       break;
     }
     case Relation::kCoincident:
       // No two splitters on one way down are the same plane (S3.5).
       HALFSPACE_ASSERT(part.plane_node == nullptr);
       part.plane_node = &node;
-      follow(std::move(part.fragment), Side::kPositive);
+      follow(std::move(part.fragment), /*positive=*/true);
       break;
   }
 }
@@ -105,8 +104,7 @@ std::vector<Classified> classify(const BspTree& tree, Fragment polygon,
   std::vector<Classified> result;
   std::vector<Part> parts;
   // The root's side: to the empty solid everything is outside.
-  parts.push_back(
-      {std::move(polygon), tree.nodes.empty() ? kNoNode : 0, Side::kPositive});
+  parts.push_back({std::move(polygon), tree.nodes.empty() ? kNoNode : 0, true});
   while (!parts.empty()) {
     Part part = std::move(parts.back());
     parts.pop_back();
@@ -119,15 +117,15 @@ std::vector<Classified> classify(const BspTree& tree, Fragment polygon,
     }
 
     // Step 2: there, take the class of the side.
-    SolidClass found = part.side == Side::kPositive ? SolidClass::kOutside
-                                                    : SolidClass::kInside;
+    SolidClass found =
+        part.positive ? SolidClass::kOutside : SolidClass::kInside;
 
     // Step 3: a part that lies in a splitter's plane has gone down its positive
     // side; it goes down its negative side too, and both classes decide.
     if (part.plane_node != nullptr) {
       if (!part.positive_class) {
         part.node = part.plane_node->negative;
-        part.side = Side::kNegative;
+        part.positive = false;
         part.positive_class = found;
         parts.push_back(std::move(part));
         continue;
