@@ -1,8 +1,8 @@
 #include "boolean_parts.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "parallel.hpp"
@@ -10,17 +10,15 @@
 namespace halfspace::fast {
 
 void prepare(Operand& a, Operand& b, Space& space) {
-  Notes& notes = space.notes();
-  for (std::size_t o = 0; o < 2; ++o) {
-    Operand& operand = o == 0 ? a : b;
-    const Solid& solid = *operand.solid;
-    for (const Face& face : solid.faces) extend(operand.extent, face.box);
-    operand.is_active.assign(solid.faces.size(), 0);
-    operand.touched.assign(solid.faces.size(), 0);
-    operand.edge_of.assign(solid.edges.size(), -1);
-    notes.on_other[o].forget();
-    operand.on_other = &notes.on_other[o];
+  for (Operand* operand : {&a, &b}) {
+    const Solid& solid = *operand->solid;
+    for (const Face& face : solid.faces) extend(operand->extent, face.box);
+    operand->is_active.assign(solid.faces.size(), 0);
+    operand->touched.assign(solid.faces.size(), 0);
+    operand->edge_of.assign(solid.edges.size(), -1);
+    operand->on_other = &space.notes().on_other;
   }
+  space.notes().on_other.forget();
   a.reach = b.extent;
   b.reach = a.extent;
 }
@@ -76,9 +74,10 @@ void add_edges(Operand& operand, const Space& space) {
   struct Entry {
     std::int32_t low;
     std::int32_t high;
-    std::int32_t face;
     std::uint32_t edge;
+    std::int32_t face;
     bool forward;
+    auto operator<=>(const Entry&) const = default;
   };
   std::vector<Entry> entries;
   for (const std::int32_t f : operand.active) {
@@ -90,12 +89,10 @@ void add_edges(Operand& operand, const Space& space) {
                     space.vertex(edge.to).approximate))
         continue;
       const auto [low, high] = std::minmax(edge.from, edge.to);
-      entries.push_back({low, high, f, at, edge.from == low});
+      entries.push_back({low, high, at, f, edge.from == low});
     }
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-    return std::tie(x.low, x.high, x.edge) < std::tie(y.low, y.high, y.edge);
-  });
+  std::sort(entries.begin(), entries.end());
   // Step 2: name each once, in the direction of an axis.
   operand.uses.reserve(entries.size());
   for (std::size_t i = 0; i < entries.size();) {
@@ -179,7 +176,6 @@ int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
   // they are zero at `towards`: as they are right beside it.
   Box ray = kEmptyBox;
   extend(ray, space_.vertex(vertex).approximate);
-  extend(ray, space_.vertex(towards).approximate);
   ray.high[0] = std::numeric_limits<float>::max();
   int winding = solid_.unbounded ? 1 : 0;
   find(ray, [&](std::int32_t f) {

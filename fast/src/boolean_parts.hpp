@@ -81,7 +81,7 @@ struct Operand {
   std::vector<std::int32_t> edge_of;    ///< by edge of the solid; -1: not here
   std::vector<Cut> cuts;
   std::vector<Cover> covers;
-  /// By vertex: on the other operand's surface.
+  /// By vertex: on both operands' surfaces.
   Stamped<std::uint8_t>* on_other = nullptr;
 
   const Face& face(std::int32_t f) const {

@@ -45,7 +45,7 @@ struct ReducedPlane;
 
 /// What a boolean notes of vertices, of either operand's or of both.
 struct Notes {
-  std::array<Stamped<std::uint8_t>, 2> on_other;
+  Stamped<std::uint8_t> on_other;
   std::array<Stamped<std::int32_t>, 2> parent;
   std::array<Stamped<std::uint8_t>, 2> member;
   Stamped<std::uint8_t> pinned;
