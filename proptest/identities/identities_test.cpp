@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
 #include <utility>
 
 #include "../agree_solids.hpp"
 #include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/operand.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "placing.hpp"
+#include "troubled_pairs.hpp"
 #include "volume.hpp"
 
 namespace halfspace::identities {
@@ -47,6 +50,22 @@ TEST(Identities, HoldInEveryPosition) {
     }
   }
   EXPECT_EQ(positions, 5u * (4 + 8));
+}
+
+TEST(Identities, HoldForTroubledPairs) {
+  Draws draws(10);
+  for (const Trouble trouble : kTroubles) {
+    for (int i = 0; i < 6; ++i) {
+      SCOPED_TRACE(std::string(name_of(trouble)) + ", " + std::to_string(i));
+      const auto [first, second] = fast_pair(troubled_pair(trouble, draws));
+      for (const Solid* solid : {&first, &second}) {
+        const Result<Done> fine = fast::check_operand(*solid);
+        ASSERT_TRUE(fine) << fine.error().message;
+      }
+      const auto broken = broken_identities(first, second, shipped);
+      ASSERT_TRUE(broken.empty()) << broken.front();
+    }
+  }
 }
 
 /// fast::boolean() with a fault planted.

@@ -14,6 +14,7 @@
 #include "halfspace/fast/operand.hpp"
 #include "identities.hpp"
 #include "placing.hpp"
+#include "troubled_pairs.hpp"
 
 namespace halfspace::identities {
 namespace {
@@ -70,6 +71,31 @@ bool check(const Model& a, const Model& b, Position position,
   return broken.empty();
 }
 
+/// What is wrong with made pairs, so many of each kind.
+int run_made(std::uint64_t count, std::uint64_t seed) {
+  std::size_t wrong = 0;
+  for (const Trouble trouble : kTroubles) {
+    agree::Draws draws(seed);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const auto pair = troubled_pair(trouble, draws);
+      const fast::Solid first = fast::to_solid(pair.first, 0);
+      const fast::Solid second = fast::to_solid(pair.second, first, 1);
+      const auto broken = broken_identities(first, second, shipped);
+      for (const std::string& what : broken) {
+        std::printf("WRONG: %s, pair %llu of seed %llu: %s\n", name_of(trouble),
+                    static_cast<unsigned long long>(i),
+                    static_cast<unsigned long long>(seed), what.c_str());
+      }
+      if (!broken.empty()) ++wrong;
+    }
+    std::printf("%s: %llu pairs\n", name_of(trouble),
+                static_cast<unsigned long long>(count));
+    std::fflush(stdout);
+  }
+  std::printf("%zu wrong\n", wrong);
+  return wrong == 0 && count > 0 ? 0 : 1;
+}
+
 struct Bounds {
   std::size_t least = 0;  ///< polygons of the larger one
   std::size_t most = 100000;
@@ -116,11 +142,16 @@ int run(const std::vector<std::string>& paths, const Bounds& bounds) {
 
 int main(int argc, char** argv) {
   halfspace::identities::Bounds bounds;
+  std::uint64_t made = 0, seed = 1;
   std::vector<std::string> paths;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--min-polygons" && i + 1 < argc) {
       bounds.least = std::strtoull(argv[++i], nullptr, 10);
+    } else if (word == "--made" && i + 1 < argc) {
+      made = std::strtoull(argv[++i], nullptr, 10);
+    } else if (word == "--seed" && i + 1 < argc) {
+      seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (word == "--max-polygons" && i + 1 < argc) {
       bounds.most = std::strtoull(argv[++i], nullptr, 10);
     } else if (word == "--seconds" && i + 1 < argc) {
@@ -129,11 +160,13 @@ int main(int argc, char** argv) {
       paths.push_back(word);
     }
   }
+  if (made > 0) return halfspace::identities::run_made(made, seed);
   if (paths.empty()) {
     std::fprintf(
         stderr,
         "usage: check_identities [--min-polygons N] [--max-polygons N] "
-        "[--seconds S] MESH...\n");
+        "[--seconds S] MESH...\n"
+        "       check_identities --made N [--seed S]\n");
     return 2;
   }
   return halfspace::identities::run(paths, bounds);
