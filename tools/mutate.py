@@ -69,10 +69,17 @@ LAWS = [("exhaustive_test", "*Word*"), ("agree_tree_test", "*"),
         ("agree_image_test", "*"), ("agree_boolean_test", "*"),
         ("proptest", "S*/*")]
 
+REF_BOOLEAN = "Faces*:Keep*:Classify*:Boolean*:BadEdges*:Rounded*"
+
 # The tests that look at these files, where not all do.
 TESTS_OF = {
+    "ref/src/classify": {"vectors_test": "*Implementations*",
+                         "ref_test": REF_BOOLEAN, "proptest": ""},
+    "ref/src/boolean": {"vectors_test": "*Implementations*",
+                        "ref_test": REF_BOOLEAN, "proptest": ""},
     "fast/src/boolean": {"agree_boolean_test": "*",
-                         "fast_test": "FastBoolean*:FastChain*"},
+                         "fast_test": "FastBoolean*:FastChain*:FastThreads*:"
+                                      "FastOperand*:FastRepair*"},
     "fast/src/screen": {"vectors_test": "*Implementations*",
                         "fast_test": "DisplayTree*:Near*",
                         "agree_image_test": "*"},

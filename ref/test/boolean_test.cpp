@@ -317,8 +317,19 @@ TEST(Rounded, CoordinatesAreTheNearestDoublesInModelUnits) {
   const RoundedSolid halves = rounded(a, {.base = 2, .exponent = -1});
   EXPECT_EQ(halves.moved, 0u);
   EXPECT_EQ(halves.max_move, 0);
-  EXPECT_EQ(rounded(a, {.base = 2, .exponent = 4}).vertices[0][0], 0);
-
+  for (const auto& [unit, three] :
+       {std::pair(Unit{10, 2}, 300.0), std::pair(Unit{10, 0}, 3.0)}) {
+    const RoundedSolid whole_numbers = rounded(a, unit);
+    EXPECT_EQ(whole_numbers.moved, 0u);
+    int threes = 0;
+    for (const auto& vertex : whole_numbers.vertices) {
+      for (const double c : vertex) {
+        EXPECT_TRUE(c == 0 || c == three) << c;
+        threes += c == three;
+      }
+    }
+    EXPECT_EQ(threes, 12);
+  }
   const RoundedSolid huge = rounded(a, {.base = 10, .exponent = 400});
   EXPECT_TRUE(std::isinf(huge.max_move));
   EXPECT_EQ(huge.moved, 12u);
