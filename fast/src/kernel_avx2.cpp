@@ -15,6 +15,8 @@ namespace {
 //
 #include "kernel_avx2_shade.inc"
 //
+#include "kernel_avx2_blocks.inc"
+//
 #include "kernel_shade.inc"
 //
 #include "kernel_edges.inc"

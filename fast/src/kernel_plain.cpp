@@ -60,30 +60,35 @@ inline std::int32_t to_column(double x, std::int32_t from, std::int32_t to) {
   return k + (v > k ? 1 : 0);
 }
 
+/// The pixels of 8 lines from `first` up to `end`, but on lines in doubt.
+struct Spans {
+  Words8 first;
+  Words8 end;
+  std::uint32_t doubt;
+};
+
 /// The pixels between the left and the right x of 8 lines, which are off by at
-/// most the errors; gives the lines on which that matters.
-inline std::uint32_t columns_of(const Doubles8& left, double left_error,
-                                const Doubles8& right, double right_error,
-                                std::int32_t from, std::int32_t to,
-                                std::int32_t* first, std::int32_t* end) {
-  std::uint32_t doubt = 0;
+/// most the errors: where that matters there is doubt.
+inline Spans columns_of(const Doubles8& left, double left_error,
+                        const Doubles8& right, double right_error,
+                        std::int32_t from, std::int32_t to) {
+  Spans spans{};
   for (int r = 0; r < 8; ++r) {
-    first[r] = to_column(left.lines[r] - left_error, from, to);
-    end[r] = to_column(right.lines[r] + right_error, from, to);
+    const std::int32_t first = to_column(left.lines[r] - left_error, from, to);
+    const std::int32_t end = to_column(right.lines[r] + right_error, from, to);
     const bool told =
-        first[r] == to_column(left.lines[r] + left_error, from, to) &&
-        end[r] == to_column(right.lines[r] - right_error, from, to);
+        first == to_column(left.lines[r] + left_error, from, to) &&
+        end == to_column(right.lines[r] - right_error, from, to);
     // Where even the widest reading is empty there is nothing to tell.
-    if (!told && end[r] > first[r]) doubt |= 1u << r;
+    if (!told && end > first) spans.doubt |= 1u << r;
+    spans.first.lines[r] = static_cast<std::uint32_t>(first);
+    spans.end.lines[r] = static_cast<std::uint32_t>(end);
   }
-  return doubt;
+  return spans;
 }
 
 inline Words8 load(const std::uint32_t* p) {
   return words([&](int r) { return p[r]; });
-}
-inline Words8 load_columns(const std::int32_t* p) {
-  return words([&](int r) { return static_cast<std::uint32_t>(p[r]); });
 }
 inline void store(std::uint32_t* p, const Words8& v) {
   for (int r = 0; r < 8; ++r) p[r] = v.lines[r];
@@ -234,6 +239,10 @@ inline bool write_flat(const Canvas&, const Pieces&, std::int32_t, std::int32_t,
 }
 
 /// Here each line is for itself.
+inline bool shade_blocks(const Target&, const Gradient&, std::int32_t,
+                         std::int32_t, const std::uint32_t*, std::uint32_t*) {
+  return false;
+}
 struct ShadedTile {};
 inline bool start_tile(const Gradient&, std::int32_t, std::int32_t,
                        std::uint32_t, const std::uint32_t*, ShadedTile&) {

@@ -54,7 +54,8 @@ class Random {
       g.b[f] = (down - at) / kHeight;
       g.c[f] = at;
     };
-    const double steep = from_to(0, 0.45);
+    // Totals that hardly change are often meant, and seldom told apart.
+    const double steep = 0.45 * std::pow(from_to(0, 1), 8);
     std::array<double, 3> total;
     for (double& t : total) t = size * (1 + from_to(-steep, steep));
     enter(3, total[0], total[1], total[2]);
