@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "face_view.hpp"
-#include "halfspace/assert.hpp"
 #include "triangulate.hpp"
 
 namespace halfspace::fast {
@@ -89,9 +88,9 @@ void join_convex(const Solid& solid, const Face& face,
     const auto back = std::lower_bound(
         entries.begin(), entries.end(), std::pair(e.to, e.from),
         [&](const Entry& x, const auto& key) { return x.ends() < key; });
-    HALFSPACE_ASSERT(back != entries.end() &&
-                     back->ends() == std::pair(e.to, e.from));
-    parent[root(e.triangle)] = root(back->triangle);
+    // There is none only where the face's edges cross: then it stays alone.
+    if (back != entries.end() && back->ends() == std::pair(e.to, e.from))
+      parent[root(e.triangle)] = root(back->triangle);
   }
   // Step 3: each part's edges on the outside, in a row.
   std::vector<std::pair<std::size_t, Entry>> bounds;

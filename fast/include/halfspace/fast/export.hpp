@@ -40,7 +40,8 @@ struct ExportedMesh {
 /// Shape: closed like the solid: what was one point is one vertex. Vertices in
 ///        the order of their coordinates, polygons in that of their corners:
 ///        equal solids give equal meshes, however they came about, if their
-///        faces do.
+///        faces do. Where a surface crosses itself, which booleans do not
+///        make of solids, it may be open.
 ExportedMesh exported(const Solid& solid, const ExportOptions& options = {});
 
 }  // namespace halfspace::fast
