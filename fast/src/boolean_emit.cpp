@@ -59,6 +59,9 @@ void Engine::emit_parts(std::size_t o, std::int32_t id) {
   const auto place = [&](std::int32_t v) {
     return std::find(points_.begin(), points_.end(), v) - points_.begin();
   };
+  // The last part known to be inside the other operand or not.
+  std::size_t known = 0;
+  std::optional<bool> inside;
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     wings_.clear();
     bool twice = false;
@@ -72,8 +75,14 @@ void Engine::emit_parts(std::size_t o, std::int32_t id) {
     // A segment of edges of both operands is the first one's affair.
     if (o == 1 && twice) continue;
     std::array<bool, 2> member{};
-    if (wings_.empty())
-      member[1 - o] = is_part_inside(o, id, points_[i], points_[i + 1]);
+    if (wings_.empty()) {
+      auto told = told_inside(o, id, points_[i], points_[i + 1]);
+      if (!told && inside) told = carried_inside(o, id, known, *inside, i);
+      if (!told) told = locator(1 - o).is_inside(points_[i], points_[i + 1]);
+      inside = told;
+      known = i;
+      member[1 - o] = *told;
+    }
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
       const EdgeUse& use = operands_[o].uses[edge.first_use + u];
       const bool turned = operands_[o].face(use.face).turned;

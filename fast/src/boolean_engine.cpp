@@ -236,17 +236,60 @@ bool Engine::is_inside(std::size_t o, std::int32_t vertex) {
 }
 
 /// Whether a part of an edge that is not on the other operand's surface, but
-/// for its ends, is inside.
-bool Engine::is_part_inside(std::size_t o, std::int32_t id, std::int32_t low,
-                            std::int32_t high) {
+/// for its ends, is inside, if one of the ends tells.
+std::optional<bool> Engine::told_inside(std::size_t o, std::int32_t id,
+                                        std::int32_t low, std::int32_t high) {
   const LineEdge& edge = operands_[o].edge(id);
   for (const std::int32_t end : {low, high}) {
     if ((end == edge.low || end == edge.high) && !operands_[o].is_on_other(end))
       return is_inside(o, end);
   }
-  if (const auto told = crossing_tells(o, id, low, high)) return *told;
-  if (const auto told = crossing_tells(o, id, high, low)) return *told;
+  if (const auto told = crossing_tells(o, id, low, high)) return told;
+  return crossing_tells(o, id, high, low);
+}
+
+bool Engine::is_part_inside(std::size_t o, std::int32_t id, std::int32_t low,
+                            std::int32_t high) {
+  if (const auto told = told_inside(o, id, low, high)) return *told;
   return locator(1 - o).is_inside(low, high);
+}
+
+/// Likewise of the edge's part `i`, of points_, if what is inside is known of
+/// the part `from` before it. Between them may be parts on the surface: they
+/// count as what is right beside them, as Locator::winding has it.
+///
+/// Where two parts meet, only the faces there make a difference: of others that
+/// a ray from right beside the point meets, those that it passes at an edge of
+/// theirs come and go together. But if the edge passes through the plane of a
+/// face there that is along the ray, so it does far away, where that face ends.
+std::optional<bool> Engine::carried_inside(std::size_t o, std::int32_t id,
+                                           std::size_t from, bool inside,
+                                           std::size_t i) {
+  const Operand& other = operands_[1 - o];
+  const auto cut_between = [&](const Cut& cut) {
+    const auto first = points_.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto last = points_.begin() + static_cast<std::ptrdiff_t>(i);
+    return static_cast<std::size_t>(std::find(first + 1, last + 1, cut.vertex) -
+                                    points_.begin());
+  };
+  // Along the edge there is no such face, unless the edge is oblique.
+  const int axis = operands_[o].edge(id).axis;
+  std::optional<Locator>& faces = near_locators_[1 - o];
+  if (!faces) faces.emplace(*other.solid, space_, nullptr);
+  int winding = inside ? 1 : 0;
+  for (const Cut& cut : cuts_of(o, id)) {
+    const std::size_t k = cut_between(cut);
+    if (k > i) continue;
+    const Face& face = other.face(cut.face);
+    if (face.edge_count == 0 || (space_.normal_sign(face.plane, axis) == 0 &&
+                                 space_.side(face.plane, points_[k + 1]) != 0))
+      return std::nullopt;
+    winding += faces->share(axis, cut.face, points_[k], points_[k + 1]) -
+               faces->share(axis, cut.face, points_[k], points_[k - 1]);
+  }
+  // Never true: solids wind round no point twice.
+  if (winding < 0 || winding > 1) return std::nullopt;
+  return winding == 1;
 }
 
 }  // namespace halfspace::fast

@@ -79,6 +79,11 @@ class Engine {
   bool is_inside(std::size_t o, std::int32_t vertex);
   bool is_part_inside(std::size_t o, std::int32_t edge, std::int32_t low,
                       std::int32_t high);
+  std::optional<bool> told_inside(std::size_t o, std::int32_t edge,
+                                  std::int32_t low, std::int32_t high);
+  std::optional<bool> carried_inside(std::size_t o, std::int32_t edge,
+                                     std::size_t from, bool inside,
+                                     std::size_t part);
   const Locator& locator(std::size_t o);
   bool is_beyond_other(std::size_t o, std::int32_t vertex) const {
     return is_beyond(operands_[o].reach, space_.vertex(vertex).approximate);
@@ -99,6 +104,8 @@ class Engine {
   /// By edge: where its cuts and covers begin.
   std::array<std::vector<std::uint32_t>, 2> first_cut_, first_cover_;
   std::array<std::optional<Locator>, 2> locators_;
+  /// Of the operands' near faces only.
+  std::array<std::optional<Locator>, 2> near_locators_;
   std::vector<Piece> pieces_;
   std::vector<std::int32_t> points_;
   std::vector<Wing> wings_;

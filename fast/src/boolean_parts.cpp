@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <compare>
-#include <limits>
 #include <utility>
 
 #include "parallel.hpp"
@@ -148,78 +147,6 @@ std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
                            Space& space) {
   return edge.other >= 0 ? edge.other
                          : plane_beside(edge.from, edge.to, face.plane, space);
-}
-
-Locator::Locator(const Operand& operand, const Space& space)
-    : solid_(operand.whole != nullptr ? *operand.whole : *operand.solid),
-      space_(space),
-      index_(operand.index) {}
-
-template <class Found>
-void Locator::find(const Box& ray, Found&& found) const {
-  constexpr int kFew = 8;
-  if (index_ != nullptr) {
-    index_->find(ray, found);
-  } else if (++asked_ <= kFew) {
-    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
-      if (overlap(solid_.faces[f].box, ray))
-        found(static_cast<std::int32_t>(f));
-    }
-  } else {
-    if (!own_) own_.emplace().add(solid_, 0);
-    own_->find(ray, found);
-  }
-}
-
-int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
-  // A ray along the first axis. All signs are those at the vertex, or where
-  // they are zero at `towards`: as they are right beside it.
-  Box ray = kEmptyBox;
-  extend(ray, space_.vertex(vertex).approximate);
-  ray.high[0] = std::numeric_limits<float>::max();
-  int winding = solid_.unbounded ? 1 : 0;
-  find(ray, [&](std::int32_t f) {
-    const Face& face = solid_.faces[static_cast<std::size_t>(f)];
-    const int along = space_.normal_sign(face.plane, 0);
-    if (along == 0 && face.edge_count != 0) return;
-    int side = space_.side(face.plane, vertex);
-    if (side == 0) side = space_.side(face.plane, towards);
-    // The face lies ahead where the normal that points along the ray has the
-    // point behind it.
-    if (face.edge_count == 0) {
-      // No ray: its side decides for itself.
-      winding = (side > 0) == face.turned ? 1 : 0;
-      return;
-    }
-    if (side * along >= 0 || !is_above(face, vertex, towards)) return;
-    winding += (along > 0) != face.turned ? 1 : -1;
-  });
-  return winding;
-}
-
-bool Locator::is_above(const Face& face, std::int32_t vertex,
-                       std::int32_t towards) const {
-  // Seen along the first axis: how many edges pass over the point. A point
-  // level with an end counts as above it, and a point on an edge as over it,
-  // whichever face asks: so the faces round a vertex do not overlap.
-  const auto is_higher = [&](std::int32_t v) {
-    const int order = space_.compare(1, v, vertex);
-    return (order != 0 ? order : space_.compare(1, v, towards)) > 0;
-  };
-  bool inside = false;
-  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-    const SolidEdge& edge = solid_.edges[face.first_edge + i];
-    const bool from = is_higher(edge.from);
-    const bool to = is_higher(edge.to);
-    if (from == to) continue;
-    const std::int32_t low = from ? edge.to : edge.from;
-    const std::int32_t high = from ? edge.from : edge.to;
-    int turn = space_.turn(0, low, high, vertex);
-    if (turn == 0) turn = space_.turn(0, low, high, towards);
-    // The edge rises in y; the point has less z where it turns to the right.
-    if (turn < 0) inside = !inside;
-  }
-  return inside;
 }
 
 }  // namespace halfspace::fast

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -143,6 +145,7 @@ std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
 class Locator {
  public:
   Locator(const Operand& operand, const Space& space);
+  Locator(const Solid& solid, const Space& space, const FaceIndex* index);
   bool is_inside(std::int32_t vertex, std::int32_t towards) const {
     return winding(vertex, towards) > 0;
   }
@@ -150,12 +153,29 @@ class Locator {
   /// right beside it, along the first axis, by far less along the last, and by
   /// far less still along the second.
   int winding(std::int32_t vertex, std::int32_t towards) const;
+  /// What one face adds to that, or to the like for another axis in place of
+  /// the first one.
+  /// Requires: it has edges.
+  int share(int axis, std::int32_t face, std::int32_t vertex,
+            std::int32_t towards) const;
 
  private:
+  /// A box of edges in a row of a face.
+  struct EdgeBlock {
+    Box box;
+    bool is_row = true;  ///< each edge begins where the one before it ends
+  };
+
   template <class Found>
   void find(const Box& ray, Found&& found) const;
-  bool is_above(const Face& face, std::int32_t vertex,
+  std::span<const EdgeBlock> blocks_of(std::int32_t face) const;
+  bool is_above(int axis, std::int32_t face, std::int32_t vertex,
                 std::int32_t towards) const;
+  bool is_right(int right, std::int32_t v, std::int32_t vertex,
+                std::int32_t towards) const;
+  bool passes_over(int axis, const Face& face, std::uint32_t first,
+                   std::uint32_t last, std::int32_t vertex,
+                   std::int32_t towards) const;
 
   const Solid& solid_;
   const Space& space_;
@@ -163,6 +183,7 @@ class Locator {
   /// The first few questions are not worth an index of its own.
   mutable std::optional<FaceIndex> own_;
   mutable int asked_ = 0;
+  mutable std::unordered_map<std::int32_t, std::vector<EdgeBlock>> blocks_;
 };
 
 }  // namespace halfspace::fast
