@@ -2,9 +2,11 @@
 
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <vector>
 
 #include "culler.hpp"
@@ -113,8 +115,9 @@ std::vector<PixelRange> bands_of(const Rectangle& rectangle, int threads) {
   const std::int32_t first = rectangle.top / kTileHeight;
   const std::int32_t last = (rectangle.bottom - 1) / kTileHeight;
   const std::int32_t rows = last - first + 1;
-  // More bands than threads even out what the bands cost.
-  const std::int32_t wanted = threads == 1 ? 1 : 4 * threads;
+  // More bands than threads even out what the bands cost; but each walks the
+  // tree, and draws again what crosses its border.
+  const std::int32_t wanted = threads == 1 ? 1 : 2 * threads;
   const std::int32_t count = std::min(wanted, rows);
   std::vector<PixelRange> bands;
   for (std::int32_t b = 0; b < count; ++b) {
@@ -125,6 +128,25 @@ std::vector<PixelRange> bands_of(const Rectangle& rectangle, int threads) {
                      std::min(rectangle.bottom, row(b + 1) * kTileHeight)});
   }
   return bands;
+}
+
+/// Calls work(b) for every band, in so many threads, the middle ones first: in
+/// most pictures they take longest, and what is left for the end is little.
+template <class Work>
+void for_bands(std::size_t count, int threads, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  const auto work_on = [&](int) {
+    for (std::size_t k = next++; k < count; k = next++) {
+      work(k % 2 == 0 ? (count + k) / 2 : (count - 1 - k) / 2);
+    }
+  };
+  // Asking for more threads than there are makes the library complain.
+  oneapi::tbb::task_arena arena(
+      std::min(threads, oneapi::tbb::info::default_concurrency()));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(0, threads, work_on,
+                              oneapi::tbb::simple_partitioner{});
+  });
 }
 
 template <class T>
@@ -180,13 +202,9 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
     });
   };
   if (options.threads == 1) {
-    for (std::size_t b = 0; b < bands.size(); ++b) one(b);
+    one(0);
   } else {
-    // Asking for more threads than there are makes the library complain.
-    oneapi::tbb::task_arena arena(
-        std::min(options.threads, oneapi::tbb::info::default_concurrency()));
-    arena.execute(
-        [&] { oneapi::tbb::parallel_for(std::size_t{0}, bands.size(), one); });
+    for_bands(bands.size(), options.threads, one);
   }
   result.pixels_painted = 0;
   result.fragments_displayed = 0;
