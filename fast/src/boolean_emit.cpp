@@ -316,9 +316,10 @@ void Engine::copy_untouched(std::size_t o, Solid& result) {
         ++result.faces.back().edge_count;
         if (is_near) notes_.pinned.set(edge.from, 1);
       }
+      if (!begun) continue;
       // A part of the face may have a smaller box.
       Face& last = result.faces.back();
-      if (begun && last.edge_count != size) last.box = face_box(result, last);
+      if (last.edge_count != size) last.box = face_box(result, last);
     }
   }
 }

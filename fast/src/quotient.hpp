@@ -97,6 +97,7 @@ Head head_of(const Wide<kWords>& a) {
   const auto word = [&](std::size_t below) {
     return top >= below ? a.words[top - below] : 0;
   };
+  if (a.words[top] == 0) return {};
   const int zeros = std::countl_zero(a.words[top]);
   Head head{word(0), word(1), static_cast<int>(top) * 64 - zeros};
   if (zeros > 0) {
