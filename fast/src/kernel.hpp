@@ -33,7 +33,7 @@ struct Gradient {
 };
 
 /// What a polygon has lit of a tile whose colours are not written yet.
-struct Piece {
+struct LitPiece {
   std::uint32_t lit[8];
   std::int32_t ink = 0;
   std::int32_t next = 0;  ///< lit before it, of the same tile
@@ -75,7 +75,7 @@ struct Canvas {
   bool overwrite = false;  ///< back to front: paint the lit pixels at once
 
   Pieces* pieces_of = nullptr;  ///< a tile's
-  Piece* pieces = nullptr;
+  LitPiece* pieces = nullptr;
   std::int32_t piece_count = 0;      ///< so many have been used
   std::int32_t piece_room = 0;       ///< for so many there is memory
   std::int32_t spare_piece = kNone;  ///< pieces that may be used again

@@ -44,7 +44,7 @@ struct ScreenMemory {
   // What is not used is not touched either.
   Room<std::uint32_t> before;
   Room<std::int32_t> touched;
-  Room<Piece> pieces;
+  Room<LitPiece> pieces;
   Room<Ink> inks;
   Room<Gradient> gradients;
   alignas(32) std::int32_t tile_items[kTileWidth * kTileHeight] = {};
