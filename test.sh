@@ -41,12 +41,14 @@ mkdir -p out
 # Two runs need not wait for each other's tests, but must not starve either.
 CTEST_PARALLEL_LEVEL=$(nproc)
 export CTEST_PARALLEL_LEVEL
-step "build, optimised" build release
+# The fuzz targets' corpora are replayed once, with sanitizers.
+step "build, optimised" build release \
+  {spec,ref,fast,io,tools}/test/all {shadow,tools,proptest,examples,bench}/all
 # Every law notes there what it has run.
 laws_run=$PWD/out/laws.txt
 rm -f "$laws_run"
 step "all tests, optimised" env HALFSPACE_LAW_REPORT="$laws_run" \
-  ctest --preset release --no-tests=error
+  ctest --preset release --no-tests=error -LE fuzz
 step "clauses, laws, functions" python3 tools/check_traceability.py \
   --laws build/release/proptest/proptest "$laws_run"
 # What the tests with these labels need; building the laws takes longer.

@@ -50,7 +50,7 @@ void sort_keys(std::vector<Key>& keys) {
 }
 
 /// A part of the items that is to become the subtree of `node`.
-struct Task {
+struct ItemRange {
   std::int32_t begin;
   std::int32_t end;
   std::int32_t node;
@@ -97,9 +97,10 @@ void BoxTree::build() {
   sort_items();
   // Step 1: halves of halves.
   nodes_.emplace_back();
-  std::vector<Task> tasks{{0, static_cast<std::int32_t>(items_.size()), 0}};
+  std::vector<ItemRange> tasks{
+      {0, static_cast<std::int32_t>(items_.size()), 0}};
   while (!tasks.empty()) {
-    const Task task = tasks.back();
+    const ItemRange task = tasks.back();
     tasks.pop_back();
     Node& node = nodes_[static_cast<std::size_t>(task.node)];
     node.first = task.begin;

@@ -14,7 +14,7 @@ namespace {
 
 /// A subtree still to be made: of the parts on top of the stack of parts, from
 /// `first` on.
-struct Task {
+struct SubtreeToMake {
   std::size_t first;
   std::uint64_t key;
   double share;  ///< of the work
@@ -65,7 +65,7 @@ class Teller {
 };
 
 /// Makes `child` the child of `parent`, which may be none, on its `side`.
-void link(BspTree& tree, NodeId parent, Side side, NodeId child) {
+void attach(BspTree& tree, NodeId parent, Side side, NodeId child) {
   if (parent == kNoNode) return;
   Node& node = tree.nodes[static_cast<std::size_t>(parent)];
   (side == Side::kPositive ? node.positive : node.negative) = child;
@@ -133,7 +133,7 @@ class Autopartition {
  private:
   void work_off() {
     while (!tasks_.empty() && !teller_.is_stopped()) {
-      const Task task = tasks_.back();
+      const SubtreeToMake task = tasks_.back();
       tasks_.pop_back();
       make_node(task);
     }
@@ -151,7 +151,7 @@ class Autopartition {
            table_.same_orientation[static_cast<std::size_t>(splitter)];
   }
 
-  void make_node(const Task& task) {
+  void make_node(const SubtreeToMake& task) {
     // Step 1: choose the root; its plane is the node's.
     const Part* list = parts_.data() + task.first;
     const std::size_t count = parts_.size() - task.first;
@@ -166,7 +166,7 @@ class Autopartition {
     if (id == kNoNode) {
       id = static_cast<NodeId>(tree_.nodes.size());
       tree_.nodes.emplace_back();
-      link(tree_, task.parent, task.side, id);
+      attach(tree_, task.parent, task.side, id);
     }
     Node& node = tree_.nodes[static_cast<std::size_t>(id)];
     node.splitter = splitter;
@@ -241,7 +241,7 @@ class Autopartition {
   std::vector<Part> parts_;
   std::vector<Part> positive_;
   std::vector<Part> negative_;
-  std::vector<Task> tasks_;
+  std::vector<SubtreeToMake> tasks_;
 };
 
 /// Lays the fragments out node by node, without those of no list.

@@ -107,13 +107,13 @@ Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
 }
 
 /// A vertex at hand: comparing is mostly of what is here.
-struct Corner {
+struct MeshCorner {
   Vertex approximate;
   std::int32_t id;
 };
 
 /// Whether a vertex comes before another, by their coordinates.
-bool is_before(const Corner& a, const Corner& b, const Space& space) {
+bool is_before(const MeshCorner& a, const MeshCorner& b, const Space& space) {
   const double p[3] = {a.approximate.x, a.approximate.y, a.approximate.z};
   const double q[3] = {b.approximate.x, b.approximate.y, b.approximate.z};
   const bool exact = a.approximate.error == 0 && b.approximate.error == 0;
@@ -130,7 +130,7 @@ bool is_before(const Corner& a, const Corner& b, const Space& space) {
 /// The vertices of the polygons, in the order of their coordinates.
 std::vector<std::int32_t> vertices_in_order(
     const std::vector<std::int32_t>& used, const Space& space) {
-  std::vector<Corner> corners;
+  std::vector<MeshCorner> corners;
   std::vector<Keyed> keyed;
   corners.reserve(used.size());
   keyed.reserve(used.size());
@@ -143,7 +143,7 @@ std::vector<std::int32_t> vertices_in_order(
   }
   sort_by_key(keyed);
   // What is nearly level along the first axis is sorted anew.
-  const auto corner = [&](const Keyed& k) -> const Corner& {
+  const auto corner = [&](const Keyed& k) -> const MeshCorner& {
     return corners[k.item];
   };
   for (auto i = keyed.begin(); i != keyed.end();) {

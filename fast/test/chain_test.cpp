@@ -24,7 +24,7 @@ Cubes cube_at(int i, int j, int k) {
   return cubes;
 }
 
-void expect_cubes(const Solid& solid, const Cubes& cubes) {
+void expect_outline(const Solid& solid, const Cubes& cubes) {
   ASSERT_TRUE(bad_edges(solid).empty());
   bool whole = false;
   ASSERT_TRUE(lattice::outline(solid, whole) == lattice::outline(cubes));
@@ -61,11 +61,11 @@ TEST(FastChain, EveryStepIsRight) {
         cubes.full[i] = is_union ? a || b : a && (is_difference ? !b : b);
       }
       chain.apply(operation, tool);
-      ASSERT_NO_FATAL_FAILURE(expect_cubes(chain.solid(), cubes));
+      ASSERT_NO_FATAL_FAILURE(expect_outline(chain.solid(), cubes));
       // What is outside the one and inside the complement of the other.
       if (!is_difference) continue;
       chain.apply(BooleanOp::kIntersection, complement(tool));
-      ASSERT_NO_FATAL_FAILURE(expect_cubes(chain.solid(), cubes));
+      ASSERT_NO_FATAL_FAILURE(expect_outline(chain.solid(), cubes));
     }
   }
 }

@@ -14,7 +14,7 @@
 namespace halfspace::tools {
 namespace {
 
-struct Arguments {
+struct BuildCommandArguments {
   std::string path;
   std::optional<std::string> tree_file;
   std::optional<int> grid_bits;
@@ -23,13 +23,13 @@ struct Arguments {
 };
 
 /// As `render` does, so that a saved tree is one of the same scene.
-io::ImportOptions import_options_of(const Arguments& arguments) {
+io::ImportOptions import_options_of(const BuildCommandArguments& arguments) {
   ViewArguments view;
   if (arguments.shading == 1) view.shading = kGouraudShading;
   return import_options(view, arguments.grid_bits);
 }
 
-Status run(const Arguments& arguments) {
+Status run_build(const BuildCommandArguments& arguments) {
   const Library library = library_of(arguments.build, Library::kFast);
   const std::unique_ptr<Engine> engine = make_engine(library);
   if (arguments.tree_file && !engine->has_tree_files()) {
@@ -66,7 +66,7 @@ Status run(const Arguments& arguments) {
 void add_build(CLI::App& program, Status& status) {
   CLI::App* app =
       program.add_subcommand("build", "Build a tree, tell its size");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<BuildCommandArguments>();
   app->add_option("FILE", arguments->path, "A mesh or a .scene")
       ->required()
       ->type_name("");
@@ -85,7 +85,7 @@ void add_build(CLI::App& program, Status& status) {
       "  halfspace build part.stl --candidates 15 --seed 7\n"
       "  halfspace build part.stl -o part.tree\n"
       "  halfspace render part.stl --tree part.tree -o part.png");
-  app->callback([arguments, &status] { status = run(*arguments); });
+  app->callback([arguments, &status] { status = run_build(*arguments); });
 }
 
 }  // namespace halfspace::tools

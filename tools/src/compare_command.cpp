@@ -12,7 +12,7 @@ namespace {
 /// So many differences are shown one by one.
 constexpr std::size_t kShown = 10;
 
-struct Arguments {
+struct CompareArguments {
   std::string first;
   std::string second;
 };
@@ -33,7 +33,7 @@ std::size_t print_differences(const ItemImage& a, const ItemImage& b) {
   return count;
 }
 
-Status run(const Arguments& arguments) {
+Status run_compare(const CompareArguments& arguments) {
   const Result<ItemImage> a = io::read_npy(arguments.first);
   if (!a) return fail(arguments.first, a.error());
   const Result<ItemImage> b = io::read_npy(arguments.second);
@@ -53,7 +53,7 @@ Status run(const Arguments& arguments) {
 void add_compare(CLI::App& program, Status& status) {
   CLI::App* app = program.add_subcommand(
       "compare", "Compare two images of polygon ids, pixel for pixel");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   app->add_option("A", arguments->first, "An array that --ids wrote")
       ->required()
       ->type_name("");
@@ -63,7 +63,7 @@ void add_compare(CLI::App& program, Status& status) {
       "read.\n\n"
       "Example:\n"
       "  halfspace compare span.npy raycast.npy");
-  app->callback([arguments, &status] { status = run(*arguments); });
+  app->callback([arguments, &status] { status = run_compare(*arguments); });
 }
 
 }  // namespace halfspace::tools

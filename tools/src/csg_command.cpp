@@ -26,7 +26,7 @@
 namespace halfspace::tools {
 namespace {
 
-struct Arguments {
+struct CsgArguments {
   std::vector<std::string> words;
   std::string script;
   std::string output;
@@ -72,7 +72,7 @@ std::optional<Result<Request>> request_by_word(
   return std::nullopt;
 }
 
-Result<Request> request_of(const Arguments& arguments) {
+Result<Request> request_of(const CsgArguments& arguments) {
   if (arguments.script.empty()) {
     if (auto request = request_by_word(arguments.words))
       return *std::move(request);
@@ -111,7 +111,7 @@ Result<Request> request_of(const Arguments& arguments) {
 /// The work itself, once there is a plan.
 class Job {
  public:
-  Job(const Arguments& arguments, Request request)
+  Job(const CsgArguments& arguments, Request request)
       : arguments_(arguments), request_(std::move(request)) {}
   Status run();
 
@@ -126,7 +126,7 @@ class Job {
                 double boolean_ms) const;
   Status shadow_status(const CsgResult& result) const;
 
-  const Arguments& arguments_;
+  const CsgArguments& arguments_;
   Request request_;
 };
 
@@ -220,7 +220,7 @@ Status Job::shadow_status(const CsgResult& result) const {
   return Status::kDiffers;
 }
 
-Status run(const Arguments& arguments) {
+Status run_csg(const CsgArguments& arguments) {
   const std::string& output = arguments.output;
   if (!is_scene_name(output) && !io::format_of(output)) {
     return fail(output +
@@ -266,7 +266,7 @@ constexpr const char* kFooter =
 void add_csg(CLI::App& program, Status& status) {
   CLI::App* app = program.add_subcommand(
       "csg", "Booleans of closed solids: an expression, or a script");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CsgArguments>();
   app->add_option("EXPRESSION", arguments->words,
                   "What to work out, and NAME=FILE for each of its names; or "
                   "union, intersection, difference or symmetric-difference, "
@@ -305,7 +305,7 @@ void add_csg(CLI::App& program, Status& status) {
   add_grid_option(*app, arguments->grid_bits);
   add_build_options(*app, arguments->build, "fast");
   app->footer(kFooter);
-  app->callback([arguments, &status] { status = run(*arguments); });
+  app->callback([arguments, &status] { status = run_csg(*arguments); });
 }
 
 }  // namespace halfspace::tools

@@ -13,7 +13,7 @@
 namespace halfspace::tools {
 namespace {
 
-struct Arguments {
+struct InfoArguments {
   std::string path;
   std::optional<int> grid_bits;
 };
@@ -73,7 +73,7 @@ void print_camera(const SceneFile& file) {
               camera.width_px, camera.height_px);
 }
 
-Status run(const Arguments& arguments) {
+Status run_info(const InfoArguments& arguments) {
   const Result<Loaded> loaded =
       load(arguments.path, {.grid_bits = arguments.grid_bits});
   if (!loaded) return fail(arguments.path, loaded.error());
@@ -100,7 +100,7 @@ void add_info(CLI::App& program, Status& status) {
       program.add_subcommand("info",
                              "Tell what is in a file, and what import "
                              "did to it");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<InfoArguments>();
   app->add_option("FILE", arguments->path, "A mesh or a .scene")
       ->required()
       ->type_name("");
@@ -108,7 +108,7 @@ void add_info(CLI::App& program, Status& status) {
   app->footer(
       "Example:\n"
       "  halfspace info part.stl");
-  app->callback([arguments, &status] { status = run(*arguments); });
+  app->callback([arguments, &status] { status = run_info(*arguments); });
 }
 
 }  // namespace halfspace::tools

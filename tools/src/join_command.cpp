@@ -12,12 +12,12 @@
 namespace halfspace::tools {
 namespace {
 
-struct Arguments {
+struct JoinArguments {
   std::vector<std::string> parts;
   std::string output;
 };
 
-Status run(const Arguments& arguments) {
+Status run_join(const JoinArguments& arguments) {
   const std::string& output = arguments.output;
   const bool is_picture = has_extension(output, ".png");
   if (!is_picture && !has_extension(output, ".npy")) {
@@ -43,7 +43,7 @@ Status run(const Arguments& arguments) {
 void add_join(CLI::App& program, Status& status) {
   CLI::App* app = program.add_subcommand(
       "join", "Put the parts of an image, made with --rows, together");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<JoinArguments>();
   app->add_option("PARTS", arguments->parts,
                   "The parts from the top, all .png or all .npy")
       ->required()
@@ -59,7 +59,7 @@ void add_join(CLI::App& program, Status& status) {
       "  halfspace render part.stl -o 0.png --size 9000x9000 --rows 0:4500\n"
       "  halfspace render part.stl -o 1.png --size 9000x9000 --rows 4500:\n"
       "  halfspace join 0.png 1.png -o part.png");
-  app->callback([arguments, &status] { status = run(*arguments); });
+  app->callback([arguments, &status] { status = run_join(*arguments); });
 }
 
 }  // namespace halfspace::tools

@@ -120,7 +120,7 @@ Status run_film(Engine& engine, const Loaded& loaded,
   return conclude(loaded, tree, last, count, max_move, shadow, arguments);
 }
 
-Status run(const RenderArguments& arguments) {
+Status run_render(const RenderArguments& arguments) {
   const std::unique_ptr<Engine> engine = make_engine(library_of(arguments));
   const std::string wrong = complaint(arguments, *engine);
   if (!wrong.empty()) return fail(wrong);
@@ -216,7 +216,7 @@ void add_render(CLI::App& program, Status& status) {
       "  halfspace render part.stl --ids a.npy --method painter\n"
       "  halfspace render part.stl --ids b.npy --method zbuffer\n"
       "  halfspace compare a.npy b.npy");
-  app->callback([arguments, &status] { status = run(*arguments); });
+  app->callback([arguments, &status] { status = run_render(*arguments); });
 }
 
 }  // namespace halfspace::tools

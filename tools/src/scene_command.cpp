@@ -14,7 +14,7 @@
 namespace halfspace::tools {
 namespace {
 
-struct Arguments {
+struct SceneArguments {
   std::string path;
   std::string output;
   std::optional<int> grid_bits;
@@ -22,7 +22,7 @@ struct Arguments {
   ViewArguments view;
 };
 
-Status run(const Arguments& arguments) {
+Status run_scene(const SceneArguments& arguments) {
   Result<Loaded> loaded =
       load(arguments.path, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.path, loaded.error());
@@ -49,7 +49,7 @@ Status run(const Arguments& arguments) {
 void add_scene(CLI::App& program, Status& status) {
   CLI::App* app = program.add_subcommand(
       "scene", "Write the exact scene, and the camera, as text");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SceneArguments>();
   app->add_option("FILE", arguments->path, "A mesh or a .scene")
       ->required()
       ->type_name("");
@@ -67,7 +67,7 @@ void add_scene(CLI::App& program, Status& status) {
       "Examples:\n"
       "  halfspace scene part.stl -o part.scene\n"
       "  halfspace scene part.stl -o part.scene --eye 3,2,1 --size 64x64");
-  app->callback([arguments, &status] { status = run(*arguments); });
+  app->callback([arguments, &status] { status = run_scene(*arguments); });
 }
 
 }  // namespace halfspace::tools
