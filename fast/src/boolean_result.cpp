@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <tuple>
 #include <utility>
 
+#include "digits.hpp"
 #include "hubs.hpp"
 
 namespace halfspace::fast {
@@ -34,19 +34,23 @@ bool in_line(const Spoke& s, const Spoke& t, const Space& space) {
 /// One bucket's pieces, loop by loop, straight vertices left out.
 class LoopWalk {
  public:
-  LoopWalk(std::span<const Piece> pieces, const Hubs& hubs)
-      : pieces_(pieces), hubs_(hubs), used_(pieces.size()) {}
+  /// `used` is where it notes what it has been to.
+  LoopWalk(std::span<const Piece> pieces, const Hubs& hubs,
+           std::vector<std::uint8_t>& used)
+      : pieces_(pieces), hubs_(hubs), used_(used) {
+    used_.assign(pieces.size(), 0);
+  }
 
   void walk(std::vector<Piece>& out) {
     for (std::size_t start = 0; start < pieces_.size(); ++start) {
-      if (used_[start] || is_straight(pieces_[start].from)) continue;
+      if (used_[start] != 0 || is_straight(pieces_[start].from)) continue;
       std::size_t at = start;
       while (true) {
         Piece whole = pieces_[at];
-        used_[at] = true;
+        used_[at] = 1;
         while (is_straight(whole.to)) {
           at = next(at);
-          used_[at] = true;
+          used_[at] = 1;
           whole.to = pieces_[at].to;
           whole.other = std::max(whole.other, pieces_[at].other);
         }
@@ -69,7 +73,7 @@ class LoopWalk {
     std::size_t back = pieces_.size();
     for (auto p = first; p != pieces_.end() && p->from == last.to; ++p) {
       const auto i = static_cast<std::size_t>(p - pieces_.begin());
-      if (used_[i]) continue;
+      if (used_[i] != 0) continue;
       if (p->to != last.from) return i;
       back = i;
     }
@@ -78,7 +82,7 @@ class LoopWalk {
 
   std::span<const Piece> pieces_;
   const Hubs& hubs_;
-  std::vector<bool> used_;
+  std::vector<std::uint8_t>& used_;
 };
 
 }  // namespace
@@ -136,16 +140,42 @@ void Hubs::decide(const Space& space) {
   }
 }
 
+namespace {
+
+/// Puts pieces in the order of buckets.
+void sort_by_bucket(std::vector<Piece>& pieces) {
+  const auto by_bucket = [](const Piece& x, const Piece& y) {
+    return x.bucket < y.bucket;
+  };
+  if (std::is_sorted(pieces.begin(), pieces.end(), by_bucket)) return;
+  std::vector<Keyed> keyed;
+  keyed.reserve(pieces.size());
+  for (const Piece& piece : pieces) {
+    keyed.push_back({static_cast<std::uint64_t>(piece.bucket),
+                     static_cast<std::uint32_t>(keyed.size())});
+  }
+  sort_by_key(keyed);
+  std::vector<Piece> sorted;
+  sorted.reserve(pieces.size());
+  for (const Keyed& k : keyed) sorted.push_back(pieces[k.item]);
+  pieces.swap(sorted);
+}
+
+}  // namespace
+
 void walk_loops(std::vector<Piece>& pieces, const Hubs& hubs) {
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) {
-    return std::tie(x.bucket, x.from, x.to) < std::tie(y.bucket, y.from, y.to);
-  });
+  sort_by_bucket(pieces);
   std::vector<Piece> out;
   out.reserve(pieces.size());
-  for (std::size_t i = 0; i < pieces.size();) {
-    std::size_t j = i + 1;
-    while (j < pieces.size() && pieces[j].bucket == pieces[i].bucket) ++j;
-    LoopWalk({pieces.data() + i, j - i}, hubs).walk(out);
+  std::vector<std::uint8_t> used;
+  for (auto i = pieces.begin(); i != pieces.end();) {
+    const auto j = std::find_if(i, pieces.end(), [&](const Piece& piece) {
+      return piece.bucket != i->bucket;
+    });
+    std::sort(i, j, [](const Piece& x, const Piece& y) {
+      return x.from != y.from ? x.from < y.from : x.to < y.to;
+    });
+    LoopWalk({i, j}, hubs, used).walk(out);
     i = j;
   }
   pieces.swap(out);

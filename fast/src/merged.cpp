@@ -192,21 +192,31 @@ void Merger::drop_edges(const std::vector<Entry>& entries) {
 }
 
 /// Whether walk_loops() would leave the face as it is, but for the edge that it
-/// begins with: one small loop that visits nothing twice.
+/// begins with if it is one loop: small loops that visit nothing twice.
 bool Merger::stays(std::size_t f, const Hubs& hubs) const {
-  constexpr std::uint32_t kFew = 8;
+  constexpr std::uint32_t kFew = 24;
   const Face& face = solid_.faces[f];
-  if (merges_[f] != 0 || face.edge_count > kFew) return false;
+  if (merges_[f] != 0 || face.edge_count == 0 || face.edge_count > kFew)
+    return false;
   const SolidEdge* edges = solid_.edges.data() + face.first_edge;
+  std::uint32_t first = 0;  // of this loop
+  bool is_in_order = true;
   for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-    const std::uint32_t next = i + 1 < face.edge_count ? i + 1 : 0;
-    if (edges[i].to != edges[next].from || hubs.is_straight(edges[i].from))
-      return false;
+    if (hubs.is_straight(edges[i].from)) return false;
     for (std::uint32_t k = 0; k < i; ++k) {
       if (edges[k].from == edges[i].from) return false;
     }
+    // The first loop's first vertex is the least of all, and so on.
+    is_in_order = is_in_order && edges[first].from <= edges[i].from;
+    if (edges[i].to == edges[first].from) {
+      is_in_order = is_in_order && (i + 1 == face.edge_count ||
+                                    edges[first].from < edges[i + 1].from);
+      first = i + 1;
+    } else if (i + 1 == face.edge_count || edges[i].to != edges[i + 1].from) {
+      return false;
+    }
   }
-  return face.edge_count > 0;
+  return is_in_order || edges[face.edge_count - 1].to == edges[0].from;
 }
 
 /// Begins with the least vertex, as walk_loops() does.

@@ -1,6 +1,7 @@
 #include "triangulate.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "face_view.hpp"
 
@@ -149,15 +150,121 @@ class Sweep {
   std::vector<Side> active_;  ///< from below upwards
 };
 
+/// Triangulates like the sweep a small loop that goes to the right once and
+/// back once, with the face within: so there is one chain from first to last.
+class SmallLoop {
+ public:
+  static constexpr std::size_t kMost = 32;
+
+  SmallLoop(const FaceView& view,
+            std::vector<std::array<std::int32_t, 3>>& triangles)
+      : view_(view), triangles_(triangles) {}
+
+  /// Whether it is such a loop. If not, it may have added triangles.
+  bool run(std::span<const SolidEdge> edges) {
+    if (edges.size() < 3 || edges.size() > kMost || !part(edges)) return false;
+    const std::int32_t first = lower_[0];
+    const std::int32_t last = lower_[lower_count_ - 1];
+    if (view_.turn(first, lower_[1], upper_[1]) <= 0) return false;
+    chain_[front_] = first;
+    std::size_t l = 1, u = 1;
+    while (lower_[l] != last || upper_[u] != last) {
+      if (lower_[l] != last && upper_[u] != last && lower_[l] == upper_[u])
+        return false;
+      const bool is_lower =
+          upper_[u] == last ||
+          (lower_[l] != last && view_.before(lower_[l], upper_[u]));
+      if (is_lower) {
+        add_bottom(lower_[l++]);
+      } else {
+        add_top(upper_[u++]);
+      }
+    }
+    add_top(last);
+    return true;
+  }
+
+ private:
+  /// Fills in the vertices below and above, from left to right.
+  bool part(std::span<const SolidEdge> edges) {
+    std::array<bool, kMost> rightwards;
+    const std::size_t count = edges.size();
+    std::size_t start = count, begins = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      rightwards[i] = view_.before(edges[i].from, edges[i].to);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!rightwards[i] || rightwards[i > 0 ? i - 1 : count - 1]) continue;
+      start = i;
+      ++begins;
+    }
+    if (begins != 1) return false;
+    const auto at = [&](std::size_t k) { return (start + k) % count; };
+    std::size_t k = 0;
+    for (; rightwards[at(k)]; ++k) lower_[k] = edges[at(k)].from;
+    lower_[k] = edges[at(k)].from;
+    lower_count_ = k + 1;
+    for (std::size_t i = count; i >= k; --i)
+      upper_[count - i] = edges[at(i)].from;
+    return true;
+  }
+
+  void add_top(std::int32_t v) {
+    while (back_ > front_ && cut(chain_[back_ - 1], chain_[back_], v)) --back_;
+    chain_[++back_] = v;
+  }
+  void add_bottom(std::int32_t v) {
+    while (back_ > front_ && cut(v, chain_[front_], chain_[front_ + 1]))
+      ++front_;
+    chain_[--front_] = v;
+  }
+  bool cut(std::int32_t a, std::int32_t b, std::int32_t c) {
+    if (view_.turn(a, b, c) >= 0) return false;
+    triangles_.push_back({a, c, b});
+    return true;
+  }
+
+  const FaceView& view_;
+  std::vector<std::array<std::int32_t, 3>>& triangles_;
+  std::array<std::int32_t, kMost + 1> lower_, upper_;
+  std::size_t lower_count_ = 0;
+  /// What has been passed and not been cut off, upwards.
+  std::array<std::int32_t, 2 * kMost + 1> chain_;
+  std::size_t front_ = kMost, back_ = kMost;
+};
+
+/// Whether all of the edges are small loops, and if so their triangles. None is
+/// within another, for the face is within all of them: what the sweep does in
+/// one is nothing to the others.
+bool add_small_loops(const FaceView& view, std::span<const SolidEdge> edges,
+                     std::vector<std::array<std::int32_t, 3>>& triangles) {
+  const std::size_t before_any = triangles.size();
+  for (std::size_t first = 0; first < edges.size();) {
+    std::size_t last = first;
+    while (last < edges.size() && edges[last].to != edges[first].from) {
+      const bool goes_on =
+          last + 1 < edges.size() && edges[last + 1].from == edges[last].to;
+      last = goes_on ? last + 1 : edges.size();
+    }
+    if (last == edges.size() ||
+        !SmallLoop(view, triangles)
+             .run(edges.subspan(first, last + 1 - first))) {
+      triangles.resize(before_any);
+      return false;
+    }
+    first = last + 1;
+  }
+  return true;
+}
+
 }  // namespace
 
 void triangulate(const Solid& solid, const Face& face,
                  std::vector<std::array<std::int32_t, 3>>& triangles) {
   const FaceView view(solid, face);
-  const auto first =
-      solid.edges.begin() + static_cast<std::ptrdiff_t>(face.first_edge);
-  Sweep(view, triangles)
-      .run({first, first + static_cast<std::ptrdiff_t>(face.edge_count)});
+  const auto edges =
+      std::span(solid.edges).subspan(face.first_edge, face.edge_count);
+  if (!add_small_loops(view, edges, triangles))
+    Sweep(view, triangles).run({edges.begin(), edges.end()});
 }
 
 }  // namespace halfspace::fast
