@@ -27,6 +27,19 @@ Solid without_faces(const Solid& solid) {
   return {{}, {}, solid.unbounded, solid.unit, solid.space};
 }
 
+/// A solid with some of the faces of another.
+Solid with_faces(const Solid& solid, const std::vector<std::int32_t>& faces) {
+  Solid result = without_faces(solid);
+  std::size_t edges = 0;
+  for (const std::int32_t f : faces)
+    edges += solid.faces[static_cast<std::size_t>(f)].edge_count;
+  result.faces.reserve(faces.size());
+  result.edges.reserve(edges);
+  for (const std::int32_t f : faces)
+    append(solid, solid.faces[static_cast<std::size_t>(f)], result);
+  return result;
+}
+
 }  // namespace
 
 /// Faces that have gone stay where they are until they are half of all.
@@ -44,12 +57,13 @@ struct Chain::State {
   }
 
   Solid present() const {
-    Solid result = without_faces(solid);
+    if (gone_edges == 0) return solid;
+    std::vector<std::int32_t> faces;
     for (std::size_t f = 0; f < solid.faces.size(); ++f) {
       if (!index.is_gone(static_cast<std::int32_t>(f)))
-        append(solid, solid.faces[f], result);
+        faces.push_back(static_cast<std::int32_t>(f));
     }
-    return result;
+    return with_faces(solid, faces);
   }
 
   std::vector<std::int32_t> faces_near(const Box& reach);
@@ -88,19 +102,18 @@ void Chain::State::apply(const Truth& truth, const Solid& other) {
   Box reach = kEmptyBox;
   for (const Face& face : other.faces) extend(reach, face.box);
   const std::vector<std::int32_t> near = faces_near(reach);
-  Solid part = without_faces(solid);
-  for (const std::int32_t f : near)
-    append(solid, solid.faces[static_cast<std::size_t>(f)], part);
+  const bool all_near = near.size() == solid.faces.size();
+  const Solid part = all_near ? without_faces(solid) : with_faces(solid, near);
   // Step 2: what becomes of them.
-  const Solid result = Engine(truth, part, other, *solid.space,
-                              {&solid, is_indexed ? &index : nullptr, extent})
-                           .run();
+  Solid result = Engine(truth, all_near ? solid : part, other, *solid.space,
+                        {&solid, is_indexed ? &index : nullptr, extent})
+                     .run();
   // Step 3: the others are all beyond the other solid's box.
   const bool beyond = other.unbounded;
   const bool stay = truth(true, beyond) && !truth(false, beyond);
   solid.unbounded = result.unbounded;
-  if (!stay) {
-    solid = result;
+  if (!stay || all_near) {
+    solid = std::move(result);
     begin();
     return;
   }

@@ -17,14 +17,15 @@ struct Keyed {
 
 /// Sorts by key; what has one key stays in its order.
 ///
+/// Requires: items ascend.
 /// Cost: linear, with a pass for each digit in which keys differ.
 inline void sort_by_key(std::vector<Keyed>& keyed) {
   constexpr int kDigitBits = 11;
   constexpr std::size_t kMany = 256;
   if (keyed.size() < kMany) {
-    std::stable_sort(
-        keyed.begin(), keyed.end(),
-        [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
+    std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) {
+      return a.key != b.key ? a.key < b.key : a.item < b.item;
+    });
     return;
   }
   std::uint64_t differs = 0;

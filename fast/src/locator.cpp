@@ -7,8 +7,8 @@ namespace halfspace::fast {
 namespace {
 
 /// So many edges in a row have a box, in faces with many more.
-constexpr std::uint32_t kBlock = 16;
-constexpr std::uint32_t kManyEdges = 3 * kBlock;
+constexpr std::uint32_t kEdgesInBox = 16;
+constexpr std::uint32_t kBoxedFrom = 3 * kEdgesInBox;
 
 }  // namespace
 
@@ -74,16 +74,16 @@ int Locator::share(int axis, std::int32_t f, std::int32_t vertex,
 /// nothing if they are few.
 std::span<const Locator::EdgeBlock> Locator::blocks_of(std::int32_t f) const {
   const Face& face = solid_.faces[static_cast<std::size_t>(f)];
-  if (face.edge_count < kManyEdges) return {};
+  if (face.edge_count < kBoxedFrom) return {};
   const auto [found, is_new] = blocks_.try_emplace(f);
   if (is_new) return {};
   std::vector<EdgeBlock>& blocks = found->second;
   const SolidEdge* edges = solid_.edges.data() + face.first_edge;
   if (!blocks.empty()) return blocks;
   for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-    if (i % kBlock == 0) blocks.push_back({kEmptyBox, true});
+    if (i % kEdgesInBox == 0) blocks.push_back({kEmptyBox, true});
     EdgeBlock& block = blocks.back();
-    if (i % kBlock != 0 && edges[i - 1].to != edges[i].from)
+    if (i % kEdgesInBox != 0 && edges[i - 1].to != edges[i].from)
       block.is_row = false;
     extend(block.box, space_.vertex(edges[i].from).approximate);
     extend(block.box, space_.vertex(edges[i].to).approximate);
@@ -114,8 +114,8 @@ bool Locator::is_above(int axis, std::int32_t f, std::int32_t vertex,
     if (box.high[r] < point.low[r] || box.low[r] > point.high[r] ||
         box.high[u] < point.low[u])
       continue;
-    const auto first = static_cast<std::uint32_t>(b) * kBlock;
-    const std::uint32_t last = std::min(first + kBlock, face.edge_count);
+    const auto first = static_cast<std::uint32_t>(b) * kEdgesInBox;
+    const std::uint32_t last = std::min(first + kEdgesInBox, face.edge_count);
     // All of it is over the point where it passes.
     const bool passes =
         blocks[b].is_row && box.low[u] > point.high[u]

@@ -41,7 +41,7 @@ struct OrientedPlane {
 };
 
 template <int kBits>
-struct ReducedPlane;
+struct PlaneEntry;
 
 /// What a boolean notes of vertices, of either operand's or of both.
 struct Notes {
@@ -120,8 +120,14 @@ class Space {
   int edge_axis(std::int32_t u, std::int32_t v) const;
 
  private:
+  /// Three planes that were met, and where.
+  struct Triple {
+    std::array<std::int32_t, 3> planes;
+    std::int32_t vertex;
+  };
+
   template <int kBits>
-  OrientedPlane enter(const ReducedPlane<kBits>& reduced);
+  OrientedPlane enter(const PlaneEntry<kBits>& reduced);
   template <int kBits>
   std::uint64_t make_exact(const std::array<std::int32_t, 3>& planes);
   template <int kBits>
@@ -138,8 +144,7 @@ class Space {
   std::vector<SpacePlane> planes_;
   std::vector<SpaceVertex> vertices_;
   std::vector<std::uint64_t> exact_;
-  std::vector<std::array<std::int32_t, 3>> triples_;
-  std::vector<std::int32_t> triple_vertices_;
+  std::vector<Triple> triples_;
   HashIndex plane_index_;
   HashIndex vertex_index_;
   HashIndex triple_index_;

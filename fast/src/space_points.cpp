@@ -47,13 +47,12 @@ std::int32_t Space::meet(std::int32_t p, std::int32_t q, std::int32_t r) {
   };
   const std::uint64_t hash = hash_of(word(0), word(1), word(2));
   const std::int32_t known = triple_index_.find(hash, [&](std::int32_t t) {
-    return triples_[static_cast<std::size_t>(t)] == triple;
+    return triples_[static_cast<std::size_t>(t)].planes == triple;
   });
-  if (known >= 0) return triple_vertices_[static_cast<std::size_t>(known)];
+  if (known >= 0) return triples_[static_cast<std::size_t>(known)].vertex;
   const std::int32_t v = add_meet(triple);
   triple_index_.enter(hash, static_cast<std::int32_t>(triples_.size()));
-  triples_.push_back(triple);
-  triple_vertices_.push_back(v);
+  triples_.push_back({triple, v});
   return v;
 }
 
