@@ -140,6 +140,7 @@ nlohmann::json stats_of(const CsgContext& context,
                           {"polygons_out", result.polygons},
                           {"bad_edges", result.bad_edges},
                           {"repaired", result.repairs.size()},
+                          {"corners_added", context.operands.corners_added()},
                           {"trusted", context.operands.are_trusted()},
                           {"volume", result.volume},
                           {"boolean_ms", context.boolean_ms},
@@ -170,6 +171,10 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
   std::printf("operands: %zu of %zu polygons; %s\n", context.plan.leaves.size(),
               polygons_in(context),
               to_string(context.operands.report()).c_str());
+  if (context.operands.corners_added() > 0) {
+    std::printf("closed: %zu corners added where vertices lay within edges\n",
+                context.operands.corners_added());
+  }
   if (context.operands.are_trusted()) {
     std::printf(
         "trusted: nobody looked whether a surface crosses itself; if one does, "

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "closing.hpp"
 #include "command.hpp"
 #include "halfspace/boolean.hpp"
 #include "loading.hpp"
@@ -57,12 +58,15 @@ void print_box(const Scene& scene) {
 
 void print_closedness(const Scene& scene) {
   const std::size_t bad = bad_edges(scene).size();
-  if (bad == 0) {
-    std::printf("surface    closed\n");
-    std::printf("volume     %s\n", exact_volume(scene).c_str());
-  } else {
+  const std::size_t added = bad == 0 ? 0 : closed_on_lines(scene).added;
+  if (bad != 0 && added == 0) {
     std::printf("surface    not closed: %zu bad edges\n", bad);
+    return;
   }
+  std::printf("surface    closed");
+  if (added != 0)
+    std::printf(", but for %zu corners where vertices lie within edges", added);
+  std::printf("\nvolume     %s\n", exact_volume(scene).c_str());
 }
 
 void print_camera(const SceneFile& file) {

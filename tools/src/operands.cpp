@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "closing.hpp"
 #include "halfspace/fast/operand.hpp"
 #include "loading.hpp"
 #include "step_map.hpp"
@@ -67,6 +68,12 @@ Result<bool> Operands::needs_repair(const Solid& solid) const {
   return error;
 }
 
+Scene Operands::closed(Scene scene) {
+  ClosedScene result = closed_on_lines(std::move(scene));
+  corners_added_ += result.added;
+  return std::move(result.scene);
+}
+
 Result<Done> Operands::read_files() {
   for (const CsgFile& file : script_->files) {
     std::string path = file.path;
@@ -76,6 +83,7 @@ Result<Done> Operands::read_files() {
     if (!loaded) return loaded.error();
     Result<Scene> scene = make_scene(trimmed(loaded->file.scene));
     if (!scene) return about(path, scene.error());
+    *scene = closed(*std::move(scene));
     const Result<Solid> solid = make_solid(*scene);
     if (!solid) return about(path, solid.error());
     const Result<bool> repairs = needs_repair(*solid);
@@ -196,7 +204,7 @@ Result<Solid> Operands::leaf(std::int32_t id) {
   const std::size_t moved_before = report_.moved;
   Result<Scene> scene = moved_scene(leaf);
   if (!scene) return located(scene.error());
-  Result<Solid> solid = make_solid(*std::move(scene));
+  Result<Solid> solid = make_solid(closed(*std::move(scene)));
   if (!solid) return located(solid.error());
   // An exact map makes no new crossings.
   bool repairs = source_of(id).to_repair;

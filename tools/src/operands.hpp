@@ -63,6 +63,9 @@ class Operands {
   /// Whether nobody looked for that.
   bool are_trusted() const { return !options_.find_crossings; }
 
+  /// How many corners were added where vertices lay within edges, so far.
+  std::size_t corners_added() const { return corners_added_; }
+
   /// How many polygons a leaf's file has.
   std::size_t polygon_count(std::int32_t leaf) const;
 
@@ -85,6 +88,7 @@ class Operands {
         plan_(&plan),
         options_(options),
         repair_(plan.leaves.size()) {}
+  Scene closed(Scene scene);
   Result<bool> needs_repair(const Solid& solid) const;
   Result<Done> read_files();
   Result<Done> choose_grid();
@@ -97,6 +101,7 @@ class Operands {
   std::vector<Source> sources_;  // by file of the script
   std::vector<bool> repair_;     // by leaf
   io::ImportReport report_;
+  std::size_t corners_added_ = 0;
 };
 
 }  // namespace halfspace::tools

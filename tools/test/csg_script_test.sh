@@ -199,6 +199,20 @@ expect 2 'repairs nothing' csg X X=crossed.off --repair -o o.off --impl ref
 expect 2 'crossed.off.*5 more' csg '"crossed.off"' -o out.off --impl ref
 sed '$d' a.off | sed 's/^8 6/8 5/' >lid.off
 expect 2 'lid.off.*4 bad edges' csg 'A - X' A=a.off X=lid.off -o out.off
+# But where vertices lie within edges, as where import drops a polygon without
+# area, a surface that is closed along every line is closed.
+box 0 0 0 4 4 4 | awk 'NR == 2 { $0 = "10 7 0" } { print }
+  NR == 10 { print "1 0 4"; print "3 0 4" }' |
+  sed 's/^4 0 1 5 4$/6 0 1 5 9 8 4/; $a\4 4 8 9 5' >needle.off
+expect 0 'closed: 2 corners added' csg X X=needle.off -o out.off
+expect 0 'closed, but for 2 corners' info needle.off
+gives 37 'X - B' X=needle.off B=b.off
+# The face on the other side has one of the two corners, and no needle is there.
+sed '$d; 2s/7/6/' needle.off | sed 's/^4 4 5 7 6/5 4 9 5 7 6/' >tee.off
+gives 64 X X=tee.off
+sed '$d; 2s/7/5/' needle.off | sed '/^4 0 2 3 1$/d' >lid.off
+expect 2 'lid.off.* bad edges' csg X X=lid.off -o out.off
+expect 0 'not closed: 8 bad edges' info lid.off
 # One within another that faces outwards too, one that faces inwards, and a wall
 # of no thickness. What --trust does not look for is told, or the result is.
 box 1 1 1 2 2 2 | sed -n '3,$p' >inner
