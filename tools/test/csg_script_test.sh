@@ -242,8 +242,14 @@ box 1.5 1 0 3 3 5 >cutter.off
 expect 2 'wall.off.*polygons 6 and 7 overlap' csg X X=wall.off -o out.off
 expect 2 'trust did not look.*bad edges' csg 'X - C' X=wall.off C=cutter.off \
   --trust -o out.off
-expect 2 'trust did not look.*bad edges' csg 'X & half(z < 2.5)' \
-  X=crossed.off --trust -o out.off
+# What comes of edges that cross in a face is not fixed, but one or the other.
+"$program" csg 'X & half(z < 2.5)' X=crossed.off --trust -o out.off >stdout \
+  2>stderr
+case $? in
+  0) grep -q '^trusted: nobody looked' stdout || wrong "--trust is not told" ;;
+  2) grep -q 'trust did not look' stderr || wrong "--trust: $(cat stderr)" ;;
+  *) wrong "--trust stopped the program: $(cat stderr)" ;;
+esac
 expect 0 'trusted: nobody looked' csg 'A - B' A=a.off B=b.off --trust \
   -o out.off --stats stats.json
 grep -q '"trusted": true' stats.json || wrong "--trust is not in the statistics"
