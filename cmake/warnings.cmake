@@ -20,3 +20,10 @@ function(halfspace_test_target target)
   halfspace_target(${target})
   target_compile_options(${target} PRIVATE ${HALFSPACE_TEST_OPTIONS})
 endfunction()
+
+# Sources of a target that a unity build compiles as one: what they name for
+# themselves must differ. Those in no group are compiled alone.
+function(halfspace_unity_group target group)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
+endfunction()
