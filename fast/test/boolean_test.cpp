@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "boolean_parts.hpp"
 #include "halfspace/fast/export.hpp"
 #include "lattice.hpp"
 
@@ -281,6 +282,40 @@ TEST(FastBoolean, PartsOfAFaceAreOnSidesOfTheirOwn) {
     EXPECT_NEAR(volume(symmetric_difference(other, cut)) + 2 * both,
                 volume(cut) + volume(other), 1e-6);
   }
+}
+
+TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
+  // Plates with holes, and points level with their corners. What is asked for
+  // once is answered edge by edge.
+  std::uint64_t state = 41;
+  int many = 0, on = 0;
+  for (int pair = 0; pair < 24; ++pair) {
+    Cubes plates;
+    for (std::size_t i = 0; i < plates.full.size(); ++i) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      const bool odd = i / 64 % 2 == 1 && i / 8 % 2 == 1;
+      plates.full[i] = i % 8 % 3 == 1 && (state >> 33) % 8 >= (odd ? 6 : 1);
+    }
+    const Solid a = merged(to_solid(lattice::surface(plates)), Merge::kPlane);
+    const Solid b =
+        to_solid(lattice::surface(lattice::random_cubes(1, state)), a);
+    const Locator rows(a, *a.space, nullptr);
+    for (std::size_t f = 0; f < a.faces.size(); ++f) {
+      if (a.faces[f].edge_count < 48) continue;
+      ++many;
+      const auto face = static_cast<std::int32_t>(f);
+      for (const SolidEdge& edge : b.edges) {
+        for (const int axis : {0, 1, 2}) {
+          const Locator edges(a, *a.space, nullptr);
+          const int share = edges.share(axis, face, edge.from, edge.to);
+          ASSERT_EQ(rows.share(axis, face, edge.from, edge.to), share);
+          on += share != 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(many, 48);
+  EXPECT_GT(on, 10000);
 }
 
 }  // namespace
