@@ -1,29 +1,11 @@
 #include <bit>
-#include <numeric>
 #include <utility>
 
+#include "divisor.hpp"
 #include "geometry.hpp"
 
 namespace halfspace::fast {
 namespace {
-
-Uint128 size_of(Int128 value) {
-  return value < 0 ? -static_cast<Uint128>(value) : static_cast<Uint128>(value);
-}
-
-Uint128 greatest_common_divisor(Uint128 a, Uint128 b) {
-  while (b != 0) {
-    const auto a_high = static_cast<std::uint64_t>(a >> 64);
-    const auto b_high = static_cast<std::uint64_t>(b >> 64);
-    if ((a_high | b_high) == 0) {
-      return std::gcd(static_cast<std::uint64_t>(a),
-                      static_cast<std::uint64_t>(b));
-    }
-    a %= b;
-    std::swap(a, b);
-  }
-  return a;
-}
 
 /// A plane in the form that planes equal as point sets share: the normal
 /// divided by its greatest common divisor, its first component that is not

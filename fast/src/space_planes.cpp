@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <numeric>
 
 #include "cell.hpp"
+#include "divisor.hpp"
 #include "halfspace/assert.hpp"
 #include "space_exact.hpp"
 
@@ -17,29 +17,6 @@ struct PlaneEntry {
 };
 
 namespace {
-
-Uint128 size_of(Int128 value) {
-  return value < 0 ? -static_cast<Uint128>(value) : static_cast<Uint128>(value);
-}
-std::uint64_t size_of(std::int64_t value) {
-  return value < 0 ? -static_cast<std::uint64_t>(value)
-                   : static_cast<std::uint64_t>(value);
-}
-
-std::uint64_t greatest_common_divisor(std::uint64_t a, std::uint64_t b) {
-  return std::gcd(a, b);
-}
-Uint128 greatest_common_divisor(Uint128 a, Uint128 b) {
-  while (b != 0) {
-    if (((a | b) >> 64) == 0) {
-      return std::gcd(static_cast<std::uint64_t>(a),
-                      static_cast<std::uint64_t>(b));
-    }
-    a %= b;
-    std::swap(a, b);
-  }
-  return a;
-}
 
 /// Divides a normal by its greatest common divisor, and turns it so that its
 /// first component that is not zero is positive. Whether it was turned.

@@ -8,6 +8,16 @@
 namespace halfspace::fast {
 namespace {
 
+/// Cuts off the triangle of three vertices in a row, upwards, if it is on their
+/// right.
+bool cut_off(const FaceView& view, std::int32_t a, std::int32_t b,
+             std::int32_t c,
+             std::vector<std::array<std::int32_t, 3>>& triangles) {
+  if (view.turn(a, b, c) >= 0) return false;
+  triangles.push_back({a, c, b});
+  return true;
+}
+
 /// Triangulates by a sweep from left to right.
 ///
 /// Between an edge below and one above, with the face between, the vertices
@@ -137,12 +147,8 @@ class Sweep {
     chain.insert(chain.begin(), v);
   }
 
-  /// Cuts off the triangle of three vertices in a row, upwards, if it is on
-  /// their right.
   bool cut(std::int32_t a, std::int32_t b, std::int32_t c) {
-    if (view_.turn(a, b, c) >= 0) return false;
-    triangles_.push_back({a, c, b});
-    return true;
+    return cut_off(view_, a, b, c, triangles_);
   }
 
   const FaceView& view_;
@@ -218,9 +224,7 @@ class SmallLoop {
     chain_[--front_] = v;
   }
   bool cut(std::int32_t a, std::int32_t b, std::int32_t c) {
-    if (view_.turn(a, b, c) >= 0) return false;
-    triangles_.push_back({a, c, b});
-    return true;
+    return cut_off(view_, a, b, c, triangles_);
   }
 
   const FaceView& view_;
