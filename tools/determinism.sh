@@ -34,6 +34,7 @@ as_the_first() {
 # count who decided, are others.
 any_inner() { true; }
 compare=as_the_first
+export TSAN_OPTIONS="suppressions=$PWD/cmake/thread_sanitizer.supp"
 try() {
   local what=$1 folder=build/determinism/${1//[^a-zA-Z0-9]/_}
   shift

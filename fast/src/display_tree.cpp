@@ -11,6 +11,7 @@
 
 #include "display_worker.hpp"
 #include "halfspace/assert.hpp"
+#include "handover.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -32,8 +33,9 @@ class JobRunner {
   /// The root's job, with those of its subtrees.
   DisplayJob* run() {
     DisplayJob* root = add(root_job());
-    group_.run([this, root] { carry_out(*root); });
+    start(root);
     group_.wait();
+    for (const DisplayJob& job : jobs_) take_over(&job);
     return root;
   }
 
@@ -41,13 +43,18 @@ class JobRunner {
   DisplayJob root_job() const {
     DisplayJob job;
     job.items.resize(work_.scene.polygon_count());
-    const auto read = [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t p = range.begin(); p < range.end(); ++p) {
-        job.items[p] = work_.item_of(static_cast<PolygonId>(p));
-      }
-    };
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, job.items.size(), kBlock), read);
+    {
+      const SharedWork shared;
+      const auto read = [&](const tbb::blocked_range<std::size_t>& range) {
+        shared.part([&] {
+          for (std::size_t p = range.begin(); p < range.end(); ++p) {
+            job.items[p] = work_.item_of(static_cast<PolygonId>(p));
+          }
+        });
+      };
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, job.items.size(), kBlock), read);
+    }
     for (const Item& item : job.items) include(job.box, item);
     job.allowance = kFreeCuts + work_.options.most_cuts *
                                     static_cast<double>(job.items.size());
@@ -59,20 +66,29 @@ class JobRunner {
     return &jobs_.emplace_back(std::move(job));
   }
 
+  void start(DisplayJob* job) {
+    hand_over(job);
+    group_.run([this, job] {
+      take_over(job);
+      carry_out(*job);
+      hand_over(job);
+    });
+  }
+
   void carry_out(DisplayJob& job) {
     if (work_.is_stopped()) return;
     if (job.items.size() <= kJobSize) {
       DisplayWorker(work_, job).make_subtree();
     } else {
       DisplayWorker::Divided lists = DisplayWorker(work_, job).divide();
-      const auto start = [&](std::optional<DisplayJob>& list) {
+      const auto go_on = [&](std::optional<DisplayJob>& list) {
         if (!list) return static_cast<DisplayJob*>(nullptr);
         DisplayJob* child = add(std::move(*list));
-        group_.run([this, child] { carry_out(*child); });
+        start(child);
         return child;
       };
-      job.negative = start(lists.negative);
-      job.positive = start(lists.positive);
+      job.negative = go_on(lists.negative);
+      job.positive = go_on(lists.positive);
     }
     job.items = {};
     job.parts = {};
@@ -114,8 +130,10 @@ class Merger {
     tree_.cut_vertices.resize(end_.cut_vertices);
     tree_.free_planes.resize(end_.free_planes);
     tree_.boxes.resize(end_.nodes);
-    tbb::parallel_for(std::size_t{0}, pieces_.size(),
-                      [this](std::size_t i) { copy(pieces_[i]); });
+    const SharedWork shared;
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
+      shared.part([&] { copy(pieces_[i]); });
+    });
   }
 
  private:

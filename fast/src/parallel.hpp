@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "handover.hpp"
+
 namespace halfspace::fast {
 
 /// Calls `work(number, first, last)` for every block of `size` of `count`
@@ -25,8 +27,12 @@ void for_blocks(int threads, std::size_t count, std::size_t size, Work&& work) {
   // Asking for more threads than there are makes the library complain.
   oneapi::tbb::task_arena arena(
       std::min(threads, oneapi::tbb::info::default_concurrency()));
-  arena.execute(
-      [&] { oneapi::tbb::parallel_for(std::size_t{0}, blocks, one); });
+  const SharedWork shared;
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+      shared.part([&] { one(b); });
+    });
+  });
 }
 
 }  // namespace halfspace::fast

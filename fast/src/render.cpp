@@ -14,6 +14,7 @@
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
+#include "handover.hpp"
 #include "screen.hpp"
 #include "walk.hpp"
 
@@ -135,10 +136,13 @@ std::vector<PixelRange> bands_of(const Rectangle& rectangle, int threads) {
 template <class Work>
 void for_bands(std::size_t count, int threads, const Work& work) {
   std::atomic<std::size_t> next{0};
+  const SharedWork shared;
   const auto work_on = [&](int) {
-    for (std::size_t k = next++; k < count; k = next++) {
-      work(k % 2 == 0 ? (count + k) / 2 : (count - 1 - k) / 2);
-    }
+    shared.part([&] {
+      for (std::size_t k = next++; k < count; k = next++) {
+        work(k % 2 == 0 ? (count + k) / 2 : (count - 1 - k) / 2);
+      }
+    });
   };
   // Asking for more threads than there are makes the library complain.
   oneapi::tbb::task_arena arena(
