@@ -55,6 +55,8 @@ struct Rendering {
 /// Exact:    yes: doubles with bounds, and integers where they touch.
 /// Ties:     coplanar polygons: the lowest id is seen.
 /// Cost:     what is seen, and the way to it.
+///           A thread keeps up to 32 MiB of what its last image took, for the
+///           next.
 Rendering render(const Scene& scene, const BspTree& tree, const Camera& camera,
                  const ImageOptions& image, const RenderOptions& options = {});
 
