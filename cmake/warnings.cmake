@@ -27,3 +27,10 @@ function(halfspace_unity_group target group)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
 endfunction()
+
+# Compiles a few sources of a target at once in every build: for programs and
+# tests that read much and compute little.
+function(halfspace_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON
+                        UNITY_BUILD_BATCH_SIZE 5)
+endfunction()
