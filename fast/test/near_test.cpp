@@ -94,5 +94,36 @@ TEST(Near, WhatIsAStepBeyondIsSeen) {
   }
 }
 
+TEST(FastRender, PixelsAreCountedWithoutImages) {
+  const Scene scene = side_by_side();
+  const BspTree tree = build(scene, {});
+  const BspTree leaf = one_leaf();
+  RenderOptions counted;
+  counted.items = counted.colors = false;
+  for (const bool portable : {false, true}) {
+    counted.portable = portable;
+    for (const BspTree* each : {&tree, &leaf}) {
+      const Rendering all = render(scene, *each, perspective(), {}, {});
+      EXPECT_GT(all.pixels_painted, 0U);
+      EXPECT_EQ(render(scene, *each, perspective(), {}, counted).pixels_painted,
+                all.pixels_painted);
+    }
+  }
+}
+
+// What its screen takes is given back, and not kept for the next image.
+TEST(FastRender, AnImageAfterAVeryLargeOneIsTheSame) {
+  const Scene scene = side_by_side();
+  const BspTree tree = build(scene, BuildOptions{});
+  const ItemImage before = render(scene, tree, perspective(), {}, {}).items;
+  CameraData data = camera_of(65536 * 256 / 64, 65536);
+  data.width_px = data.height_px = 16384;
+  RenderOptions only_counted;
+  only_counted.items = only_counted.colors = false;
+  render(scene, tree, *make_camera(data, 26), {}, only_counted);
+  EXPECT_EQ(render(scene, tree, perspective(), {}, {}).items.pixels,
+            before.pixels);
+}
+
 }  // namespace
 }  // namespace halfspace::fast
