@@ -34,7 +34,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FLAGS = "-O1 -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc"
+FLAGS = ("-O1 -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc "
+         "-fprofile-update=atomic")  # or threads lose counts
 # Programs, and those of their tests that are about these files.
 TESTS = {
     "ref_test": "*", "vectors_test": "*Implementations*",
