@@ -144,6 +144,7 @@ void Contact::begin_line() {
   for (std::size_t o = 0; o < 2; ++o) {
     start_[o].fill(face(o).edge_count == 0);
     along_[o].clear();
+    is_along_[o].forget();
   }
 }
 
@@ -170,8 +171,8 @@ void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
     // A far edge is not on the other face, whatever doubles say.
     if (id < 0) return;
     // An edge at which the surface touches itself may be there twice.
-    if (std::find(along_[o].begin(), along_[o].end(), id) == along_[o].end())
-      along_[o].push_back(id);
+    if (is_along_[o].get(id, 0) == 0) along_[o].push_back(id);
+    is_along_[o].set(id, 1);
     for (const std::int32_t end : {solid_edge.from, solid_edge.to}) {
       mark.vertex = end;
       marks_.push_back(mark);
@@ -199,9 +200,9 @@ void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
 
 /// Puts the marks in order along the axis, and makes one of those at the same
 /// point.
-void Contact::order_marks(int axis) {
+void Contact::order_marks() {
   std::sort(marks_.begin(), marks_.end(), [&](const Mark& x, const Mark& y) {
-    return space_.compare(axis, x.vertex, y.vertex) < 0;
+    return space_.compare(axis_, x.vertex, y.vertex) < 0;
   });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
@@ -219,31 +220,45 @@ void Contact::order_marks(int axis) {
     }
   }
   marks_.resize(kept);
+  for (std::size_t o = 0; o < 2; ++o) {
+    for (const std::int32_t id : along_[o]) {
+      const auto [first, last] = marks_at(operands_[o]->edge(id));
+      ++marks_[first].begun[o];
+      --marks_[last].begun[o];
+    }
+  }
   State state = start_;
+  std::array<std::int32_t, 2> along{};
   for (Mark& mark : marks_) {
     for (std::size_t o = 0; o < 2; ++o) {
       for (std::size_t s = 0; s < 2; ++s)
         state[o][s] = state[o][s] != mark.toggle[o][s];
+      along[o] += mark.begun[o];
+      mark.along[o] = along[o] > 0;
     }
     mark.after = state;
   }
-  for (std::size_t o = 0; o < 2; ++o) {
-    for (const std::int32_t id : along_[o]) {
-      const LineEdge& edge = operands_[o]->edge(id);
-      bool on = false;
-      for (Mark& mark : marks_) {
-        if (mark.vertex == edge.low || mark.vertex == edge.high) on = !on;
-        mark.along[o] = mark.along[o] || on;
-      }
-    }
-  }
+}
+
+/// Where the marks of an edge along the line are, in their order.
+std::pair<std::size_t, std::size_t> Contact::marks_at(
+    const LineEdge& edge) const {
+  const auto at = [this](std::int32_t vertex) {
+    const auto found = std::partition_point(
+        marks_.begin(), marks_.end(), [&](const Mark& mark) {
+          return space_.compare(axis_, mark.vertex, vertex) < 0;
+        });
+    return static_cast<std::size_t>(found - marks_.begin());
+  };
+  // They may stand in the order of another axis.
+  return std::minmax({at(edge.low), at(edge.high)});
 }
 
 /// The planes meet in a line, which both faces may reach at one point.
 void Contact::meet_across() {
   begin_line();
   for (std::size_t o = 0; o < 2; ++o) add_marks(o, face(1 - o).plane);
-  order_marks(axis_);
+  order_marks();
   report_cuts();
   for (std::size_t i = 0; i + 1 < marks_.size(); ++i) {
     const Mark& m = marks_[i];
@@ -307,7 +322,8 @@ void Contact::meet_edge(std::size_t o, std::int32_t id) {
     mark.present[o] = true;
     marks_.push_back(mark);
   }
-  order_marks(edge.axis);
+  axis_ = edge.axis;
+  order_marks();
   for (const Mark& mark : marks_) {
     if (mark.present[o] && mark.has(p)) put_on_other(o, mark.vertex);
   }
@@ -339,18 +355,12 @@ void Contact::report_along(std::size_t o, std::int32_t id,
                            bool positive_is_left) {
   const std::size_t p = 1 - o;
   const LineEdge edge = operands_[o]->edge(id);
-  bool on = false;
-  bool reversed = false;  // the marks may stand in the order of another axis
-  for (std::size_t i = 0; i < marks_.size(); ++i) {
+  const auto [first, last] = marks_at(edge);
+  const bool reversed = marks_[first].vertex == edge.high;
+  for (std::size_t i = first; i < last; ++i) {
     const Mark& mark = marks_[i];
-    if (mark.vertex == edge.low || mark.vertex == edge.high) {
-      if (on) break;
-      on = true;
-      reversed = mark.vertex == edge.high;
-    } else if (on && mark.has(p)) {
-      cut(o, id, mark.vertex, /*through=*/false);
-    }
-    if (!on || (!mark.after[p][0] && !mark.after[p][1])) continue;
+    if (i > first && mark.has(p)) cut(o, id, mark.vertex, /*through=*/false);
+    if (!mark.after[p][0] && !mark.after[p][1]) continue;
     Cover cover{id, mark.vertex, marks_[i + 1].vertex, faces_[p]};
     if (reversed) std::swap(cover.low, cover.high);
     cover.left = mark.after[p][positive_is_left ? 0 : 1];

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "boolean_parts.hpp"
@@ -44,6 +45,8 @@ class Contact {
     /// Whether it is there from here to the next mark.
     std::array<std::array<bool, 2>, 2> after{};
     std::array<bool, 2> along{};  ///< it has an edge from here to the next mark
+    /// How many of its edges along the line begin here, less those that end.
+    std::array<std::int32_t, 2> begun{};
 
     bool has(std::size_t o) const {
       return present[o] || after[o][0] || after[o][1];
@@ -74,7 +77,8 @@ class Contact {
   void add_marks(std::size_t o, std::int32_t across);
   void add_mark(std::size_t o, const Hit& hit, std::int32_t across);
   void begin_line();
-  void order_marks(int axis);
+  void order_marks();
+  std::pair<std::size_t, std::size_t> marks_at(const LineEdge& edge) const;
   void meet_across();
   void meet_in_plane(std::size_t o);
   void meet_edge(std::size_t o, std::int32_t edge);
@@ -94,6 +98,7 @@ class Contact {
   std::array<double, 2> low_{}, high_{};
   State start_{};                                   ///< before the first mark
   std::array<std::vector<std::int32_t>, 2> along_;  ///< edges on the line
+  std::array<Stamped<std::uint8_t>, 2> is_along_;   ///< by edge
   std::vector<Mark> marks_;
   /// By operand and face: where the boxes of its edges begin, or -1.
   std::array<std::vector<std::int32_t>, 2> first_block_;

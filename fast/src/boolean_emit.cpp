@@ -52,22 +52,39 @@ void Engine::emit_whole(std::size_t o, std::int32_t id) {
   }
 }
 
+void Engine::find_covered(std::size_t o, std::int32_t id) {
+  covered_.clear();
+  const auto covers = covers_of(o, id);
+  if (covers.empty()) return;
+  const int axis = operands_[o].edge(id).axis;
+  const auto place = [&](std::int32_t v) {
+    const auto at = std::partition_point(
+        points_.begin(), points_.end(),
+        [&](std::int32_t u) { return space_.compare(axis, u, v) < 0; });
+    return static_cast<std::size_t>(at - points_.begin());
+  };
+  for (std::size_t c = 0; c < covers.size(); ++c) {
+    const std::size_t end = place(covers[c].high);
+    for (std::size_t part = place(covers[c].low); part < end; ++part)
+      covered_.emplace_back(part, c);
+  }
+  std::sort(covered_.begin(), covered_.end());
+}
+
 /// An edge that is cut, or lies in the other operand's surface in part.
 void Engine::emit_parts(std::size_t o, std::int32_t id) {
   const LineEdge edge = operands_[o].edge(id);
   find_points(o, id);
-  const auto place = [&](std::int32_t v) {
-    return std::find(points_.begin(), points_.end(), v) - points_.begin();
-  };
+  find_covered(o, id);
+  auto covered = covered_.begin();
   // The last part known to be inside the other operand or not.
   std::size_t known = 0;
   std::optional<bool> inside;
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     wings_.clear();
     bool twice = false;
-    for (const Cover& cover : covers_of(o, id)) {
-      const auto at = static_cast<std::ptrdiff_t>(i);
-      if (at < place(cover.low) || at >= place(cover.high)) continue;
+    for (; covered != covered_.end() && covered->first == i; ++covered) {
+      const Cover& cover = covers_of(o, id)[covered->second];
       if (cover.left) wings_.push_back(wing_of(1 - o, cover.face, 1));
       if (cover.right) wings_.push_back(wing_of(1 - o, cover.face, -1));
       twice = twice || cover.on_edge;

@@ -72,17 +72,24 @@ void Engine::drop_apart(
 /// Brings the cuts and covers of each edge together.
 void Engine::sort_records(std::size_t o) {
   Operand& operand = operands_[o];
-  const auto sort = [&](auto& records, std::vector<std::uint32_t>& first) {
-    std::sort(records.begin(), records.end(), [](const auto& x, const auto& y) {
-      return std::tie(x.edge, x.face) < std::tie(y.edge, y.face);
-    });
+  const auto index = [&](const auto& records,
+                         std::vector<std::uint32_t>& first) {
     first.assign(operand.edges.size() + 1, 0);
     for (const auto& record : records)
       ++first[static_cast<std::size_t>(record.edge) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
   };
-  sort(operand.cuts, first_cut_[o]);
-  sort(operand.covers, first_cover_[o]);
+  std::sort(operand.cuts.begin(), operand.cuts.end(),
+            [](const Cut& x, const Cut& y) {
+              return std::tie(x.edge, x.vertex, x.face) <
+                     std::tie(y.edge, y.vertex, y.face);
+            });
+  std::sort(operand.covers.begin(), operand.covers.end(),
+            [](const Cover& x, const Cover& y) {
+              return std::tie(x.edge, x.face) < std::tie(y.edge, y.face);
+            });
+  index(operand.cuts, first_cut_[o]);
+  index(operand.covers, first_cover_[o]);
 }
 
 /// What an edge meets is reported by one of its faces: it touches them all.
@@ -109,6 +116,18 @@ std::span<const Cut> Engine::cuts_of(std::size_t o, std::int32_t edge) const {
   const auto e = static_cast<std::size_t>(edge);
   return std::span(operands_[o].cuts)
       .subspan(first_cut_[o][e], first_cut_[o][e + 1] - first_cut_[o][e]);
+}
+
+std::span<const Cut> Engine::cuts_at(std::size_t o, std::int32_t edge,
+                                     std::int32_t vertex) const {
+  const auto cuts = cuts_of(o, edge);
+  const auto first = std::partition_point(
+      cuts.begin(), cuts.end(),
+      [vertex](const Cut& cut) { return cut.vertex < vertex; });
+  const auto last = std::partition_point(
+      first, cuts.end(),
+      [vertex](const Cut& cut) { return cut.vertex == vertex; });
+  return {first, last};
 }
 
 std::span<const Cover> Engine::covers_of(std::size_t o,
@@ -191,9 +210,10 @@ void Engine::note_members(std::size_t o) {
 void Engine::find_points(std::size_t o, std::int32_t id) {
   const LineEdge& edge = operands_[o].edge(id);
   points_.clear();
-  for (const Cut& cut : cuts_of(o, id)) points_.push_back(cut.vertex);
-  std::sort(points_.begin(), points_.end());
-  points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+  for (const Cut& cut : cuts_of(o, id)) {
+    if (points_.empty() || points_.back() != cut.vertex)
+      points_.push_back(cut.vertex);
+  }
   points_.push_back(edge.low);
   points_.push_back(edge.high);
   std::sort(points_.begin(), points_.end(),
@@ -207,14 +227,9 @@ void Engine::find_points(std::size_t o, std::int32_t id) {
 std::optional<bool> Engine::crossing_tells(std::size_t o, std::int32_t edge,
                                            std::int32_t at,
                                            std::int32_t towards) const {
-  const Cut* found = nullptr;
-  for (const Cut& cut : cuts_of(o, edge)) {
-    if (cut.vertex != at) continue;
-    if (found != nullptr || !cut.through) return std::nullopt;
-    found = &cut;
-  }
-  if (found == nullptr) return std::nullopt;
-  const Face& face = operands_[1 - o].face(found->face);
+  const auto cuts = cuts_at(o, edge, at);
+  if (cuts.size() != 1 || !cuts[0].through) return std::nullopt;
+  const Face& face = operands_[1 - o].face(cuts[0].face);
   const int side = space_.side(face.plane, towards);
   return face.turned ? side > 0 : side < 0;
 }
@@ -266,26 +281,21 @@ std::optional<bool> Engine::carried_inside(std::size_t o, std::int32_t id,
                                            std::size_t from, bool inside,
                                            std::size_t i) {
   const Operand& other = operands_[1 - o];
-  const auto cut_between = [&](const Cut& cut) {
-    const auto first = points_.begin() + static_cast<std::ptrdiff_t>(from);
-    const auto last = points_.begin() + static_cast<std::ptrdiff_t>(i);
-    return static_cast<std::size_t>(std::find(first + 1, last + 1, cut.vertex) -
-                                    points_.begin());
-  };
   // Along the edge there is no such face, unless the edge is oblique.
   const int axis = operands_[o].edge(id).axis;
   std::optional<Locator>& faces = near_locators_[1 - o];
   if (!faces) faces.emplace(*other.solid, space_, nullptr);
   int winding = inside ? 1 : 0;
-  for (const Cut& cut : cuts_of(o, id)) {
-    const std::size_t k = cut_between(cut);
-    if (k > i) continue;
-    const Face& face = other.face(cut.face);
-    if (face.edge_count == 0 || (space_.normal_sign(face.plane, axis) == 0 &&
-                                 space_.side(face.plane, points_[k + 1]) != 0))
-      return std::nullopt;
-    winding += faces->share(axis, cut.face, points_[k], points_[k + 1]) -
-               faces->share(axis, cut.face, points_[k], points_[k - 1]);
+  for (std::size_t k = from + 1; k <= i; ++k) {
+    for (const Cut& cut : cuts_at(o, id, points_[k])) {
+      const Face& face = other.face(cut.face);
+      if (face.edge_count == 0 ||
+          (space_.normal_sign(face.plane, axis) == 0 &&
+           space_.side(face.plane, points_[k + 1]) != 0))
+        return std::nullopt;
+      winding += faces->share(axis, cut.face, points_[k], points_[k + 1]) -
+                 faces->share(axis, cut.face, points_[k], points_[k - 1]);
+    }
   }
   // Never true: solids wind round no point twice.
   if (winding < 0 || winding > 1) return std::nullopt;

@@ -70,9 +70,13 @@ class Engine {
   Segment segment_of(const LineEdge& edge) const;
 
   std::span<const Cut> cuts_of(std::size_t o, std::int32_t edge) const;
+  std::span<const Cut> cuts_at(std::size_t o, std::int32_t edge,
+                               std::int32_t vertex) const;
   std::span<const Cover> covers_of(std::size_t o, std::int32_t edge) const;
   /// The ends of an edge and the points between that cut it, in order.
   void find_points(std::size_t o, std::int32_t edge);
+  /// Which covers the parts between those points lie in.
+  void find_covered(std::size_t o, std::int32_t edge);
   std::optional<bool> crossing_tells(std::size_t o, std::int32_t edge,
                                      std::int32_t at,
                                      std::int32_t towards) const;
@@ -108,6 +112,8 @@ class Engine {
   std::array<std::optional<Locator>, 2> near_locators_;
   std::vector<Piece> pieces_;
   std::vector<std::int32_t> points_;
+  /// Parts of an edge, and covers of it that they lie in, in order.
+  std::vector<std::pair<std::size_t, std::size_t>> covered_;
   std::vector<Wing> wings_;
 };
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <ctime>
 #include <string>
+#include <utility>
 
 #include "boolean_parts.hpp"
 #include "halfspace/fast/export.hpp"
@@ -316,6 +318,59 @@ TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
   }
   EXPECT_GT(many, 48);
   EXPECT_GT(on, 10000);
+}
+
+/// Blocks in a row, two steps long and two apart.
+halfspace::Solid teeth(int count) {
+  SceneData data;
+  for (int i = 0; i < count; ++i) {
+    const auto first = static_cast<VertexId>(data.vertices.size());
+    for (const std::int64_t x : {4 * i, 4 * i + 2}) {
+      for (const std::int64_t y : {0, 10}) {
+        for (const std::int64_t z : {0, 10}) data.vertices.push_back({x, y, z});
+      }
+    }
+    for (const int c : {0, 1, 3, 2, 4, 6, 7, 5, 0, 4, 5, 1,
+                        2, 3, 7, 6, 0, 2, 6, 4, 1, 5, 7, 3})
+      data.corners.push_back(first + c);
+    for (int f = 0; f < 6; ++f) {
+      data.first_corner.push_back(data.first_corner.back() + 4);
+      data.colors.emplace_back();
+    }
+  }
+  return *make_solid(*make_scene(std::move(data)));
+}
+
+/// How long a rod through all of them takes to unite with them, and to be cut
+/// by them.
+double time_of_rod(int count, const GridPoint& low, const GridPoint& high) {
+  const Solid comb = to_solid(teeth(count));
+  SceneData data = teeth(1).scene().data();
+  for (GridPoint& p : data.vertices) {
+    p = {p.x == 0 ? -1 : 4 * count, p.y == 0 ? low.y : high.y,
+         p.z == 0 ? low.z : high.z};
+  }
+  const Solid rod = to_solid(*make_solid(*make_scene(std::move(data))), comb);
+  const std::clock_t start = std::clock();
+  const Solid both = boolean(BooleanOp::kUnion, comb, rod);
+  const Solid rest = boolean(BooleanOp::kDifference, rod, comb);
+  const double time = static_cast<double>(std::clock() - start);
+  const double area = static_cast<double>((high.y - low.y) * (high.z - low.z));
+  const double rest6 = 6 * area * (2 * count + 1);
+  EXPECT_EQ(volume6(exported(rest)), rest6);
+  EXPECT_EQ(volume6(exported(both)), 6.0 * 200 * count + rest6);
+  EXPECT_TRUE(bad_edges(both).empty());
+  return time;
+}
+
+TEST(FastBoolean, AnEdgeThatManyFacesCutTakesNoLongerForEach) {
+  // Within the teeth, and flush with two of their sides.
+  for (const auto& [low, high] :
+       {std::pair(GridPoint{0, 3, 3}, GridPoint{0, 5, 5}),
+        std::pair(GridPoint{0, 0, 8}, GridPoint{0, 5, 10})}) {
+    const double few = time_of_rod(250, low, high);
+    EXPECT_LT(time_of_rod(2000, low, high), 32 * few);
+  }
 }
 
 }  // namespace
