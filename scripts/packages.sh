@@ -96,6 +96,7 @@ need_build_packages() {
 need_test_packages() {
   need libgtest-dev "test framework"
   need librapidcheck-dev "random properties, shrunk when they fail"
+  need libbenchmark-dev "measures booleans"
   need python3 "scripts that check the tree of sources"
   need coq "checks the proofs of spec/coq"
   need make "compiles the proofs"

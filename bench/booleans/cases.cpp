@@ -14,10 +14,20 @@ BooleanCase two_spheres(int triangles, double turn) {
     second.turn = turn;
   }
   const int bands = bands_for(triangles);
-  const std::string size = std::to_string(triangles / 1000) + " k";
-  return {"two spheres " + size + (turn == 0 ? ", apart" : ", turned"),
-          BooleanOp::kUnion,
-          {sphere(bands, {}), sphere(bands, second)}};
+  const bool is_million = triangles >= 1'000'000;
+  const std::string size = is_million
+                               ? std::to_string(triangles / 1'000'000) + " M"
+                               : std::to_string(triangles / 1000) + " k";
+  BooleanCase result{
+      "two spheres " + size + (turn == 0 ? ", apart" : ", turned"),
+      BooleanOp::kUnion,
+      {sphere(bands, {}), sphere(bands, second)}};
+  if (is_million) result.repeats = turn == 0 ? 3 : 1;
+  if (is_million || (turn != 0 && triangles > 10000))
+    result.repeats_of_others = 1;
+  result.for_corefinement = turn == 0 || !is_million;
+  result.for_nef = triangles <= 10000;
+  return result;
 }
 
 BooleanCase menger(int level) {
@@ -29,7 +39,8 @@ BooleanCase menger(int level) {
   result.operands.insert(result.operands.begin(),
                          block({0, 0, 0}, {size, size, size}));
   if (level == 3) result.least = 21456;
-  result.for_peers = level < 4;
+  result.repeats_of_others = 1;
+  result.for_corefinement = level < 4;
   return result;
 }
 
@@ -37,6 +48,7 @@ BooleanCase plate() {
   constexpr std::int64_t kPitch = 1 << 16;
   constexpr int kHoles = 10;
   BooleanCase result{"plate, 100 holes", BooleanOp::kDifference, {}, 13212};
+  result.repeats_of_others = 1;
   result.operands.push_back(
       block({0, 0, 0}, {kHoles * kPitch, kHoles * kPitch, kPitch}));
   for (int i = 0; i < kHoles; ++i) {
@@ -52,6 +64,7 @@ BooleanCase plate() {
 BooleanCase sphere_chain(int count) {
   BooleanCase result{
       "chain of " + std::to_string(count), BooleanOp::kUnion, {}};
+  if (count > 100) result.repeats_of_others = 1;
   for (int i = 0; i < count; ++i) {
     Placement at;
     at.radius = 20000;
@@ -66,16 +79,35 @@ BooleanCase sphere_chain(int count) {
   return result;
 }
 
+BooleanCase shared_face(int count) {
+  constexpr std::int64_t kSide = 1 << 20;
+  BooleanCase result{
+      "one face shared by " + std::to_string(count), BooleanOp::kUnion, {}};
+  // Steps by the golden ratio and by 2^(1/2) visit a square evenly.
+  constexpr double kGolden = 0.6180339887498949, kRoot = 0.4142135623730951;
+  for (int i = 0; i < count; ++i) {
+    const auto share = [&](double step) {
+      return std::llround(static_cast<double>(kSide) *
+                          (i * step - std::floor(i * step)));
+    };
+    result.operands.push_back(pyramid(
+        kSide, {share(kGolden), share(kRoot), kSide / 2 + share(kRoot) / 2}));
+  }
+  result.for_nef = true;
+  return result;
+}
+
 std::vector<BooleanCase> boolean_cases() {
   std::vector<BooleanCase> cases;
   for (const double turn : {0.0, 0.01}) {
-    for (const int triangles : {1000, 10000, 100000})
+    for (const int triangles : {1000, 10000, 100000, 1000000})
       cases.push_back(two_spheres(triangles, turn));
   }
   cases.push_back(menger(3));
   cases.push_back(menger(4));
   cases.push_back(plate());
   for (const int count : {100, 1000}) cases.push_back(sphere_chain(count));
+  cases.push_back(shared_face(50));
   return cases;
 }
 

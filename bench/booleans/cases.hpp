@@ -16,8 +16,13 @@ struct BooleanCase {
   std::vector<Triangles> operands;
   /// How many triangles the least surface has; 0: not known.
   std::size_t least = 0;
-  /// Whether others finish within minutes.
-  bool for_peers = true;
+  /// How often we are timed, and how often others are.
+  int repeats = 5;
+  int repeats_of_others = 3;
+  /// Whether corefinement finishes within minutes and memory, and whether Nef
+  /// polyhedra, which are slower by far, do.
+  bool for_corefinement = true;
+  bool for_nef = false;
 };
 
 /// Two spheres of about `triangles` each in general position, one apart by
@@ -28,6 +33,8 @@ BooleanCase menger(int level);
 BooleanCase plate();
 /// Spheres of 224 triangles along a spiral, each overlapping the next.
 BooleanCase sphere_chain(int count);
+/// Pyramids over one square, with tips here and there: all share that face.
+BooleanCase shared_face(int count);
 
 std::vector<BooleanCase> boolean_cases();
 

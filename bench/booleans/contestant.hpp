@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "booleans/cases.hpp"
-#include "timing.hpp"
 
 namespace halfspace::bench {
 
@@ -27,18 +26,17 @@ struct Contestant {
   std::string name;
   /// Once through; nothing if they cannot do it.
   std::optional<Outcome> (*run)(const BooleanCase& task);
+  /// Whether they are asked to.
+  bool (*takes)(const BooleanCase& task);
 };
 
-/// fast::boolean, one operand after the other.
+/// fast::Chain, one operand after the other.
 Contestant ours_in_turn();
-/// fast::combined, all operands at once.
+/// fast::combined, all operands at once, where there are more than two.
 Contestant ours_at_once();
 /// CGAL's corefinement with its exact kernel; only where it was built in.
 Contestant cgal();
-
-/// The outcome whose total is least, of up to `repeats.most`, as long as the
-/// budget lasts.
-std::optional<Outcome> best_of(const Contestant& contestant,
-                               const BooleanCase& task, const Repeats& repeats);
+/// CGAL's Nef polyhedra, with the same kernel; only where they were built in.
+Contestant cgal_nef();
 
 }  // namespace halfspace::bench

@@ -111,6 +111,11 @@ Triangles prism(int corners, const GridPoint& base, std::int64_t radius,
   return result;
 }
 
+Triangles pyramid(std::int64_t side, const GridPoint& tip) {
+  return {{{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}, tip},
+          {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+}
+
 std::vector<Triangles> menger_bars(int level, std::int64_t scale) {
   std::vector<Triangles> bars;
   std::int64_t size = scale;

@@ -36,6 +36,11 @@ Triangles block(const GridPoint& low, const GridPoint& high);
 Triangles prism(int corners, const GridPoint& base, std::int64_t radius,
                 std::int64_t height);
 
+/// The pyramid with the tip, over the square of that side on the plane z = 0
+/// from the origin on.
+/// Requires: the tip is above that plane.
+Triangles pyramid(std::int64_t side, const GridPoint& tip);
+
 /// The square bars that make a Menger sponge of the level out of a block of
 /// 3^level a side, at the origin, times `scale`: coarse ones first.
 std::vector<Triangles> menger_bars(int level, std::int64_t scale);

@@ -6,6 +6,7 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"
+#include "timing.hpp"
 
 namespace halfspace::bench {
 namespace {
@@ -78,8 +79,13 @@ std::optional<Outcome> at_once(const BooleanCase& task) {
 
 }  // namespace
 
-Contestant ours_in_turn() { return {"Halfspace", &in_turn}; }
+Contestant ours_in_turn() {
+  return {"Halfspace", &in_turn, [](const BooleanCase&) { return true; }};
+}
 
-Contestant ours_at_once() { return {"Halfspace, at once", &at_once}; }
+Contestant ours_at_once() {
+  return {"Halfspace, at once", &at_once,
+          [](const BooleanCase& task) { return task.operands.size() > 2; }};
+}
 
 }  // namespace halfspace::bench

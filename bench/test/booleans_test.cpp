@@ -20,6 +20,18 @@ TEST(Booleans, SurfacesAreTheLeastOnes) {
   EXPECT_EQ(ours_in_turn().run(menger(3))->volume6, 6.0 * 8000 * 0x1p30);
 }
 
+TEST(Booleans, AFaceSharedByAllIsOneFace) {
+  const BooleanCase task = shared_face(20);
+  const auto in_turn = ours_in_turn().run(task);
+  const auto at_once = ours_at_once().run(task);
+  EXPECT_TRUE(in_turn->closed);
+  EXPECT_EQ(in_turn->triangles, at_once->triangles);
+  EXPECT_EQ(in_turn->volume6, at_once->volume6);
+  // More than any pyramid, less than the block that holds them all.
+  EXPECT_GT(in_turn->volume6, 2.0 * 0x1p59);
+  EXPECT_LT(in_turn->volume6, 6.0 * 0x1p60);
+}
+
 TEST(Booleans, SpheresTurnedHaveAllTrianglesCut) {
   const BooleanCase task = two_spheres(1000, 0.01);
   const auto outcome = ours_in_turn().run(task);

@@ -217,12 +217,17 @@ Solid Engine::result() {
   notes_.pinned.forget();
   for (std::size_t o = 0; o < 2; ++o) copy_untouched(o, result);
   for (std::size_t o = 0; o < 2; ++o) add_runs(o);
-  // Step 2: what is left of the others. A vertex that is beyond one operand
-  // may be one of faces that are not here.
+  // Step 2: what is left of the others.
   const std::size_t untouched = result.faces.size();
   const auto is_pinned = [this](std::int32_t v) {
-    return notes_.pinned.get(v, 0) != 0 || is_beyond_other(0, v) ||
-           is_beyond_other(1, v);
+    if (notes_.pinned.get(v, 0) != 0) return true;
+    // A vertex that is beyond an operand may be one of faces that are not here.
+    // Of two edges in line there, one goes on beyond: a run, or pinned.
+    for (const std::size_t o : {0u, 1u}) {
+      // Never true: unless doubles are too coarse to tell such an edge.
+      if (is_beyond_other(o, v)) return true;
+    }
+    return false;
   };
   straighten(pieces_, is_pinned, space_);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {

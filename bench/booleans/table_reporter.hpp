@@ -1,0 +1,35 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+namespace halfspace::bench {
+
+/// Prints one Markdown table when all is done: of each benchmark, named
+/// "case/who", the quickest repetition, and what it took next to the first of
+/// the same case. The counters `import`, `booleans`, `output` (Units: ms) and
+/// `triangles` are columns.
+class TableReporter : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& repetitions) override;
+  void Finalize() override;
+
+ private:
+  struct Row {
+    std::string task;
+    std::string who;
+    /// Of the quickest one; what was wrong, if anything was.
+    std::string error;
+    double total_ms = 0;
+    std::vector<double> parts;
+    double triangles = 0;
+  };
+  static Row row_of(const Run& run);
+
+  std::vector<Row> rows_;
+};
+
+}  // namespace halfspace::bench
