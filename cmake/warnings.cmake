@@ -28,9 +28,13 @@ function(halfspace_unity_group target group)
   set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
 endfunction()
 
-# Compiles a few sources of a target at once in every build: for programs and
-# tests that read much and compute little.
+# Compiles a few sources of a target at once in every build, five or as many as
+# are told: for programs and tests that read much and compute little.
 function(halfspace_unity target)
+  set(batch 5)
+  if(ARGC GREATER 1)
+    set(batch ${ARGV1})
+  endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON
-                        UNITY_BUILD_BATCH_SIZE 5)
+                        UNITY_BUILD_BATCH_SIZE ${batch})
 endfunction()

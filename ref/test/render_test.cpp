@@ -295,9 +295,14 @@ class Trouble {
 };
 
 TEST(RefRender, AllAlgorithmsAgreeWhereItHurts) {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr int kSeeds = 150;
+#else
+  constexpr int kSeeds = 600;
+#endif
   int seen = 0;
   int edge_on = 0;
-  for (unsigned seed = 0; seed < 600; ++seed) {
+  for (unsigned seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Trouble trouble(seed);
     const Scene scene = trouble.scene();
@@ -318,8 +323,8 @@ TEST(RefRender, AllAlgorithmsAgreeWhereItHurts) {
     }
   }
   // What the cameras are for did come up.
-  EXPECT_GT(seen, 600);
-  EXPECT_GT(edge_on, 600);
+  EXPECT_GT(seen, kSeeds);
+  EXPECT_GT(edge_on, kSeeds);
 }
 
 /// One of the two ends of a range, a neighbour of an end, 0, or anything.

@@ -8,8 +8,11 @@ views=("" "--ortho" "--near 100" "--eye 300,-500,250 --target 10,20,30"
   "--eye 0,0,900 --target 0,0,0 --ortho" "--cull" "--fov 20 --up 1,1,1"
   "--eye -.5,-400.25,3 --target 0,0,0" "--grid 26")
 
-for model in cube pinwheel interlocking-cubes; do
+models="cube pinwheel interlocking-cubes"
+for model in $models; do
   "$make_model" "$model" -o "$model.off" || exit 1
+done
+for model in ${HALFSPACE_RENDERED:-$models}; do
   for view in "${views[@]}"; do
     # shellcheck disable=SC2086
     set -- $view "${size[@]}"
