@@ -11,6 +11,10 @@ namespace halfspace::bench {
 
 CgalMesh mesh_of(const Triangles& triangles) {
   CgalMesh mesh;
+  const auto vertices =
+      static_cast<CgalMesh::size_type>(triangles.points.size());
+  const auto faces = static_cast<CgalMesh::size_type>(triangles.corners.size());
+  mesh.reserve(vertices, vertices + faces, faces);
   std::vector<CgalMesh::Vertex_index> ids;
   for (const GridPoint& p : triangles.points) {
     ids.push_back(

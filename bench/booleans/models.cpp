@@ -151,6 +151,8 @@ Solid solid_of(const Triangles& triangles) {
   SceneData data;
   data.vertices = triangles.points;
   data.grid_bits = grid_bits_for(data.vertices);
+  data.corners.reserve(3 * triangles.corners.size());
+  data.first_corner.reserve(triangles.corners.size() + 1);
   for (const auto& corners : triangles.corners) {
     data.corners.insert(data.corners.end(), corners.begin(), corners.end());
     data.first_corner.push_back(

@@ -28,11 +28,19 @@ double volume6_of(const fast::ExportedMesh& mesh) {
 /// The solid with triangles in one plane put together, where there are any to
 /// speak of.
 fast::Solid lean(fast::Solid solid) {
-  std::vector<std::int32_t> planes;
-  for (const fast::Face& face : solid.faces) planes.push_back(face.plane);
-  std::sort(planes.begin(), planes.end());
-  const auto count = std::unique(planes.begin(), planes.end()) - planes.begin();
-  if (4 * static_cast<std::size_t>(count) > 3 * planes.size()) return solid;
+  const auto [low, high] = std::minmax_element(
+      solid.faces.begin(), solid.faces.end(),
+      [](const auto& f, const auto& g) { return f.plane < g.plane; });
+  const std::int32_t first = low->plane;
+  std::vector<std::uint8_t> seen(static_cast<std::size_t>(high->plane - first) +
+                                 1);
+  std::size_t count = 0;
+  for (const fast::Face& face : solid.faces) {
+    std::uint8_t& is_seen = seen[static_cast<std::size_t>(face.plane - first)];
+    count += is_seen == 0 ? 1 : 0;
+    is_seen = 1;
+  }
+  if (4 * count > 3 * solid.faces.size()) return solid;
   return fast::merged(solid, fast::Merge::kColor);
 }
 
@@ -67,7 +75,7 @@ std::optional<Outcome> in_turn(const BooleanCase& task) {
     fast::Chain chain(std::move(solids[0]));
     for (std::size_t i = 1; i < solids.size(); ++i)
       chain.apply(task.operation, solids[i]);
-    return chain.solid();
+    return std::move(chain).solid();
   });
 }
 

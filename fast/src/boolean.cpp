@@ -37,8 +37,7 @@ Solid moved_to(const Solid& solid, const std::shared_ptr<Space>& space) {
   const auto plane = [&](std::int32_t p) {
     std::int32_t& id = planes.at(p);
     if (id < 0) {
-      const SpacePlane& old = from.plane(p);
-      id = space->add_plane(old.normal, old.origin).plane;
+      id = space->add_plane(from.normal(p), from.plane(p).origin).plane;
     }
     return id;
   };
@@ -47,7 +46,7 @@ Solid moved_to(const Solid& solid, const std::shared_ptr<Space>& space) {
     if (id < 0) {
       const SpaceVertex& old = from.vertex(v);
       id = old.is_grid()
-               ? space->add_point(old.point)
+               ? space->add_point(old.point())
                : space->meet(plane(old.planes[0]), plane(old.planes[1]),
                              plane(old.planes[2]));
     }

@@ -215,6 +215,13 @@ Solid Engine::result() {
   result.unbounded =
       truth_(operands_[0].solid->unbounded, operands_[1].solid->unbounded);
   notes_.pinned.forget();
+  std::size_t faces = 0, edges = 0;
+  for (const Operand& operand : operands_) {
+    faces += operand.solid->faces.size();
+    edges += operand.solid->edges.size();
+  }
+  result.faces.reserve(faces);
+  result.edges.reserve(edges);
   for (std::size_t o = 0; o < 2; ++o) copy_untouched(o, result);
   for (std::size_t o = 0; o < 2; ++o) add_runs(o);
   // Step 2: what is left of the others.

@@ -110,7 +110,7 @@ class Engine {
   std::array<std::optional<Locator>, 2> locators_;
   /// Of the operands' near faces only.
   std::array<std::optional<Locator>, 2> near_locators_;
-  std::vector<Piece> pieces_;
+  List<Piece> pieces_;
   std::vector<std::int32_t> points_;
   /// Parts of an edge, and covers of it that they lie in, in order.
   std::vector<std::pair<std::size_t, std::size_t>> covered_;

@@ -4,6 +4,7 @@
 #include <compare>
 #include <utility>
 
+#include "near_cells.hpp"
 #include "parallel.hpp"
 
 namespace halfspace::fast {
@@ -36,11 +37,18 @@ std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
   const auto box_of = [&](std::int32_t g) -> const Box& {
     return b.face(g).box;
   };
-  const BoxTree tree(box_of, near(b));
+  std::vector<std::int32_t> faces = near(a);
+  std::vector<std::int32_t> others = near(b);
+  Box common = a.reach;
+  for (std::size_t k = 0; k < 3; ++k) {
+    common.low[k] = std::max(common.low[k], b.reach.low[k]);
+    common.high[k] = std::min(common.high[k], b.reach.high[k]);
+  }
+  drop_lonely(*a.solid, faces, *b.solid, others, common);
+  const BoxTree tree(box_of, others);
   // Step 1: the pairs, block by block of the first operand's faces.
   using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
   constexpr std::size_t kBlock = 256;
-  const std::vector<std::int32_t> faces = near(a);
   std::vector<Pairs> found((faces.size() + kBlock - 1) / kBlock);
   for_blocks(threads, faces.size(), kBlock,
              [&](std::size_t number, std::size_t first, std::size_t last) {

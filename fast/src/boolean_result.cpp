@@ -27,8 +27,8 @@ bool in_line(const Spoke& s, const Spoke& t, const Space& space) {
              space.side(known->other, asked->end) == 0;
     }
   }
-  return on_line(space.vertex(s.hub).point, space.vertex(s.end).point,
-                 space.vertex(t.end).point);
+  return on_line(space.vertex(s.hub).point(), space.vertex(s.end).point(),
+                 space.vertex(t.end).point());
 }
 
 /// One bucket's pieces, loop by loop, straight vertices left out.
@@ -41,7 +41,7 @@ class LoopWalk {
     used_.assign(pieces.size(), 0);
   }
 
-  void walk(std::vector<Piece>& out) {
+  void walk(List<Piece>& out) {
     for (std::size_t start = 0; start < pieces_.size(); ++start) {
       if (used_[start] != 0 || is_straight(pieces_[start].from)) continue;
       std::size_t at = start;
@@ -143,19 +143,19 @@ void Hubs::decide(const Space& space) {
 namespace {
 
 /// Puts pieces in the order of buckets.
-void sort_by_bucket(std::vector<Piece>& pieces) {
+void sort_by_bucket(List<Piece>& pieces) {
   const auto by_bucket = [](const Piece& x, const Piece& y) {
     return x.bucket < y.bucket;
   };
   if (std::is_sorted(pieces.begin(), pieces.end(), by_bucket)) return;
-  std::vector<Keyed> keyed;
+  List<Keyed> keyed;
   keyed.reserve(pieces.size());
   for (const Piece& piece : pieces) {
     keyed.push_back({static_cast<std::uint64_t>(piece.bucket),
                      static_cast<std::uint32_t>(keyed.size())});
   }
   sort_by_key(keyed);
-  std::vector<Piece> sorted;
+  List<Piece> sorted;
   sorted.reserve(pieces.size());
   for (const Keyed& k : keyed) sorted.push_back(pieces[k.item]);
   pieces.swap(sorted);
@@ -163,9 +163,9 @@ void sort_by_bucket(std::vector<Piece>& pieces) {
 
 }  // namespace
 
-void walk_loops(std::vector<Piece>& pieces, const Hubs& hubs) {
+void walk_loops(List<Piece>& pieces, const Hubs& hubs) {
   sort_by_bucket(pieces);
-  std::vector<Piece> out;
+  List<Piece> out;
   out.reserve(pieces.size());
   std::vector<std::uint8_t> used;
   for (auto i = pieces.begin(); i != pieces.end();) {
@@ -181,7 +181,7 @@ void walk_loops(std::vector<Piece>& pieces, const Hubs& hubs) {
   pieces.swap(out);
 }
 
-void straighten(std::vector<Piece>& pieces,
+void straighten(List<Piece>& pieces,
                 const std::function<bool(std::int32_t)>& is_pinned,
                 const Space& space) {
   const auto for_spokes = [&](const auto& visit) {

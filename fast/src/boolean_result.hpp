@@ -30,7 +30,7 @@ Box face_box(const Solid& solid, const Face& face);
 /// What is left is in the order of buckets, loop by loop.
 ///
 /// `is_pinned(vertex)`: it is one of other faces too, and must stay.
-void straighten(std::vector<Piece>& pieces,
+void straighten(List<Piece>& pieces,
                 const std::function<bool(std::int32_t)>& is_pinned,
                 const Space& space);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,14 +32,17 @@ class BoxTree {
   template <class Found>
   void find(const Box& box, Found&& found) const {
     if (nodes_.empty()) return;
-    std::vector<std::int32_t> stack{0};
-    while (!stack.empty()) {
-      const Node& node = nodes_[static_cast<std::size_t>(stack.back())];
-      stack.pop_back();
+    // Halves of halves: no deeper than items have bits in their number, and
+    // at each depth no more than one waits.
+    std::array<std::int32_t, 40> stack;
+    std::size_t waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting > 0) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack[--waiting])];
       if (!overlap(node.box, box)) continue;
       if (node.second >= 0) {
-        stack.push_back(node.second);
-        stack.push_back(node.first);
+        stack[waiting++] = node.second;
+        stack[waiting++] = node.first;
         continue;
       }
       for (std::int32_t i = 0; i < node.count; ++i) {

@@ -102,7 +102,9 @@ void Chain::State::apply(const Truth& truth, const Solid& other) {
   Box reach = kEmptyBox;
   for (const Face& face : other.faces) extend(reach, face.box);
   const std::vector<std::int32_t> near = faces_near(reach);
-  const bool all_near = near.size() == solid.faces.size();
+  // To take most of them apart from the others is not worth it.
+  const bool all_near = near.size() == solid.faces.size() ||
+                        (!is_indexed && 2 * near.size() > solid.faces.size());
   const Solid part = all_near ? without_faces(solid) : with_faces(solid, near);
   // Step 2: what becomes of them.
   Solid result = Engine(truth, all_near ? solid : part, other, *solid.space,
@@ -157,7 +159,12 @@ void Chain::apply(BooleanOp operation, const Solid& other) {
   state_->apply(truth, moved_to(other, solid.space));
 }
 
-Solid Chain::solid() const { return state_->present(); }
+Solid Chain::solid() const& { return state_->present(); }
+
+Solid Chain::solid() && {
+  if (state_->gone_edges == 0) return std::move(state_->solid);
+  return state_->present();
+}
 
 namespace {
 

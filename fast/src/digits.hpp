@@ -5,7 +5,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "halfspace/fast/list.hpp"
 
 namespace halfspace::fast {
 
@@ -19,7 +20,7 @@ struct Keyed {
 ///
 /// Requires: items ascend.
 /// Cost: linear, with a pass for each digit in which keys differ.
-inline void sort_by_key(std::vector<Keyed>& keyed) {
+inline void sort_by_key(List<Keyed>& keyed) {
   constexpr int kDigitBits = 11;
   constexpr std::size_t kMany = 256;
   if (keyed.size() < kMany) {
@@ -30,7 +31,7 @@ inline void sort_by_key(std::vector<Keyed>& keyed) {
   }
   std::uint64_t differs = 0;
   for (const Keyed& k : keyed) differs |= k.key ^ keyed.front().key;
-  std::vector<Keyed> sorted(keyed.size());
+  List<Keyed> sorted(keyed.size());
   for (int shift = 0; shift < 64; shift += kDigitBits) {
     constexpr std::uint64_t kMask = (1u << kDigitBits) - 1;
     if ((differs >> shift & kMask) == 0) continue;

@@ -1,6 +1,7 @@
 #include "halfspace/fast/export.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -17,6 +18,11 @@ namespace {
 /// One grid step in model units. A power of ten is rounded, and applied to
 /// numbers that are divided by it where it is less than one.
 double scaled(double value, Unit unit) {
+  // A product with a power of two that is a double is rounded as if scaled.
+  if (unit.base == 2 && std::abs(unit.exponent) < 1000) {
+    const auto bits = static_cast<std::uint64_t>(1023 + unit.exponent) << 52;
+    return value * std::bit_cast<double>(bits);
+  }
   if (unit.base == 2) return std::ldexp(value, unit.exponent);
   return unit.exponent < 0 ? value / std::pow(10.0, -unit.exponent)
                            : value * std::pow(10.0, unit.exponent);
@@ -24,9 +30,9 @@ double scaled(double value, Unit unit) {
 
 /// Polygons in a row, by points' ids, then by vertices.
 struct Polygons {
-  std::vector<std::int32_t> corners;
-  std::vector<std::uint32_t> first_corner = {0};
-  std::vector<std::int32_t> faces;
+  List<std::int32_t> corners;
+  List<std::uint32_t> first_corner = {0};
+  List<std::int32_t> faces;
 
   std::size_t size() const { return faces.size(); }
   std::span<std::int32_t> at(std::size_t p) {
@@ -130,8 +136,8 @@ bool is_before(const MeshCorner& a, const MeshCorner& b, const Space& space) {
 /// The vertices of the polygons, in the order of their coordinates.
 std::vector<std::int32_t> vertices_in_order(
     const std::vector<std::int32_t>& used, const Space& space) {
-  std::vector<MeshCorner> corners;
-  std::vector<Keyed> keyed;
+  List<MeshCorner> corners;
+  List<Keyed> keyed;
   corners.reserve(used.size());
   keyed.reserve(used.size());
   double error = 0;
@@ -271,8 +277,19 @@ ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
   mesh.first_corner.reserve(polygons.size() + 1);
   mesh.faces.reserve(polygons.size());
   mesh.colors.reserve(polygons.size());
-  for (const std::uint32_t p :
-       polygons_in_order(polygons, mesh.vertices.size())) {
+  const std::vector<std::uint32_t> order =
+      polygons_in_order(polygons, mesh.vertices.size());
+  const auto face_at = [&](std::size_t i) -> const Face& {
+    return solid.faces[static_cast<std::size_t>(polygons.faces[order[i]])];
+  };
+  for (std::size_t at = 0; at < order.size(); ++at) {
+    // What is far off in memory is fetched while others are worked on.
+    constexpr std::size_t kAhead = 12;
+    if (at + 2 * kAhead < order.size())
+      __builtin_prefetch(&face_at(at + 2 * kAhead));
+    if (at + kAhead < order.size())
+      __builtin_prefetch(&solid.space->plane(face_at(at + kAhead).plane));
+    const std::uint32_t p = order[at];
     const auto corners = polygons.at(p);
     const std::int32_t f = polygons.faces[p];
     const Face& face = solid.faces[static_cast<std::size_t>(f)];

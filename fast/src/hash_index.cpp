@@ -13,7 +13,7 @@ void HashIndex::place(const Slot& slot) {
 }
 
 void HashIndex::grow(std::size_t size) {
-  std::vector<Slot> old(size);
+  List<Slot> old(size);
   old.swap(slots_);
   for (const Slot& slot : old) {
     if (slot.index >= 0) place(slot);

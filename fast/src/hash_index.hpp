@@ -2,7 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "halfspace/fast/list.hpp"
 
 namespace halfspace::fast {
 
@@ -45,7 +46,7 @@ class HashIndex {
   void grow(std::size_t size);
   void place(const Slot& slot);
 
-  std::vector<Slot> slots_;
+  List<Slot> slots_;
   std::size_t count_ = 0;
 };
 

@@ -85,6 +85,6 @@ class Hubs {
 
 /// Puts pieces in the order of buckets, loop by loop, straight vertices left
 /// out.
-void walk_loops(std::vector<Piece>& pieces, const Hubs& hubs);
+void walk_loops(List<Piece>& pieces, const Hubs& hubs);
 
 }  // namespace halfspace::fast

@@ -237,7 +237,7 @@ Solid Merger::result(const Hubs& hubs) {
   std::vector<std::uint8_t> staying(solid_.faces.size());
   for (std::size_t f = 0; f < staying.size(); ++f) staying[f] = stays(f, hubs);
   // What is left of the others, by the first of the faces that are one.
-  std::vector<Piece> pieces;
+  List<Piece> pieces;
   for_edges([&](std::int32_t f, const Face& face, const SolidEdge& edge) {
     if (staying[static_cast<std::size_t>(f)] == 0)
       pieces.push_back({root(f), face.plane, edge.from, edge.to, edge.other});

@@ -62,7 +62,7 @@ class Resolver {
   std::vector<std::uint8_t> is_cut_;  ///< by face: something crosses it
   std::vector<std::int32_t> points_;
   std::set<std::pair<std::int32_t, std::int32_t>> done_;  ///< segments
-  std::vector<Piece> pieces_;
+  List<Piece> pieces_;
 };
 
 /// What meets another face but at vertices and edges that both have is cut.

@@ -10,16 +10,33 @@
 namespace halfspace::fast {
 namespace {
 
-/// The planes of all polygons.
-std::vector<OrientedPlane> planes_of(const Scene& scene, Space& space) {
-  std::vector<std::array<GridPoint, 3>> corners;
-  corners.reserve(scene.polygon_count());
-  for (std::size_t p = 0; p < scene.polygon_count(); ++p)
-    corners.push_back(plane_corners(scene, static_cast<PolygonId>(p)));
-  std::vector<OrientedPlane> planes;
-  planes.reserve(corners.size());
-  space.add_planes(corners, planes);
-  return planes;
+/// So many faces are made at once, for planes to be looked up together.
+constexpr std::size_t kFacesAtOnce = 64;
+
+/// Adds the face that polygon `id` is. `ids`: the points of its vertices.
+void add_face(const Scene& scene, PolygonId id, std::int32_t part,
+              OrientedPlane plane, const std::vector<std::int32_t>& ids,
+              Solid& solid) {
+  const auto corners = scene.corners(id);
+  Face face;
+  face.plane = plane.plane;
+  face.turned = plane.turned;
+  face.color = scene.color(id);
+  face.source = id;
+  face.part = part;
+  face.polygon = id;
+  face.first_edge = static_cast<std::uint32_t>(solid.edges.size());
+  face.edge_count = static_cast<std::uint32_t>(corners.size());
+  std::int32_t from = ids[static_cast<std::size_t>(corners[0])];
+  const std::int32_t first = from;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const std::int32_t to = ids[static_cast<std::size_t>(corners[i])];
+    solid.edges.push_back({from, to});
+    from = to;
+  }
+  solid.edges.push_back({from, first});
+  face.box = face_box(solid, face);
+  solid.faces.push_back(face);
 }
 
 Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
@@ -35,28 +52,21 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
   ids.reserve(scene.data().vertices.size());
   for (const GridPoint& point : scene.data().vertices)
     ids.push_back(result.space->add_point(point));
-  const std::vector<OrientedPlane> planes = planes_of(scene, *result.space);
-  for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
-    const auto id = static_cast<PolygonId>(p);
-    const auto corners = scene.corners(id);
-    const OrientedPlane plane = planes[p];
-    Face face;
-    face.plane = plane.plane;
-    face.turned = plane.turned;
-    face.color = scene.color(id);
-    face.source = id;
-    face.part = part;
-    face.polygon = id;
-    face.first_edge = static_cast<std::uint32_t>(result.edges.size());
-    face.edge_count = static_cast<std::uint32_t>(corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto at = [&](std::size_t k) {
-        return ids[static_cast<std::size_t>(corners[k])];
-      };
-      result.edges.push_back({at(i), at(i + 1 < corners.size() ? i + 1 : 0)});
+  std::vector<std::array<GridPoint, 3>> corners;
+  std::vector<OrientedPlane> planes;
+  for (std::size_t first = 0; first < scene.polygon_count();
+       first += kFacesAtOnce) {
+    const std::size_t last =
+        std::min(first + kFacesAtOnce, scene.polygon_count());
+    corners.clear();
+    planes.clear();
+    for (std::size_t p = first; p < last; ++p)
+      corners.push_back(plane_corners(scene, static_cast<PolygonId>(p)));
+    result.space->add_planes(corners, planes);
+    for (std::size_t p = first; p < last; ++p) {
+      add_face(scene, static_cast<PolygonId>(p), part, planes[p - first], ids,
+               result);
     }
-    face.box = face_box(result, face);
-    result.faces.push_back(face);
   }
   return result;
 }
@@ -100,13 +110,13 @@ Solid half_space(const std::array<GridPoint, 3>& corners, const Solid& with) {
 }
 
 SolidPlane plane_at(const Solid& solid, std::int32_t plane) {
-  const SpacePlane& p = solid.space->plane(plane);
-  return {{p.normal.x, p.normal.y, p.normal.z}, p.origin};
+  const Vector3<Int128> n = solid.space->reduced_normal(plane);
+  return {{n.x, n.y, n.z}, solid.space->plane(plane).origin};
 }
 
 SolidVertex vertex_at(const Solid& solid, std::int32_t vertex) {
   const SpaceVertex& v = solid.space->vertex(vertex);
-  return {v.is_grid(), v.point, v.planes};
+  return {v.is_grid(), v.is_grid() ? v.point() : GridPoint{}, v.planes};
 }
 
 }  // namespace halfspace::fast

@@ -23,8 +23,8 @@ int Space::side(std::int32_t plane_id, std::int32_t vertex_id) const {
   const int known = known_sign(value_at(p.filter, v.approximate, rounding_));
   if (known != 0) return known;
   return with_grid(grid_bits_, [&](auto bits) {
-    const ExactPlane<bits()> e = exact_of<bits()>(p);
-    if (v.is_grid()) return sign(value_at(e, v.point));
+    const ExactPlane<bits()> e = exact_at<bits()>(plane_id);
+    if (v.is_grid()) return sign(value_at(e, v.point()));
     constexpr std::size_t kWords = Grid<bits()>::kWords;
     const auto c = exact<bits()>(vertex_id);
     return sign(multiply<kWords>(Int128{e.normal.x}, c[0]) +
@@ -73,7 +73,7 @@ int Space::turn(int axis, std::int32_t p, std::int32_t q,
   if (value > bound) return 1;
   if (value < -bound) return -1;
   const auto at = [&](std::int32_t v, int k) {
-    const GridPoint& g = vertex(v).point;
+    const GridPoint g = vertex(v).point();
     return Int128{k == 0 ? g.x : k == 1 ? g.y : g.z};
   };
   if (vertex(p).is_grid() && vertex(q).is_grid() && vertex(r).is_grid()) {
@@ -99,20 +99,30 @@ int Space::turn(int axis, std::int32_t p, std::int32_t q,
 
 int Space::cross_sign(int axis, std::int32_t p, std::int32_t q) const {
   return with_grid(grid_bits_, [&](auto bits) {
-    return sign(cross_component<bits()>(plane(p), plane(q), axis));
+    return sign(cross_component<bits()>(exact_at<bits()>(p),
+                                        exact_at<bits()>(q), axis));
+  });
+}
+
+Vector3<Int128> Space::normal(std::int32_t p) const {
+  return with_grid(grid_bits_, [&](auto bits) {
+    const auto n = exact_at<bits()>(p).normal;
+    return Vector3<Int128>{n.x, n.y, n.z};
   });
 }
 
 int Space::dot_sign(std::int32_t p, std::int32_t q) const {
-  const auto& m = plane(p).normal;
-  const auto& n = plane(q).normal;
+  const auto m = normal(p);
+  const auto n = normal(q);
   return sign(multiply<4>(m.x, n.x) + multiply<4>(m.y, n.y) +
               multiply<4>(m.z, n.z));
 }
 
 int Space::normal_sign(std::int32_t p, int axis) const {
-  const auto& n = plane(p).normal;
-  return sign(axis == 0 ? n.x : axis == 1 ? n.y : n.z);
+  // A double is 0 for 0 alone.
+  const Plane& n = plane(p).filter.plane;
+  const double c = axis == 0 ? n.a : axis == 1 ? n.b : n.c;
+  return (c > 0) - (c < 0);
 }
 
 bool Space::line_axis(std::int32_t p, std::int32_t q, int& axis) const {

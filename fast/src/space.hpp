@@ -8,18 +8,17 @@
 
 #include "exact.hpp"
 #include "filter.hpp"
+#include "halfspace/fast/list.hpp"
 #include "halfspace/polygon.hpp"
 #include "hash_index.hpp"
 #include "stamped.hpp"
 
 namespace halfspace::fast {
 
-/// A plane as a point set: normal divided by its greatest common divisor, the
-/// first component that is not zero positive; and a grid point on it.
+/// A plane as a point set, in doubles, and a grid point on it.
 struct SpacePlane {
-  Vector3<Int128> normal;
-  GridPoint origin;
   FilterPlane filter;
+  GridPoint origin;
 };
 
 /// A point: one of the grid, or the meet of three planes.
@@ -27,11 +26,16 @@ struct SpaceVertex {
   static constexpr std::uint32_t kOnGrid = 0xffffffff;
 
   Vertex approximate;
-  GridPoint point;                                 ///< where it is on the grid
   std::array<std::int32_t, 3> planes{-1, -1, -1};  ///< where it was met
   /// Where its exact coordinates begin, if it is not on the grid.
   std::uint32_t exact = kOnGrid;
   bool is_grid() const { return exact == kOnGrid; }
+  /// Requires: is_grid(). Exact: coordinates have 53 bits and a sign.
+  GridPoint point() const {
+    return {static_cast<std::int64_t>(approximate.x),
+            static_cast<std::int64_t>(approximate.y),
+            static_cast<std::int64_t>(approximate.z)};
+  }
 };
 
 /// A plane with an orientation: `turned` if against the table's.
@@ -74,6 +78,11 @@ class Space {
   const SpaceVertex& vertex(std::int32_t v) const {
     return vertices_[static_cast<std::size_t>(v)];
   }
+  /// The plane's normal, exactly: its first component that is not zero is
+  /// positive. Its components may have a common divisor.
+  Vector3<Int128> normal(std::int32_t plane) const;
+  /// Likewise, divided by the greatest one.
+  Vector3<Int128> reduced_normal(std::int32_t plane) const;
 
   /// Makes room for more points of the grid and planes.
   void reserve(std::size_t points, std::size_t planes);
@@ -131,6 +140,8 @@ class Space {
   template <int kBits>
   std::uint64_t make_exact(const std::array<std::int32_t, 3>& planes);
   template <int kBits>
+  ExactPlane<kBits> exact_at(std::int32_t plane) const;
+  template <int kBits>
   std::array<typename Grid<kBits>::Determinant, 4> exact(
       std::int32_t vertex) const;
   template <int kBits>
@@ -141,10 +152,12 @@ class Space {
 
   int grid_bits_;
   double rounding_;
-  std::vector<SpacePlane> planes_;
-  std::vector<SpaceVertex> vertices_;
-  std::vector<std::uint64_t> exact_;
-  std::vector<Triple> triples_;
+  List<SpacePlane> planes_;
+  /// By plane: its normal, on grids where doubles do not hold it.
+  List<Vector3<Int128>> normals_;
+  List<SpaceVertex> vertices_;
+  List<std::uint64_t> exact_;
+  List<Triple> triples_;
   HashIndex plane_index_;
   HashIndex vertex_index_;
   HashIndex triple_index_;

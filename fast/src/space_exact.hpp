@@ -11,11 +11,17 @@
 namespace halfspace::fast {
 
 template <int kBits>
-ExactPlane<kBits> exact_of(const SpacePlane& plane) {
+ExactPlane<kBits> Space::exact_at(std::int32_t id) const {
   using N = typename Grid<kBits>::Normal;
-  const auto& n = plane.normal;
-  return {{static_cast<N>(n.x), static_cast<N>(n.y), static_cast<N>(n.z)},
-          plane.origin};
+  const SpacePlane& p = plane(id);
+  if constexpr (kBits == 26) {
+    // Sizes are at most 2^53, so doubles hold them exactly.
+    const Plane& n = p.filter.plane;
+    return {{static_cast<N>(n.a), static_cast<N>(n.b), static_cast<N>(n.c)},
+            p.origin};
+  } else {
+    return {normals_[static_cast<std::size_t>(id)], p.origin};
+  }
 }
 
 /// A cross product of normals: 4n + 3 bits, so 107, 163 and 219.
@@ -23,17 +29,20 @@ template <int kBits>
 using Cross = std::conditional_t<kBits == 26, Int128, Wide<4>>;
 
 template <int kBits>
-Cross<kBits> minor_of(Int128 a, Int128 b, Int128 c, Int128 d) {
+Cross<kBits> minor_of(typename Grid<kBits>::Normal a,
+                      typename Grid<kBits>::Normal b,
+                      typename Grid<kBits>::Normal c,
+                      typename Grid<kBits>::Normal d) {
   if constexpr (kBits == 26) {
-    return a * d - b * c;
+    return Int128{a} * d - Int128{b} * c;
   } else {
     return multiply<4>(a, d) - multiply<4>(b, c);
   }
 }
 
 template <int kBits>
-Cross<kBits> cross_component(const SpacePlane& p, const SpacePlane& q,
-                             int axis) {
+Cross<kBits> cross_component(const ExactPlane<kBits>& p,
+                             const ExactPlane<kBits>& q, int axis) {
   const auto& m = p.normal;
   const auto& n = q.normal;
   if (axis == 0) return minor_of<kBits>(m.y, m.z, n.y, n.z);
@@ -46,8 +55,10 @@ std::array<typename Grid<kBits>::Determinant, 4> Space::exact(
     std::int32_t id) const {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
   const SpaceVertex& v = vertex(id);
-  if (v.is_grid())
-    return {Int128{v.point.x}, Int128{v.point.y}, Int128{v.point.z}, Int128{1}};
+  if (v.is_grid()) {
+    const GridPoint at = v.point();
+    return {Int128{at.x}, Int128{at.y}, Int128{at.z}, Int128{1}};
+  }
   std::array<typename Grid<kBits>::Determinant, 4> c;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t w = 0; w < kWords; ++w)

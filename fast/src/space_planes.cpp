@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "cell.hpp"
 #include "divisor.hpp"
@@ -7,7 +9,8 @@
 
 namespace halfspace::fast {
 
-/// A plane with its normal in the form that equal planes share.
+/// A plane with its normal turned as in the table. Equal planes have equal
+/// hashes.
 template <int kBits>
 struct PlaneEntry {
   ExactPlane<kBits> exact;
@@ -18,19 +21,22 @@ struct PlaneEntry {
 
 namespace {
 
-/// Divides a normal by its greatest common divisor, and turns it so that its
-/// first component that is not zero is positive. Whether it was turned.
+/// Turns a normal so that its first component that is not zero is positive.
+/// Whether it was turned.
 template <class Int>
-bool reduce_normal(Vector3<Int>& n) {
-  auto divisor = greatest_common_divisor(size_of(n.x), size_of(n.y));
-  if (divisor != 1) divisor = greatest_common_divisor(divisor, size_of(n.z));
+bool turn_normal(Vector3<Int>& n) {
   const bool turned = (n.x != 0 ? n.x : n.y != 0 ? n.y : n.z) < 0;
-  if (divisor != 1) {
-    const auto by = static_cast<Int>(divisor);
-    n = {n.x / by, n.y / by, n.z / by};
-  }
   if (turned) n = {-n.x, -n.y, -n.z};
   return turned;
+}
+
+/// Divides a normal by its greatest common divisor.
+void reduce_normal(Vector3<Int128>& n) {
+  auto divisor = greatest_common_divisor(size_of(n.x), size_of(n.y));
+  if (divisor != 1) divisor = greatest_common_divisor(divisor, size_of(n.z));
+  if (divisor == 1) return;
+  const auto by = static_cast<Int128>(divisor);
+  n = {n.x / by, n.y / by, n.z / by};
 }
 
 std::uint64_t low_word_of(Int128 value) {
@@ -38,20 +44,72 @@ std::uint64_t low_word_of(Int128 value) {
 }
 std::uint64_t low_word_of(const Wide<3>& value) { return value.words[0]; }
 
+/// A hash that all multiples of a plane's normal and offset share.
+///
+/// They share the quotients by the largest component, and so what doubles
+/// round those to, for both numbers have 53 bits; and the offset's quotient
+/// rounded down, and what is left of it.
+/// Requires: the plane holds a point of the grid of 26 bits.
+std::uint64_t hash_of_ray(const Vector3<std::int64_t>& n, Int128 offset) {
+  const std::array<std::int64_t, 3> c{n.x, n.y, n.z};
+  std::size_t most = size_of(n.y) > size_of(n.x) ? 1 : 0;
+  if (size_of(n.z) > size_of(c[most])) most = 2;
+  const std::int64_t sign = c[most] < 0 ? -1 : 1;
+  const std::int64_t by = sign * c[most];
+  const auto divisor = static_cast<double>(by);
+  const auto quotient = [divisor](std::int64_t value) {
+    return std::bit_cast<std::uint64_t>(static_cast<double>(value) / divisor);
+  };
+  // Less than 2^27 in size, so the double is off by less than one.
+  auto whole =
+      static_cast<std::int64_t>(static_cast<double>(sign * offset) / divisor);
+  Int128 rest = sign * offset - Int128{whole} * by;
+  for (; rest < 0; --whole) rest += by;
+  for (; rest >= by; ++whole) rest -= by;
+  return hash_of(quotient(sign * c[(most + 1) % 3]) + most,
+                 quotient(sign * c[(most + 2) % 3]),
+                 quotient(static_cast<std::int64_t>(rest)) +
+                     0x9e3779b97f4a7c15u * static_cast<std::uint64_t>(whole));
+}
+
 template <int kBits>
 PlaneEntry<kBits> plane_entry(const ExactPlane<kBits>& exact) {
   PlaneEntry<kBits> result;
   result.exact = exact;
   auto& n = result.exact.normal;
-  result.turned = reduce_normal(n);
+  result.turned = turn_normal(n);
+  if constexpr (kBits != 26) reduce_normal(n);
   result.offset = value_at(result.exact, GridPoint{});
-  result.hash =
-      mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
-            low_word_of(result.offset));
+  if constexpr (kBits == 26) {
+    result.hash = hash_of_ray(n, result.offset);
+  } else {
+    result.hash =
+        mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
+              low_word_of(result.offset));
+  }
   return result;
 }
 
+/// Whether two normals turned alike are multiples of each other.
+bool parallel(const Vector3<std::int64_t>& m, const Vector3<std::int64_t>& n) {
+  const auto same = [](std::int64_t a, std::int64_t b, std::int64_t c,
+                       std::int64_t d) {
+    return Int128{a} * d == Int128{b} * c;
+  };
+  return same(m.x, m.y, n.x, n.y) && same(m.y, m.z, n.y, n.z) &&
+         same(m.z, m.x, n.z, n.x);
+}
+bool parallel(const Vector3<Int128>& m, const Vector3<Int128>& n) {
+  return m == n;
+}
+
 }  // namespace
+
+Vector3<Int128> Space::reduced_normal(std::int32_t plane) const {
+  Vector3<Int128> n = normal(plane);
+  reduce_normal(n);
+  return n;
+}
 
 void Space::reserve(std::size_t points, std::size_t planes) {
   const auto grow = [](auto& list, std::size_t more) {
@@ -62,12 +120,17 @@ void Space::reserve(std::size_t points, std::size_t planes) {
   };
   vertex_index_.reserve(grow(vertices_, points));
   plane_index_.reserve(grow(planes_, planes));
+  if (grid_bits_ > 26) grow(normals_, planes);
 }
 
 OrientedPlane Space::add_plane(const Vector3<Int128>& normal,
                                const GridPoint& origin) {
   return with_grid(grid_bits_, [&](auto bits) {
-    return enter(plane_entry(exact_of<bits()>({normal, origin, {}})));
+    using N = typename Grid<bits()>::Normal;
+    return enter(plane_entry<bits()>(
+        {{static_cast<N>(normal.x), static_cast<N>(normal.y),
+          static_cast<N>(normal.z)},
+         origin}));
   });
 }
 
@@ -99,26 +162,24 @@ template <int kBits>
 OrientedPlane Space::enter(const PlaneEntry<kBits>& entry) {
   const auto& n = entry.exact.normal;
   const GridPoint& origin = entry.exact.origin;
-  const Vector3<Int128> normal{n.x, n.y, n.z};
   const std::int32_t known = plane_index_.find(entry.hash, [&](std::int32_t p) {
-    const SpacePlane& other = plane(p);
-    return other.normal == normal &&
-           sign(value_at(exact_of<kBits>(other), origin)) == 0;
+    const ExactPlane<kBits> other = exact_at<kBits>(p);
+    return parallel(other.normal, n) && sign(value_at(other, origin)) == 0;
   });
   if (known >= 0) return {known, entry.turned};
   const auto id = static_cast<std::int32_t>(planes_.size());
-  planes_.push_back(
-      {normal, origin,
-       filter_plane({to_double(normal.x), to_double(normal.y),
-                     to_double(normal.z), to_double(entry.offset)})});
+  planes_.push_back({filter_plane({to_double(n.x), to_double(n.y),
+                                   to_double(n.z), to_double(entry.offset)}),
+                     origin});
+  if constexpr (kBits != 26) normals_.push_back(n);
   plane_index_.enter(entry.hash, id);
   return {id, entry.turned};
 }
 
 std::int32_t Space::add_line_plane(std::int32_t u, std::int32_t v, int axis) {
-  const GridPoint& p = vertex(u).point;
+  const GridPoint p = vertex(u).point();
   HALFSPACE_ASSERT(vertex(u).is_grid() && vertex(v).is_grid());
-  const auto d = difference(p, vertex(v).point);
+  const auto d = difference(p, vertex(v).point());
   const Vector3<std::int64_t> e{axis == 0, axis == 1, axis == 2};
   const auto n = cross<26>(d, e);
   return add_plane({n.x, n.y, n.z}, p).plane;

@@ -22,18 +22,19 @@ std::int32_t Space::add_point(const GridPoint& point) {
   const std::uint64_t hash = hash_of_grid(point, grid_bits_);
   const std::int32_t known = vertex_index_.find(hash, [&](std::int32_t v) {
     const SpaceVertex& other = vertex(v);
-    if (other.is_grid()) return other.point == point;
+    if (other.is_grid()) return other.point() == point;
     // A meet is the point if the point lies on its three planes.
     return std::all_of(
         other.planes.begin(), other.planes.end(), [&](std::int32_t p) {
-          return sign(value_at(exact_of<54>(plane(p)), point)) == 0;
+          return with_grid(grid_bits_, [&](auto bits) {
+            return sign(value_at(exact_at<bits()>(p), point)) == 0;
+          });
         });
   });
   if (known >= 0) return known;
   const auto v = static_cast<std::int32_t>(vertices_.size());
   SpaceVertex vertex_of_grid;
   vertex_of_grid.approximate = to_vertex(point);
-  vertex_of_grid.point = point;
   vertices_.push_back(vertex_of_grid);
   vertex_index_.enter(hash, v);
   return v;
@@ -79,20 +80,20 @@ template <int kBits>
 std::uint64_t Space::make_exact(const std::array<std::int32_t, 3>& planes) {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
   using Big = typename Grid<kBits>::Determinant;
-  const SpacePlane* p[3];
-  for (std::size_t i = 0; i < 3; ++i) p[i] = &plane(planes[i]);
+  std::array<ExactPlane<kBits>, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = exact_at<kBits>(planes[i]);
   // Cramer's rule: the offsets weigh the cross products of the other two.
   std::array<Big, 4> c;
   for (std::size_t i = 0; i < 3; ++i) {
-    const SpacePlane& q = *p[(i + 1) % 3];
-    const SpacePlane& r = *p[(i + 2) % 3];
-    const auto offset = value_at(exact_of<kBits>(*p[i]), GridPoint{});
+    const ExactPlane<kBits>& q = p[(i + 1) % 3];
+    const ExactPlane<kBits>& r = p[(i + 2) % 3];
+    const auto offset = value_at(p[i], GridPoint{});
     for (int axis = 0; axis < 3; ++axis) {
       const Cross<kBits> product = cross_component<kBits>(q, r, axis);
       auto& at = c[static_cast<std::size_t>(axis)];
       at = at - multiply<kWords>(offset, product);
       if (i == 0) {
-        const auto& n = p[0]->normal;
+        const auto& n = p[0].normal;
         const Int128 component = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
         c[3] = c[3] + multiply<kWords>(component, product);
       }
@@ -112,7 +113,7 @@ std::uint64_t Space::make_exact(const std::array<std::int32_t, 3>& planes) {
   a.error = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}) * 0x1p-50;
   if (put_on_grid<kBits>(v, c)) {
     vertices_.push_back(v);
-    return hash_of_grid(v.point, grid_bits_);
+    return hash_of_grid(v.point(), grid_bits_);
   }
   v.exact = static_cast<std::uint32_t>(exact_.size());
   for (const Big& value : c)
@@ -146,8 +147,7 @@ bool Space::put_on_grid(
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(multiply<kWords>(Int128{whole[i]}, c[3]) == c[i])) return false;
   }
-  v.point = {whole[0], whole[1], whole[2]};
-  v.approximate = to_vertex(v.point);
+  v.approximate = to_vertex({whole[0], whole[1], whole[2]});
   return true;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+
+#include "halfspace/fast/list.hpp"
 
 namespace halfspace::fast {
 
@@ -31,7 +32,7 @@ class Stamped {
     std::uint32_t stamp = 0;
     T value{};
   };
-  std::vector<Slot> slots_;
+  List<Slot> slots_;
   std::uint32_t now_ = 1;
 };
 

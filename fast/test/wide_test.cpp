@@ -156,7 +156,7 @@ TEST(Wide, CellsAreThoseOfTheExactQuotients) {
 TEST(Digits, SortByKeyIsStable) {
   std::mt19937_64 random(9);
   for (const std::size_t count : {0u, 1u, 200u, 3000u}) {
-    std::vector<Keyed> keyed;
+    List<Keyed> keyed;
     for (std::uint32_t i = 0; i < count; ++i) {
       const double value = std::ldexp(static_cast<double>(random() % 100) - 50,
                                       static_cast<int>(random() % 40) - 20);

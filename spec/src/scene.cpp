@@ -66,15 +66,16 @@ int monotone_chains(std::size_t count, PointAt&& at) {
 }
 
 /// The first of the shape errors of S1.3 that a triangle has: if it has an
-/// area, it is planar and convex. Its normal has 2n + 3 bits, 111 at most.
-template <class PointAt>
+/// area, it is planar and convex. Its normal has 2n + 3 bits: 55 where n is 26,
+/// 111 at most.
+template <class Int, class PointAt>
 std::optional<Error> triangle_error(std::size_t polygon, PointAt&& at) {
   if (at(0) == at(1) || at(1) == at(2) || at(2) == at(0)) {
     return error_at(ErrorCode::kRepeatedVertex, polygon,
                     "visits a point twice");
   }
-  if (is_zero(cross(difference<Int128>(at(1), at(0)),
-                    difference<Int128>(at(2), at(1))))) {
+  if (is_zero(cross(difference<Int>(at(1), at(0)),
+                    difference<Int>(at(2), at(1))))) {
     return error_at(ErrorCode::kZeroArea, polygon, "has no area");
   }
   return std::nullopt;
@@ -220,7 +221,10 @@ std::optional<Error> polygon_error(const SceneData& data, std::size_t polygon) {
   const auto at = [&](std::size_t i) -> const GridPoint& {
     return data.vertices[static_cast<std::size_t>(data.corners[first + i])];
   };
-  if (count == 3) return triangle_error(polygon, at);
+  if (count == 3) {
+    return data.grid_bits == 26 ? triangle_error<std::int64_t>(polygon, at)
+                                : triangle_error<Int128>(polygon, at);
+  }
   if (auto error = data.grid_bits < 54
                        ? shape_error<Int128>(polygon, count, at)
                        : shape_error<Int256>(polygon, count, at)) {

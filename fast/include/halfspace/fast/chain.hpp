@@ -26,8 +26,10 @@ class Chain {
   ///        an intersection: the result.
   void apply(BooleanOp operation, const Solid& other);
 
-  /// The solid as it is now. Cost: a copy.
-  Solid solid() const;
+  /// The solid as it is now. Cost: a copy; of a chain that is no longer needed,
+  /// none where the last boolean left nothing of it as it was.
+  Solid solid() const&;
+  Solid solid() &&;
 
  private:
   struct State;

@@ -7,6 +7,7 @@
 
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/build.hpp"
+#include "halfspace/fast/list.hpp"
 #include "halfspace/int128.hpp"
 #include "halfspace/scene.hpp"
 
@@ -53,8 +54,8 @@ struct Face {
 /// other or with to_solid(solid, other). Tables only grow, so a solid never
 /// changes; but booleans on solids of one table must not run at the same time.
 struct Solid {
-  std::vector<Face> faces;
-  std::vector<SolidEdge> edges;
+  List<Face> faces;
+  List<SolidEdge> edges;
   bool unbounded = false;  ///< what is far away is inside
   Unit unit;
   std::shared_ptr<Space> space;
