@@ -25,7 +25,6 @@ BooleanCase two_spheres(int triangles, double turn) {
   if (is_million) result.repeats = turn == 0 ? 3 : 1;
   if (is_million || (turn != 0 && triangles > 10000))
     result.repeats_of_others = 1;
-  result.for_corefinement = turn == 0 || !is_million;
   result.for_nef = triangles <= 10000;
   return result;
 }
