@@ -30,7 +30,7 @@ struct Contestant {
   bool (*takes)(const BooleanCase& task);
 };
 
-/// fast::Chain, one operand after the other.
+/// fast::Chain, one operand after the other; fast::boolean of just two.
 Contestant ours_in_turn();
 /// fast::combined, all operands at once, where there are more than two.
 Contestant ours_at_once();

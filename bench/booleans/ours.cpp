@@ -72,6 +72,8 @@ std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
 
 std::optional<Outcome> in_turn(const BooleanCase& task) {
   return timed(task, [&](std::vector<fast::Solid> solids) {
+    if (solids.size() == 2)
+      return fast::boolean(task.operation, solids[0], solids[1]);
     fast::Chain chain(std::move(solids[0]));
     for (std::size_t i = 1; i < solids.size(); ++i)
       chain.apply(task.operation, solids[i]);

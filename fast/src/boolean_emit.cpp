@@ -10,6 +10,14 @@ std::int64_t bucket_of(std::size_t o, std::int32_t face, bool flipped) {
          (flipped ? 1 : 0);
 }
 
+/// Whether each edge begins where the one before it ends.
+bool is_row(std::span<const SolidEdge> edges) {
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (edges[i - 1].to != edges[i].from) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Wing Engine::wing_of(std::size_t o, std::int32_t f, int turn) const {
@@ -312,6 +320,29 @@ void Engine::begin_face(std::size_t o, std::int32_t f, bool flipped,
   result.faces.push_back(face);
 }
 
+/// Adds a face of which all is on one side of the other operand, if it bounds
+/// the result.
+void Engine::copy_whole(std::size_t o, std::int32_t f, bool is_near,
+                        Solid& result) {
+  const std::uint32_t size = operands_[o].face(f).edge_count;
+  if (size == 0) return;
+  const SolidEdge* edges = operands_[o].edges_of(f);
+  const bool member =
+      is_near ? is_inside(o, edges[0].from) : operands_[1 - o].solid->unbounded;
+  const bool beyond = apply(o, false, member);
+  if (apply(o, true, member) == beyond) return;
+  begin_face(o, f, beyond, result);
+  result.faces.back().edge_count = size;
+  if (beyond) {
+    for (std::uint32_t i = size; i-- > 0;)
+      result.edges.push_back({edges[i].to, edges[i].from, edges[i].other});
+  } else {
+    result.edges.insert(result.edges.end(), edges, edges + size);
+  }
+  for (std::uint32_t i = 0; is_near && i < size; ++i)
+    notes_.pinned.set(edges[i].from, 1);
+}
+
 /// Adds the faces of an operand that the other one does not touch, if they
 /// bound the result, and notes their vertices.
 void Engine::copy_untouched(std::size_t o, Solid& result) {
@@ -322,14 +353,18 @@ void Engine::copy_untouched(std::size_t o, Solid& result) {
     if (operands_[o].touched[static_cast<std::size_t>(f)] != 0) continue;
     const std::uint32_t size = operands_[o].face(f).edge_count;
     const SolidEdge* edges = operands_[o].edges_of(f);
+    // Vertices beyond the other operand stay in any case.
+    const bool is_near = overlap(operands_[o].face(f).box, operands_[o].reach);
+    if (!is_near || is_row({edges, size})) {
+      copy_whole(o, f, is_near, result);
+      continue;
+    }
     // A face need not be connected: the other operand may hold a part whole.
     member.clear();
     for (std::uint32_t i = 0; i < size; ++i) {
       const bool goes_on = i > 0 && edges[i - 1].to == edges[i].from;
       member.push_back(goes_on ? member.back() : is_inside(o, edges[i].from));
     }
-    // Vertices beyond the other operand stay in any case.
-    const bool is_near = overlap(operands_[o].face(f).box, operands_[o].reach);
     for (const bool beyond : {false, true}) {
       bool begun = false;
       for (std::uint32_t i = 0; i < size; ++i) {
@@ -343,7 +378,7 @@ void Engine::copy_untouched(std::size_t o, Solid& result) {
         if (beyond) std::swap(edge.from, edge.to);
         result.edges.push_back(edge);
         ++result.faces.back().edge_count;
-        if (is_near) notes_.pinned.set(edge.from, 1);
+        notes_.pinned.set(edge.from, 1);
       }
       if (!begun) continue;
       // A part of the face may have a smaller box.

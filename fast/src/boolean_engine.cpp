@@ -157,9 +157,14 @@ std::int32_t Engine::root(std::size_t o, std::int32_t vertex) {
 }
 
 void Engine::join(std::size_t o, std::int32_t u, std::int32_t v) {
-  const std::int32_t r = root(o, u);
+  join_root(o, root(o, u), v);
+}
+
+/// Joins a vertex and those whose root is `r`. Their root.
+std::int32_t Engine::join_root(std::size_t o, std::int32_t r, std::int32_t v) {
   const std::int32_t s = root(o, v);
   if (r != s) notes_.parent[o].set(std::max(r, s), std::min(r, s));
+  return std::min(r, s);
 }
 
 /// Joins vertices that are on the same side of the other operand's surface,
@@ -175,9 +180,21 @@ void Engine::join_vertices(std::size_t o) {
     if (operand.touched[f] != 0 || !overlap(face.box, operand.reach)) continue;
     const SolidEdge* edges = operand.solid->edges.data() + face.first_edge;
     // Loop by loop: the face need not be connected, and where the other
-    // operand holds a part of it whole, nothing touches that.
-    for (std::uint32_t i = 0; i < face.edge_count; ++i)
-      join(o, edges[i].from, edges[i].to);
+    // operand holds a part of it whole, nothing touches that. The last edge of
+    // a loop joins nothing more.
+    std::int32_t of_row = -1;
+    std::uint32_t row = 0;
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      if (i == row || edges[i].from != edges[i - 1].to) {
+        of_row = root(o, edges[i].from);
+        row = i;
+      }
+      if (edges[i].to == edges[row].from) {
+        row = i + 1;
+      } else {
+        of_row = join_root(o, of_row, edges[i].to);
+      }
+    }
   }
   for (std::size_t e = 0; e < operand.edges.size(); ++e) {
     const LineEdge& edge = operand.edges[e];

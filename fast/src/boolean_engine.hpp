@@ -64,6 +64,8 @@ class Engine {
   void begin_face(std::size_t o, std::int32_t face, bool flipped,
                   Solid& result) const;
   void copy_untouched(std::size_t o, Solid& result);
+  void copy_whole(std::size_t o, std::int32_t face, bool is_near,
+                  Solid& result);
   void add_runs(std::size_t o);
   void add_edge(const Piece& piece, Solid& result) const;
   Wing wing_of(std::size_t o, std::int32_t face, int turn) const;
@@ -94,6 +96,7 @@ class Engine {
   }
   std::int32_t root(std::size_t o, std::int32_t vertex);
   void join(std::size_t o, std::int32_t u, std::int32_t v);
+  std::int32_t join_root(std::size_t o, std::int32_t r, std::int32_t v);
   void touch_faces_at(std::size_t o, const LineEdge& edge);
   bool apply(std::size_t o, bool own, bool other) const {
     return o == 0 ? truth_(own, other) : truth_(other, own);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -28,6 +29,9 @@ class Hubs {
        const Space& space)
       : places_(extent_of(for_spokes)), ends_(places_.size()) {
     for_spokes([this](const Spoke& spoke) { count(spoke); });
+    if (std::none_of(ends_.begin(), ends_.end(),
+                     [](const Ends& ends) { return ends.state == kTwo; }))
+      return;
     for_spokes([&](const Spoke& spoke) {
       Ends& ends = ends_[places_(spoke.hub)];
       if (ends.state == kTwo) begin(spoke.hub, ends, is_pinned(spoke.hub));

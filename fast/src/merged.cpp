@@ -121,19 +121,24 @@ std::vector<std::uint8_t> Merger::company() const {
 /// them.
 std::vector<Entry> Merger::entries() const {
   const std::vector<std::uint8_t> in_company = company();
-  Extent extent;
-  for_edges([&](std::int32_t f, const Face&, const SolidEdge& edge) {
-    if (in_company[static_cast<std::size_t>(f)] != 0) {
-      extent.add(edge.from);
-      extent.add(edge.to);
+  const auto for_company = [&](const auto& visit) {
+    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
+      if (in_company[f] == 0) continue;
+      const Face& face = solid_.faces[f];
+      for (std::uint32_t i = 0; i < face.edge_count; ++i)
+        visit(solid_.edges[face.first_edge + i]);
     }
+  };
+  Extent extent;
+  for_company([&](const SolidEdge& edge) {
+    extent.add(edge.from);
+    extent.add(edge.to);
   });
   if (extent.uses == 0) return {};
   Places places(extent);
   std::vector<std::uint8_t> is_end(places.size());
-  for_edges([&](std::int32_t f, const Face&, const SolidEdge& edge) {
-    if (in_company[static_cast<std::size_t>(f)] != 0)
-      is_end[places(edge.from)] = is_end[places(edge.to)] = 1;
+  for_company([&](const SolidEdge& edge) {
+    is_end[places(edge.from)] = is_end[places(edge.to)] = 1;
   });
   const auto ends_there = [&](std::int32_t v) {
     return v >= extent.low && v <= extent.high && is_end[places.find(v)] != 0;

@@ -1,6 +1,7 @@
 #include "halfspace/fast/solid.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "boolean_result.hpp"
 #include "halfspace/assert.hpp"
@@ -12,6 +13,26 @@ namespace {
 
 /// So many faces are made at once, for planes to be looked up together.
 constexpr std::size_t kFacesAtOnce = 64;
+
+/// Holds the polygon as face_box() would: points of the grid have no error.
+Box polygon_box(const Scene& scene, std::span<const VertexId> corners) {
+  GridPoint low = scene.point(corners[0]);
+  GridPoint high = low;
+  for (const VertexId corner : corners.subspan(1)) {
+    const GridPoint& p = scene.point(corner);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y),
+            std::max(high.z, p.z)};
+  }
+  const auto down = [](std::int64_t c) {
+    return rounded_down(static_cast<double>(c));
+  };
+  const auto up = [](std::int64_t c) {
+    return rounded_up(static_cast<double>(c));
+  };
+  return {{down(low.x), down(low.y), down(low.z)},
+          {up(high.x), up(high.y), up(high.z)}};
+}
 
 /// Adds the face that polygon `id` is. `ids`: the points of its vertices.
 void add_face(const Scene& scene, PolygonId id, std::int32_t part,
@@ -35,7 +56,7 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
     from = to;
   }
   solid.edges.push_back({from, first});
-  face.box = face_box(solid, face);
+  face.box = polygon_box(scene, corners);
   solid.faces.push_back(face);
 }
 
@@ -60,8 +81,18 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
         std::min(first + kFacesAtOnce, scene.polygon_count());
     corners.clear();
     planes.clear();
-    for (std::size_t p = first; p < last; ++p)
+    for (std::size_t p = first; p < last; ++p) {
+      // The next polygons' points are fetched meanwhile.
+      constexpr std::size_t kAhead = 48;
+      if (scene.data().first_corner[p] + kAhead + 3 <=
+          scene.data().corners.size()) {
+        const VertexId* far =
+            &scene.data().corners[scene.data().first_corner[p] + kAhead];
+        for (std::size_t k = 0; k < 3; ++k)
+          __builtin_prefetch(&scene.point(far[k]));
+      }
       corners.push_back(plane_corners(scene, static_cast<PolygonId>(p)));
+    }
     result.space->add_planes(corners, planes);
     for (std::size_t p = first; p < last; ++p) {
       add_face(scene, static_cast<PolygonId>(p), part, planes[p - first], ids,

@@ -14,7 +14,7 @@ namespace halfspace::fast {
 template <int kBits>
 struct PlaneEntry {
   ExactPlane<kBits> exact;
-  typename Grid<kBits>::Value offset{};
+  double offset = 0;  ///< its value at the origin, rounded
   std::uint64_t hash = 0;
   bool turned = false;
 };
@@ -49,8 +49,10 @@ std::uint64_t low_word_of(const Wide<3>& value) { return value.words[0]; }
 /// They share the quotients by the largest component, and so what doubles
 /// round those to, for both numbers have 53 bits; and the offset's quotient
 /// rounded down, and what is left of it.
-/// Requires: the plane holds a point of the grid of 26 bits.
-std::uint64_t hash_of_ray(const Vector3<std::int64_t>& n, Int128 offset) {
+/// Requires: the plane holds a point of the grid of 26 bits; `near` is the
+///           offset as a double.
+std::uint64_t hash_of_ray(const Vector3<std::int64_t>& n, Int128 offset,
+                          double near) {
   const std::array<std::int64_t, 3> c{n.x, n.y, n.z};
   std::size_t most = size_of(n.y) > size_of(n.x) ? 1 : 0;
   if (size_of(n.z) > size_of(c[most])) most = 2;
@@ -62,8 +64,8 @@ std::uint64_t hash_of_ray(const Vector3<std::int64_t>& n, Int128 offset) {
   };
   // Less than 2^27 in size, so the double is off by less than one.
   auto whole =
-      static_cast<std::int64_t>(static_cast<double>(sign * offset) / divisor);
-  Int128 rest = sign * offset - Int128{whole} * by;
+      static_cast<std::int64_t>(static_cast<double>(sign) * near / divisor);
+  Int128 rest = (sign < 0 ? -offset : offset) - Int128{whole} * by;
   for (; rest < 0; --whole) rest += by;
   for (; rest >= by; ++whole) rest -= by;
   return hash_of(quotient(sign * c[(most + 1) % 3]) + most,
@@ -79,13 +81,14 @@ PlaneEntry<kBits> plane_entry(const ExactPlane<kBits>& exact) {
   auto& n = result.exact.normal;
   result.turned = turn_normal(n);
   if constexpr (kBits != 26) reduce_normal(n);
-  result.offset = value_at(result.exact, GridPoint{});
+  const auto offset = value_at(result.exact, GridPoint{});
+  result.offset = to_double(offset);
   if constexpr (kBits == 26) {
-    result.hash = hash_of_ray(n, result.offset);
+    result.hash = hash_of_ray(n, offset, result.offset);
   } else {
     result.hash =
         mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
-              low_word_of(result.offset));
+              low_word_of(offset));
   }
   return result;
 }
@@ -169,7 +172,7 @@ OrientedPlane Space::enter(const PlaneEntry<kBits>& entry) {
   if (known >= 0) return {known, entry.turned};
   const auto id = static_cast<std::int32_t>(planes_.size());
   planes_.push_back({filter_plane({to_double(n.x), to_double(n.y),
-                                   to_double(n.z), to_double(entry.offset)}),
+                                   to_double(n.z), entry.offset}),
                      origin});
   if constexpr (kBits != 26) normals_.push_back(n);
   plane_index_.enter(entry.hash, id);

@@ -142,6 +142,15 @@ double to_double(const Wide<kWords>& a) {
                                   static_cast<int>(top - 1) * 64 - zeros);
   return negative ? -value : value;
 }
-inline double to_double(Int128 a) { return static_cast<double>(a); }
+inline double to_double(Int128 a) {
+  // Of no more than 92 bits either part is a double: their sum rounds once.
+  constexpr int kLow = 40;
+  const Int128 high = a >> kLow;
+  if (high >> 52 != 0 && high >> 52 != -1) return static_cast<double>(a);
+  const auto low = static_cast<std::int64_t>(a - (high << kLow));
+  return static_cast<double>(static_cast<std::int64_t>(high)) * 0x1p40 +
+         static_cast<double>(low);
+}
+inline double to_double(std::int64_t a) { return static_cast<double>(a); }
 
 }  // namespace halfspace::fast
