@@ -53,12 +53,13 @@ SOURCES = {
             "splitter.cpp", "root_rule.hpp", "build.cpp", "tree_builder.cpp",
             "tree_builder.hpp", "insert.cpp", "traverse.cpp", "walk.hpp",
             "boolean_truth.hpp", "boolean_parts.cpp", "boolean_parts.hpp",
-            "boolean_emit.cpp", "boolean_result.cpp")],
+            "boolean_emit.cpp", "boolean_faces.cpp",
+            "boolean_result.cpp")],
 }
 # Those of which MC/DC is asked: merging, sides, classes, traversal.
 DECISIONS = re.compile(
     r"/(screen|merge|predicate|geometry|filter|classify|traverse|walk|cut"
-    r"|split|boolean_truth|boolean_parts|boolean_emit)\.")
+    r"|split|boolean_truth|boolean_parts|boolean_emit|boolean_faces)\.")
 MARK = re.compile(r"// Never (true|false|alone|reached): (.*)")
 
 

@@ -50,7 +50,7 @@ FILES = [
     "fast/src/predicate.cpp", "fast/src/splitter.cpp",
     "fast/src/traverse.cpp", "fast/src/insert.cpp", "fast/src/screen.cpp",
     "fast/src/boolean_parts.cpp", "fast/src/boolean_emit.cpp",
-    "fast/src/locator.cpp",
+    "fast/src/boolean_faces.cpp", "fast/src/locator.cpp",
 ]
 
 # The source by which a header with functions of its own is compiled.

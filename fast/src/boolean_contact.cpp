@@ -1,46 +1,9 @@
 #include "boolean_contact.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace halfspace::fast {
-
-namespace {
-
-/// So many edges in a row have a box, in faces with many more.
-constexpr std::uint32_t kBlock = 16;
-constexpr std::uint32_t kManyEdges = 3 * kBlock;
-
-double coordinate(const Vertex& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-/// Which side of the plane the box is on, or 0 if it may meet it.
-int known_side(const FilterPlane& plane, const Box& box, double rounding) {
-  double at[3];
-  double radius = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    at[k] = (double{box.low[k]} + double{box.high[k]}) / 2;
-    radius = std::max(radius, double{box.high[k]} - double{box.low[k]});
-  }
-  // No point of the box is off its middle by more than half of that; the
-  // middle is rounded by less than 2^-20 of it, where it is rounded at all.
-  const Vertex middle{at[0], at[1], at[2], radius * (0.5 + 0x1p-20)};
-  return known_sign(value_at(plane, middle, rounding));
-}
-
-}  // namespace
-
-bool Contact::may_meet(std::int32_t face_a, std::int32_t face_b) {
-  faces_ = {face_a, face_b};
-  if (face(0).plane == face(1).plane) return true;
-  if (!find_hits(0, face(1).plane) || !find_hits(1, face(0).plane) ||
-      !space_.line_axis(face(0).plane, face(1).plane, axis_))
-    return false;
-  for (std::size_t o = 0; o < 2; ++o) measure(o, face(1 - o).plane, axis_);
-  return low_[0] <= high_[1] && low_[1] <= high_[0];
-}
 
 void Contact::meet(std::int32_t face_a, std::int32_t face_b) {
   if (!may_meet(face_a, face_b)) return;
@@ -52,97 +15,12 @@ void Contact::meet(std::int32_t face_a, std::int32_t face_b) {
   }
 }
 
-/// The boxes of face `o`'s edges, if they are many.
-std::span<const Box> Contact::blocks_of(std::size_t o) {
-  const std::uint32_t count = face(o).edge_count;
-  if (count < kManyEdges) return {};
-  std::vector<Box>& blocks = blocks_[o];
-  std::int32_t& first = first_block_[o][static_cast<std::size_t>(faces_[o])];
-  if (first < 0) {
-    first = static_cast<std::int32_t>(blocks.size());
-    const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (i % kBlock == 0) blocks.push_back(kEmptyBox);
-      extend(blocks.back(), space_.vertex(edges[i].from).approximate);
-      extend(blocks.back(), space_.vertex(edges[i].to).approximate);
-    }
-  }
-  return std::span(blocks).subspan(static_cast<std::size_t>(first),
-                                   (count + kBlock - 1) / kBlock);
-}
-
-/// Notes which edges of face `o` meet the plane. Whether the face does.
-bool Contact::find_hits(std::size_t o, std::int32_t plane) {
-  hits_[o].clear();
-  positive_ = negative_ = false;
-  const std::uint32_t count = face(o).edge_count;
-  if (count == 0) return true;
-  const auto blocks = blocks_of(o);
-  if (blocks.empty()) find_hits(o, plane, 0, count);
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const int side =
-        known_side(space_.plane(plane).filter, blocks[b], space_.rounding());
-    positive_ = positive_ || side > 0;
-    negative_ = negative_ || side < 0;
-    const auto first = static_cast<std::uint32_t>(b) * kBlock;
-    if (side == 0) find_hits(o, plane, first, std::min(first + kBlock, count));
-  }
-  return positive_ && negative_;
-}
-
-void Contact::find_hits(std::size_t o, std::int32_t plane, std::uint32_t first,
-                        std::uint32_t last) {
-  const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
-  const int start = space_.side(plane, edges[first].from);
-  int from = start;
-  for (std::uint32_t i = first; i < last; ++i) {
-    // The edges of a loop stand in a row, nearly always.
-    const bool is_last = i + 1 == last;
-    const std::int32_t to_vertex = edges[i].to;
-    const std::int32_t next = edges[is_last ? first : i + 1].from;
-    const int to =
-        is_last && next == to_vertex ? start : space_.side(plane, to_vertex);
-    positive_ = positive_ || from >= 0 || to >= 0;
-    negative_ = negative_ || from <= 0 || to <= 0;
-    if (from != to || from == 0) {
-      hits_[o].push_back(
-          {i, static_cast<std::int8_t>(from), static_cast<std::int8_t>(to)});
-    }
-    if (!is_last) from = next == to_vertex ? to : space_.side(plane, next);
-  }
-}
-
-/// Measures the hits of face `o` along the line, which it is to have met.
-void Contact::measure(std::size_t o, std::int32_t plane_id, int axis) {
-  const FilterPlane& plane = space_.plane(plane_id).filter;
-  const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
-  const double r = space_.rounding();
-  low_[o] = std::numeric_limits<double>::max();
-  high_[o] = -low_[o];
-  if (face(o).edge_count == 0) std::swap(low_[o], high_[o]);
-  for (Hit& hit : hits_[o]) {
-    const Vertex& p = space_.vertex(edges[hit.edge].from).approximate;
-    const Vertex& q = space_.vertex(edges[hit.edge].to).approximate;
-    hit.low = std::numeric_limits<double>::max();
-    hit.high = -hit.low;
-    const auto reach = [&](const Vertex& v) {
-      hit.low = std::min(hit.low, coordinate(v, axis) - v.error);
-      hit.high = std::max(hit.high, coordinate(v, axis) + v.error);
-    };
-    if (hit.from == 0) reach(p);
-    if (hit.to == 0) reach(q);
-    if (hit.from * hit.to < 0)
-      reach(fast::meet(p, value_at(plane, p, r), q, value_at(plane, q, r), r));
-    low_[o] = std::min(low_[o], hit.low);
-    high_[o] = std::max(high_[o], hit.high);
-  }
-}
-
 void Contact::begin_line() {
   marks_.clear();
   // What has no edges is everywhere.
   for (std::size_t o = 0; o < 2; ++o) {
-    start_[o].fill(face(o).edge_count == 0);
+    start_[o] = before_[o];
+    if (face(o).edge_count == 0) start_[o].fill(true);
     along_[o].clear();
     is_along_[o].forget();
   }
@@ -156,8 +34,7 @@ void Contact::add_marks(std::size_t o, std::int32_t across) {
       add_mark(o, hit, across);
       continue;
     }
-    start_[o][0] = start_[o][0] != ((hit.from > 0) != (hit.to > 0));
-    start_[o][1] = start_[o][1] != ((hit.from < 0) != (hit.to < 0));
+    toggle(start_[o], hit.from, hit.to);
   }
 }
 
@@ -179,8 +56,7 @@ void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
     }
     return;
   }
-  mark.toggle[o] = {(hit.from > 0) != (hit.to > 0),
-                    (hit.from < 0) != (hit.to < 0)};
+  toggle(mark.toggle[o], hit.from, hit.to);
   if (!mark.toggle[o][0] && !mark.toggle[o][1]) return;
   if (hit.from == 0) {
     mark.vertex = solid_edge.from;
@@ -283,33 +159,42 @@ void Contact::meet_across() {
 void Contact::meet_in_plane(std::size_t o) {
   Operand& operand = *operands_[o];
   const Box& other = face(1 - o).box;
-  const auto blocks = blocks_of(o);
   const SolidEdge* edges = operand.edges_of(faces_[o]);
-  for (std::uint32_t i = 0; i < face(o).edge_count; ++i) {
-    if (!blocks.empty() && i % kBlock == 0 &&
-        !overlap(blocks[i / kBlock], other)) {
-      i += kBlock - 1;
-      continue;
+  const auto meet_edges = [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const std::uint32_t at = face(o).first_edge + i;
+      const std::int32_t id = operand.edge_of[at];
+      if (id < 0 || operand.edge(id).first_edge != at ||
+          is_beyond(other, space_.vertex(edges[i].from).approximate,
+                    space_.vertex(edges[i].to).approximate))
+        continue;
+      meet_edge(o, id);
     }
-    const std::uint32_t at = face(o).first_edge + i;
-    const std::int32_t id = operand.edge_of[at];
-    if (id < 0 || operand.edge(id).first_edge != at ||
-        is_beyond(other, space_.vertex(edges[i].from).approximate,
-                  space_.vertex(edges[i].to).approximate))
-      continue;
-    meet_edge(o, id);
+  };
+  const BlockList* list = blocks_of(o);
+  if (list == nullptr) {
+    meet_edges(0, face(o).edge_count);
+    return;
   }
+  list->visit(
+      [&](const Box& box) { return overlap(box, other); },
+      [&](const EdgeBlock& block) { meet_edges(block.first, block.count); });
 }
 
 void Contact::meet_edge(std::size_t o, std::int32_t id) {
   Operand& operand = *operands_[o];
   const std::size_t p = 1 - o;
   const std::int32_t across = second_plane(operand.edge(id), operand, space_);
-  if (!find_hits(p, across)) return;
   const LineEdge edge = operand.edge(id);
-  measure(p, across, edge.axis);
   const Vertex& low = space_.vertex(edge.low).approximate;
   const Vertex& high = space_.vertex(edge.high).approximate;
+  Box near = kEmptyBox;
+  extend(near, low);
+  extend(near, high);
+  axis_ = edge.axis;
+  if (!find_hits(p, across, near)) return;
+  measure(p, across);
+  before_[o] = {};
   low_[o] = coordinate(low, edge.axis) - low.error;
   high_[o] = coordinate(high, edge.axis) + high.error;
   if (low_[0] > high_[1] || low_[1] > high_[0]) return;
@@ -322,7 +207,6 @@ void Contact::meet_edge(std::size_t o, std::int32_t id) {
     mark.present[o] = true;
     marks_.push_back(mark);
   }
-  axis_ = edge.axis;
   order_marks();
   for (const Mark& mark : marks_) {
     if (mark.present[o] && mark.has(p)) put_on_other(o, mark.vertex);

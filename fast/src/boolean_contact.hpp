@@ -10,6 +10,17 @@
 
 namespace halfspace::fast {
 
+inline double coordinate(const Vertex& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/// What an edge from one side of a line to another changes: whether the face is
+/// there right beside the line, on either side of it.
+inline void toggle(std::array<bool, 2>& on, int from, int to) {
+  on[0] = on[0] != ((from > 0) != (to > 0));
+  on[1] = on[1] != ((from < 0) != (to < 0));
+}
+
 /// Finds what a face of one operand has in common with a face of the other:
 /// cuts and covers of the edges of both, and traces.
 ///
@@ -21,10 +32,7 @@ namespace halfspace::fast {
 class Contact {
  public:
   Contact(Operand& a, Operand& b, Space& space, std::vector<Trace>& traces)
-      : operands_{&a, &b}, space_(space), traces_(traces) {
-    for (std::size_t o = 0; o < 2; ++o)
-      first_block_[o].assign(operands_[o]->solid->faces.size(), -1);
-  }
+      : operands_{&a, &b}, space_(space), traces_(traces) {}
 
   /// Whatever the two faces have in common is added to the operands' lists and
   /// to the traces. Exact: yes.
@@ -69,11 +77,15 @@ class Contact {
   const Face& face(std::size_t o) const {
     return operands_[o]->face(faces_[o]);
   }
-  std::span<const Box> blocks_of(std::size_t o);
-  bool find_hits(std::size_t o, std::int32_t plane);
+  const BlockList* blocks_of(std::size_t o) const {
+    return operands_[o]->blocks->of(faces_[o]);
+  }
+  bool find_hits(std::size_t o, std::int32_t plane, const Box& near);
+  bool find_near_hits(std::size_t o, std::int32_t plane, const BlockList& list,
+                      const Box& near);
   void find_hits(std::size_t o, std::int32_t plane, std::uint32_t first,
                  std::uint32_t last);
-  void measure(std::size_t o, std::int32_t plane, int axis);
+  void measure(std::size_t o, std::int32_t plane);
   void add_marks(std::size_t o, std::int32_t across);
   void add_mark(std::size_t o, const Hit& hit, std::int32_t across);
   void begin_line();
@@ -91,18 +103,17 @@ class Contact {
   Space& space_;
   std::vector<Trace>& traces_;
   std::array<std::int32_t, 2> faces_{};
-  int axis_ = 0;  ///< along the line in which their planes meet
+  int axis_ = 0;  ///< along the line at hand
   std::array<std::vector<Hit>, 2> hits_;
   bool positive_ = false, negative_ = false;  ///< sides that a face reaches
+  /// By face and side, whether it is there before all hits.
+  State before_{};
   /// From where to where either face is on the line, in doubles.
   std::array<double, 2> low_{}, high_{};
   State start_{};                                   ///< before the first mark
   std::array<std::vector<std::int32_t>, 2> along_;  ///< edges on the line
   std::array<Stamped<std::uint8_t>, 2> is_along_;   ///< by edge
   std::vector<Mark> marks_;
-  /// By operand and face: where the boxes of its edges begin, or -1.
-  std::array<std::vector<std::int32_t>, 2> first_block_;
-  std::array<std::vector<Box>, 2> blocks_;
 };
 
 }  // namespace halfspace::fast

@@ -23,6 +23,8 @@ Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
     : Engine(truth, a, b, space) {
   operands_[0].whole = whole.solid;
   operands_[0].index = whole.index;
+  operands_[0].blocks = whole.part_blocks;
+  operands_[0].whole_blocks = whole.blocks;
   operands_[0].extent = whole.extent;
 }
 
@@ -301,7 +303,7 @@ std::optional<bool> Engine::carried_inside(std::size_t o, std::int32_t id,
   // Along the edge there is no such face, unless the edge is oblique.
   const int axis = operands_[o].edge(id).axis;
   std::optional<Locator>& faces = near_locators_[1 - o];
-  if (!faces) faces.emplace(*other.solid, space_, nullptr);
+  if (!faces) faces.emplace(*other.solid, space_, nullptr, other.blocks.get());
   int winding = inside ? 1 : 0;
   for (std::size_t k = from + 1; k <= i; ++k) {
     for (const Cut& cut : cuts_at(o, id, points_[k])) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -28,11 +29,14 @@ namespace halfspace::fast {
 class Engine {
  public:
   /// A solid of which an operand is only the faces that are near the other
-  /// operand, where its faces are found, if there is an index, and its box.
+  /// operand, where its faces are found, if there is an index, and its box; and
+  /// the blocks of either's edges.
   struct Whole {
     const Solid* solid = nullptr;
     const FaceIndex* index = nullptr;
     Box extent = kEmptyBox;
+    std::shared_ptr<const EdgeBlocks> blocks;
+    std::shared_ptr<const EdgeBlocks> part_blocks;
   };
 
   Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
@@ -42,6 +46,12 @@ class Engine {
          const Whole& whole);
   /// The faces of the result, of one source each.
   Solid run();
+  /// Of the result's edges.
+  EdgeBlocks& blocks() { return result_blocks_; }
+  /// Whether the first operand's face has nothing in common with the other.
+  bool is_untouched(std::int32_t face) const {
+    return operands_[0].touched[static_cast<std::size_t>(face)] == 0;
+  }
 
  private:
   /// Of what is joined, in the other operand.
@@ -67,7 +77,10 @@ class Engine {
   void copy_whole(std::size_t o, std::int32_t face, bool is_near,
                   Solid& result);
   void add_runs(std::size_t o);
-  void add_edge(const Piece& piece, Solid& result) const;
+  void add_run(std::size_t o, std::int32_t face, bool beyond,
+               const FarRows::Row& row);
+  void add_edge(const Piece& piece, Solid& result);
+  void end_face(Solid& result);
   Wing wing_of(std::size_t o, std::int32_t face, int turn) const;
   Segment segment_of(const LineEdge& edge) const;
 
@@ -118,6 +131,9 @@ class Engine {
   /// Parts of an edge, and covers of it that they lie in, in order.
   std::vector<std::pair<std::size_t, std::size_t>> covered_;
   std::vector<Wing> wings_;
+  EdgeBlocks result_blocks_;
+  /// Those of the face at work that are known.
+  std::vector<EdgeBlock> known_blocks_;
 };
 
 }  // namespace halfspace::fast

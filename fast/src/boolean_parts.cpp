@@ -17,6 +17,8 @@ void prepare(Operand& a, Operand& b, Space& space) {
     operand->touched.assign(solid.faces.size(), 0);
     operand->edge_of.assign(solid.edges.size(), -1);
     operand->on_other = &space.notes().on_other;
+    if (!operand->blocks)
+      operand->blocks = std::make_shared<const EdgeBlocks>(solid);
   }
   space.notes().on_other.forget();
   a.reach = b.extent;
@@ -89,15 +91,24 @@ void add_edges(Operand& operand, const Space& space) {
   std::vector<Entry> entries;
   for (const std::int32_t f : operand.active) {
     const Face& face = operand.face(f);
-    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-      const std::uint32_t at = face.first_edge + i;
-      const SolidEdge& edge = solid.edges[at];
-      if (is_beyond(operand.reach, space.vertex(edge.from).approximate,
-                    space.vertex(edge.to).approximate))
-        continue;
-      const auto [low, high] = std::minmax(edge.from, edge.to);
-      entries.push_back({low, high, at, f, edge.from == low});
+    const auto add = [&](std::uint32_t first, std::uint32_t count) {
+      for (std::uint32_t at = first; at < first + count; ++at) {
+        const SolidEdge& edge = solid.edges[at];
+        if (is_beyond(operand.reach, space.vertex(edge.from).approximate,
+                      space.vertex(edge.to).approximate))
+          continue;
+        const auto [low, high] = std::minmax(edge.from, edge.to);
+        entries.push_back({low, high, at, f, edge.from == low});
+      }
+    };
+    const BlockList* list = operand.blocks->of(f);
+    if (list == nullptr) {
+      add(face.first_edge, face.edge_count);
+      continue;
     }
+    list->visit(
+        [&](const Box& box) { return overlap(box, operand.reach); },
+        [&](const EdgeBlock& b) { add(face.first_edge + b.first, b.count); });
   }
   std::sort(entries.begin(), entries.end());
   // Step 2: name each once, in the direction of an axis.
@@ -123,6 +134,50 @@ void add_edges(Operand& operand, const Space& space) {
     }
     operand.edges.push_back(edge);
   }
+}
+
+/// How many edges from this one on are known to be far at once, and go on from
+/// each other or are whole loops; `loop` is where the loop at hand begins.
+std::uint32_t FarRows::far_from(std::uint32_t edge, std::uint32_t& loop) {
+  if (list_ != nullptr) {
+    const auto blocks = list_->blocks();
+    while (block_ < blocks.size() && blocks[block_].first < edge) ++block_;
+    if (block_ < blocks.size() && blocks[block_].first == edge &&
+        !overlap(blocks[block_].box, operand_.reach)) {
+      const EdgeBlock& block = blocks[block_];
+      const bool is_whole = block.is_closed && edge == loop;
+      if (is_whole) loop = edge + block.count;
+      if (is_whole || block.is_row) return block.count;
+    }
+  }
+  return operand_.edge_of[face_.first_edge + edge] < 0 ? 1 : 0;
+}
+
+std::optional<FarRows::Row> FarRows::next() {
+  if (rest_.first < rest_.last) return std::exchange(rest_, Row());
+  while (at_ < face_.edge_count) {
+    const std::uint32_t first = at_;
+    std::uint32_t loop = first;  // where the last loop of the row begins
+    while (at_ < face_.edge_count) {
+      if (at_ > loop && !goes_on(at_)) {
+        if (list_ == nullptr || edges_[at_ - 1].to != edges_[loop].from) break;
+        loop = at_;
+      }
+      const std::uint32_t count = far_from(at_, loop);
+      if (count == 0) break;
+      at_ += count;
+    }
+    if (at_ == first) {
+      ++at_;
+      continue;
+    }
+    const bool is_whole =
+        at_ == loop || edges_[at_ - 1].to == edges_[loop].from;
+    if (is_whole || loop == first) return Row{first, at_};
+    rest_ = {loop, at_};
+    return Row{first, loop};
+  }
+  return std::nullopt;
 }
 
 namespace {

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "boxes.hpp"
+#include "edge_blocks.hpp"
 #include "face_index.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "space.hpp"
@@ -73,6 +74,8 @@ struct Operand {
   /// The whole of it, if `solid` is not, and where its faces are.
   const Solid* whole = nullptr;
   const FaceIndex* index = nullptr;
+  std::shared_ptr<const EdgeBlocks> blocks;  ///< of `solid`
+  std::shared_ptr<const EdgeBlocks> whole_blocks;
   Box extent = kEmptyBox;               ///< of the whole
   Box reach = kEmptyBox;                ///< the other operand's extent
   std::vector<std::int32_t> active;     ///< faces whose boxes meet other faces'
@@ -122,7 +125,8 @@ inline bool is_beyond(const Box& box, const Vertex& u, const Vertex& v) {
   return false;
 }
 
-/// Makes room, and finds how far either operand reaches.
+/// Makes room, makes blocks of edges where there are none yet, and finds how
+/// far either operand reaches.
 void prepare(Operand& a, Operand& b, Space& space);
 
 /// The pairs of faces whose boxes overlap; fills in `active`.
@@ -132,6 +136,39 @@ std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
 
 /// Fills in the near edges of the active faces.
 void add_edges(Operand& operand, const Space& space);
+
+/// The far edges of a face, in rows each of which goes on from edge to edge; or
+/// of whole loops, if the face has many edges.
+class FarRows {
+ public:
+  /// The face's edges from the first to before the last.
+  struct Row {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+  };
+
+  FarRows(const Operand& operand, std::int32_t face)
+      : operand_(operand),
+        face_(operand.face(face)),
+        edges_(operand.edges_of(face)),
+        list_(operand.blocks->of(face)) {}
+  /// The next one, or nothing.
+  std::optional<Row> next();
+
+ private:
+  std::uint32_t far_from(std::uint32_t edge, std::uint32_t& loop);
+  bool goes_on(std::uint32_t edge) const {
+    return edges_[edge - 1].to == edges_[edge].from;
+  }
+
+  const Operand& operand_;
+  const Face& face_;
+  const SolidEdge* edges_;
+  const BlockList* list_;
+  std::size_t block_ = 0;
+  std::uint32_t at_ = 0;
+  Row rest_;  ///< found with the last row, and comes after it
+};
 
 /// A plane through the edge other than its first face's.
 std::int32_t second_plane(LineEdge& edge, const Operand& operand, Space& space);
@@ -145,7 +182,9 @@ std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
 class Locator {
  public:
   Locator(const Operand& operand, const Space& space);
-  Locator(const Solid& solid, const Space& space, const FaceIndex* index);
+  /// Without `blocks` all edges of a face are looked at.
+  Locator(const Solid& solid, const Space& space, const FaceIndex* index,
+          const EdgeBlocks* blocks);
   bool is_inside(std::int32_t vertex, std::int32_t towards) const {
     return winding(vertex, towards) > 0;
   }
@@ -160,15 +199,8 @@ class Locator {
             std::int32_t towards) const;
 
  private:
-  /// A box of edges in a row of a face.
-  struct EdgeBlock {
-    Box box;
-    bool is_row = true;  ///< each edge begins where the one before it ends
-  };
-
   template <class Found>
   void find(const Box& ray, Found&& found) const;
-  std::span<const EdgeBlock> blocks_of(std::int32_t face) const;
   bool is_above(int axis, std::int32_t face, std::int32_t vertex,
                 std::int32_t towards) const;
   bool is_right(int right, std::int32_t v, std::int32_t vertex,
@@ -180,10 +212,10 @@ class Locator {
   const Solid& solid_;
   const Space& space_;
   const FaceIndex* index_;
+  const EdgeBlocks* blocks_;
   /// The first few questions are not worth an index of its own.
   mutable std::optional<FaceIndex> own_;
   mutable int asked_ = 0;
-  mutable std::unordered_map<std::int32_t, std::vector<EdgeBlock>> blocks_;
 };
 
 }  // namespace halfspace::fast

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -94,24 +93,12 @@ Box face_box(const Solid& solid, const Face& face) {
     std::swap(box.low, box.high);
     return box;
   }
-  // Rounding outwards keeps the order: it is enough to do so once.
-  constexpr double kMost = std::numeric_limits<double>::max();
-  std::array<double, 3> low{kMost, kMost, kMost};
-  std::array<double, 3> high{-kMost, -kMost, -kMost};
+  Bounds bounds;
   for (std::uint32_t i = 0; i < face.edge_count; ++i) {
     const std::int32_t id = solid.edges[face.first_edge + i].from;
-    const Vertex& v = solid.space->vertex(id).approximate;
-    const double at[3] = {v.x, v.y, v.z};
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], at[k] - v.error);
-      high[k] = std::max(high[k], at[k] + v.error);
-    }
+    bounds.add(solid.space->vertex(id).approximate);
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = rounded_down(low[k]);
-    box.high[k] = rounded_up(high[k]);
-  }
-  return box;
+  return bounds.box();
 }
 
 void Hubs::begin(std::int32_t hub, Ends& ends, bool is_pinned) {

@@ -23,6 +23,12 @@ struct Piece {
   std::uint32_t run_count = 0;
 };
 
+/// What stands for a face of the result that is a part of operand `o`'s face.
+inline std::int64_t bucket_of(std::size_t o, std::int32_t face, bool flipped) {
+  return (static_cast<std::int64_t>(o) << 40) + 2 * std::int64_t{face} +
+         (flipped ? 1 : 0);
+}
+
 /// The box of a face, rounded outwards.
 Box face_box(const Solid& solid, const Face& face);
 

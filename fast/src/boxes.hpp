@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -36,6 +37,33 @@ inline void extend(Box& box, const Vertex& v) {
     box.high[a] = std::max(box.high[a], rounded_up(p[a] + v.error));
   }
 }
+
+/// The box of some vertices. Rounding outwards keeps the order: it is enough to
+/// do so once.
+class Bounds {
+ public:
+  void add(const Vertex& v) {
+    const double at[3] = {v.x, v.y, v.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      low_[k] = std::min(low_[k], at[k] - v.error);
+      high_[k] = std::max(high_[k], at[k] + v.error);
+    }
+  }
+  /// Requires: there are any.
+  Box box() const {
+    Box box;
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = rounded_down(low_[k]);
+      box.high[k] = rounded_up(high_[k]);
+    }
+    return box;
+  }
+
+ private:
+  static constexpr double kMost = std::numeric_limits<double>::max();
+  std::array<double, 3> low_{kMost, kMost, kMost};
+  std::array<double, 3> high_{-kMost, -kMost, -kMost};
+};
 
 /// Makes the box hold another.
 inline void extend(Box& box, const Box& other) {

@@ -1,6 +1,8 @@
 #include "halfspace/fast/chain.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -42,10 +44,16 @@ Solid with_faces(const Solid& solid, const std::vector<std::int32_t>& faces) {
 
 }  // namespace
 
-/// Faces that have gone stay where they are until they are half of all.
+/// Faces that have gone stay where they are until they are half of all, and
+/// their edges until those are.
 struct Chain::State {
-  explicit State(Solid first) : solid(std::move(first)) { begin(); }
+  explicit State(Solid first) : solid(std::move(first)) { restart(); }
 
+  /// With another solid.
+  void restart() {
+    blocks = std::make_shared<EdgeBlocks>(solid);
+    begin();
+  }
   void begin() {
     extent = kEmptyBox;
     index = FaceIndex();
@@ -53,21 +61,27 @@ struct Chain::State {
     is_indexed = false;
     is_fresh = true;
     for (const Face& face : solid.faces) extend(extent, face.box);
-    gone_edges = 0;
+    gone_faces = gone_edges = 0;
   }
 
-  Solid present() const {
-    if (gone_edges == 0) return solid;
+  std::vector<std::int32_t> present_faces() const {
     std::vector<std::int32_t> faces;
     for (std::size_t f = 0; f < solid.faces.size(); ++f) {
       if (!index.is_gone(static_cast<std::int32_t>(f)))
         faces.push_back(static_cast<std::int32_t>(f));
     }
-    return with_faces(solid, faces);
+    return faces;
+  }
+  Solid present() const {
+    return gone_faces == 0 ? solid : with_faces(solid, present_faces());
   }
 
   std::vector<std::int32_t> faces_near(const Box& reach);
   void apply(const Truth& truth, const Solid& other);
+  void exchange(const std::vector<std::int32_t>& near, const Solid& result,
+                Engine& engine);
+  void drop_gone_edges();
+  void drop_gone_faces();
 
   Solid solid;
   FaceIndex index;
@@ -75,6 +89,8 @@ struct Chain::State {
   bool is_indexed = false;
   bool is_fresh = true;
   Box extent;
+  std::shared_ptr<EdgeBlocks> blocks;
+  std::size_t gone_faces = 0;
   std::size_t gone_edges = 0;
 };
 
@@ -106,37 +122,87 @@ void Chain::State::apply(const Truth& truth, const Solid& other) {
   const bool all_near = near.size() == solid.faces.size() ||
                         (!is_indexed && 2 * near.size() > solid.faces.size());
   const Solid part = all_near ? without_faces(solid) : with_faces(solid, near);
+  Engine::Whole whole{&solid, is_indexed ? &index : nullptr, extent, blocks,
+                      blocks};
+  if (!all_near)
+    whole.part_blocks = std::make_shared<const EdgeBlocks>(*blocks, near);
   // Step 2: what becomes of them.
-  Solid result = Engine(truth, all_near ? solid : part, other, *solid.space,
-                        {&solid, is_indexed ? &index : nullptr, extent})
-                     .run();
+  Engine engine(truth, all_near ? solid : part, other, *solid.space, whole);
+  Solid result = engine.run();
   // Step 3: the others are all beyond the other solid's box.
   const bool beyond = other.unbounded;
   const bool stay = truth(true, beyond) && !truth(false, beyond);
   solid.unbounded = result.unbounded;
   if (!stay || all_near) {
     solid = std::move(result);
+    *blocks = std::move(engine.blocks());
     begin();
     return;
   }
-  for (const std::int32_t f : near) {
-    index.remove(f);
-    gone_edges += solid.faces[static_cast<std::size_t>(f)].edge_count + 1;
-  }
+  exchange(near, result, engine);
+}
+
+/// Puts the result in the place of the near faces; what is as it was stays.
+void Chain::State::exchange(const std::vector<std::int32_t>& near,
+                            const Solid& result, Engine& engine) {
+  std::vector<std::uint8_t> stays(near.size());
   const auto first = static_cast<std::int32_t>(solid.faces.size());
-  for (const Face& face : result.faces) {
+  for (std::size_t f = 0; f < result.faces.size(); ++f) {
+    const Face& face = result.faces[f];
+    if (face.from_first && engine.is_untouched(face.source)) {
+      const auto at = static_cast<std::size_t>(face.source);
+      const Face& old = solid.faces[static_cast<std::size_t>(near[at])];
+      if (old.edge_count == face.edge_count && old.turned == face.turned) {
+        stays[at] = 1;
+        continue;
+      }
+    }
     append(result, face, solid);
     extend(extent, face.box);
+    blocks->set(solid.faces.size() - 1,
+                engine.blocks().shared(static_cast<std::int32_t>(f)));
+  }
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (stays[i] != 0) continue;
+    const auto f = static_cast<std::size_t>(near[i]);
+    index.remove(near[i]);
+    blocks->set(f, nullptr);
+    ++gone_faces;
+    gone_edges += solid.faces[f].edge_count;
   }
   if (is_indexed) {
     index.add(solid, first);
   } else {
     index.reserve(solid.faces.size());
   }
-  if (2 * gone_edges > solid.edges.size() + solid.faces.size()) {
-    solid = present();
-    begin();
+  if (2 * gone_faces > solid.faces.size()) {
+    drop_gone_faces();
+  } else if (2 * gone_edges > solid.edges.size()) {
+    drop_gone_edges();
   }
+}
+
+/// The faces' edges stand in the order of the faces.
+void Chain::State::drop_gone_edges() {
+  std::uint32_t kept = 0;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    if (index.is_gone(static_cast<std::int32_t>(f))) continue;
+    Face& face = solid.faces[f];
+    const auto from = solid.edges.begin() + std::ptrdiff_t{face.first_edge};
+    std::copy(from, from + std::ptrdiff_t{face.edge_count},
+              solid.edges.begin() + std::ptrdiff_t{kept});
+    face.first_edge = kept;
+    kept += face.edge_count;
+  }
+  solid.edges.resize(kept);
+  gone_edges = 0;
+}
+
+void Chain::State::drop_gone_faces() {
+  const std::vector<std::int32_t> faces = present_faces();
+  solid = with_faces(solid, faces);
+  *blocks = EdgeBlocks(*blocks, faces);
+  begin();
 }
 
 Chain::Chain(Solid first) : state_(std::make_unique<State>(std::move(first))) {}
@@ -154,7 +220,7 @@ void Chain::apply(BooleanOp operation, const Solid& other) {
   if (other.space->grid_bits() > solid.space->grid_bits()) {
     solid = moved_to(state_->present(),
                      std::make_shared<Space>(other.space->grid_bits()));
-    state_->begin();
+    state_->restart();
   }
   state_->apply(truth, moved_to(other, solid.space));
 }
@@ -162,7 +228,7 @@ void Chain::apply(BooleanOp operation, const Solid& other) {
 Solid Chain::solid() const& { return state_->present(); }
 
 Solid Chain::solid() && {
-  if (state_->gone_edges == 0) return std::move(state_->solid);
+  if (state_->gone_faces == 0) return std::move(state_->solid);
   return state_->present();
 }
 

@@ -4,20 +4,15 @@
 #include "boolean_parts.hpp"
 
 namespace halfspace::fast {
-namespace {
-
-/// So many edges in a row have a box, in faces with many more.
-constexpr std::uint32_t kEdgesInBox = 16;
-constexpr std::uint32_t kBoxedFrom = 3 * kEdgesInBox;
-
-}  // namespace
-
 Locator::Locator(const Operand& operand, const Space& space)
     : Locator(operand.whole != nullptr ? *operand.whole : *operand.solid, space,
-              operand.index) {}
+              operand.index,
+              operand.whole != nullptr ? operand.whole_blocks.get()
+                                       : operand.blocks.get()) {}
 
-Locator::Locator(const Solid& solid, const Space& space, const FaceIndex* index)
-    : solid_(solid), space_(space), index_(index) {}
+Locator::Locator(const Solid& solid, const Space& space, const FaceIndex* index,
+                 const EdgeBlocks* blocks)
+    : solid_(solid), space_(space), index_(index), blocks_(blocks) {}
 
 template <class Found>
 void Locator::find(const Box& ray, Found&& found) const {
@@ -70,27 +65,6 @@ int Locator::share(int axis, std::int32_t f, std::int32_t vertex,
   return (along > 0) != face.turned ? 1 : -1;
 }
 
-/// The boxes of a face's edges, from the second time on that it is asked for;
-/// nothing if they are few.
-std::span<const Locator::EdgeBlock> Locator::blocks_of(std::int32_t f) const {
-  const Face& face = solid_.faces[static_cast<std::size_t>(f)];
-  if (face.edge_count < kBoxedFrom) return {};
-  const auto [found, is_new] = blocks_.try_emplace(f);
-  if (is_new) return {};
-  std::vector<EdgeBlock>& blocks = found->second;
-  const SolidEdge* edges = solid_.edges.data() + face.first_edge;
-  if (!blocks.empty()) return blocks;
-  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-    if (i % kEdgesInBox == 0) blocks.push_back({kEmptyBox, true});
-    EdgeBlock& block = blocks.back();
-    if (i % kEdgesInBox != 0 && edges[i - 1].to != edges[i].from)
-      block.is_row = false;
-    extend(block.box, space_.vertex(edges[i].from).approximate);
-    extend(block.box, space_.vertex(edges[i].to).approximate);
-  }
-  return blocks;
-}
-
 /// Seen along the axis, with the next one to the right and the last one
 /// upwards: whether an odd number of edges pass over the point. A point level
 /// with an end counts as above it, and a point on an edge as over it, whichever
@@ -98,8 +72,8 @@ std::span<const Locator::EdgeBlock> Locator::blocks_of(std::int32_t f) const {
 bool Locator::is_above(int axis, std::int32_t f, std::int32_t vertex,
                        std::int32_t towards) const {
   const Face& face = solid_.faces[static_cast<std::size_t>(f)];
-  const auto blocks = blocks_of(f);
-  if (blocks.empty())
+  const BlockList* list = blocks_ != nullptr ? blocks_->of(f) : nullptr;
+  if (list == nullptr)
     return passes_over(axis, face, 0, face.edge_count, vertex, towards);
   Box point = kEmptyBox;
   extend(point, space_.vertex(vertex).approximate);
@@ -108,22 +82,24 @@ bool Locator::is_above(int axis, std::int32_t f, std::int32_t vertex,
   const auto r = static_cast<std::size_t>(right);
   const auto u = static_cast<std::size_t>(axis + 2) % 3;
   bool inside = false;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Box& box = blocks[b].box;
-    // All ends on one side, or all of it lower.
-    if (box.high[r] < point.low[r] || box.low[r] > point.high[r] ||
-        box.high[u] < point.low[u])
-      continue;
-    const auto first = static_cast<std::uint32_t>(b) * kEdgesInBox;
-    const std::uint32_t last = std::min(first + kEdgesInBox, face.edge_count);
-    // All of it is over the point where it passes.
-    const bool passes =
-        blocks[b].is_row && box.low[u] > point.high[u]
-            ? is_right(right, edges[first].from, vertex, towards) !=
-                  is_right(right, edges[last - 1].to, vertex, towards)
-            : passes_over(axis, face, first, last, vertex, towards);
+  // Not if all ends are on one side, or all of it is lower.
+  const auto matters = [&](const Box& box) {
+    return box.high[r] >= point.low[r] && box.low[r] <= point.high[r] &&
+           box.high[u] >= point.low[u];
+  };
+  list->visit(matters, [&](const EdgeBlock& block) {
+    const std::uint32_t last = block.first + block.count;
+    bool passes = false;
+    if (block.box.low[u] > point.high[u] && block.is_closed) {
+      // All of it is over the point, and whole loops pass it twice or not.
+    } else if (block.box.low[u] > point.high[u] && block.is_row) {
+      passes = is_right(right, edges[block.first].from, vertex, towards) !=
+               is_right(right, edges[last - 1].to, vertex, towards);
+    } else {
+      passes = passes_over(axis, face, block.first, last, vertex, towards);
+    }
     inside = inside != passes;
-  }
+  });
   return inside;
 }
 

@@ -287,8 +287,7 @@ TEST(FastBoolean, PartsOfAFaceAreOnSidesOfTheirOwn) {
 }
 
 TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
-  // Plates with holes, and points level with their corners. What is asked for
-  // once is answered edge by edge.
+  // Plates with holes, and points level with their corners.
   std::uint64_t state = 41;
   int many = 0, on = 0;
   for (int pair = 0; pair < 24; ++pair) {
@@ -301,14 +300,15 @@ TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
     const Solid a = merged(to_solid(lattice::surface(plates)), Merge::kPlane);
     const Solid b =
         to_solid(lattice::surface(lattice::random_cubes(1, state)), a);
-    const Locator rows(a, *a.space, nullptr);
+    const EdgeBlocks blocks(a);
+    const Locator rows(a, *a.space, nullptr, &blocks);
+    const Locator edges(a, *a.space, nullptr, nullptr);
     for (std::size_t f = 0; f < a.faces.size(); ++f) {
       if (a.faces[f].edge_count < 48) continue;
       ++many;
       const auto face = static_cast<std::int32_t>(f);
       for (const SolidEdge& edge : b.edges) {
         for (const int axis : {0, 1, 2}) {
-          const Locator edges(a, *a.space, nullptr);
           const int share = edges.share(axis, face, edge.from, edge.to);
           ASSERT_EQ(rows.share(axis, face, edge.from, edge.to), share);
           on += share != 0;

@@ -109,16 +109,21 @@ TEST(FastChain, UnionsAreTheSameInAnyOrderAndLeast) {
                          least(combined(BooleanOp::kDifference, some))));
 }
 
-/// Random cubes under a linear map: no two of them have a plane in common but
-/// by chance, and corners of what is cut are fractions.
-halfspace::Solid skewed(int which, std::uint64_t& state) {
-  SceneData data =
-      lattice::surface(lattice::random_cubes(4, state)).scene().data();
+/// Cubes under a linear map: of two such maps, no two solids have a plane in
+/// common but by chance, and corners of what is cut are fractions.
+halfspace::Solid skewed(int which, const Cubes& cubes,
+                        const GridPoint& by = {}) {
+  SceneData data = lattice::surface(cubes).scene().data();
   for (GridPoint& p : data.vertices) {
-    p = {5 * p.x + which % 4 * p.y, 4 * p.y + which % 3 * p.z + which,
-         6 * p.z - which % 2 * p.x};
+    p = {5 * p.x + which % 4 * p.y + by.x,
+         4 * p.y + which % 3 * p.z + which + by.y,
+         6 * p.z - which % 2 * p.x + by.z};
   }
   return *make_solid(*make_scene(std::move(data)));
+}
+
+halfspace::Solid skewed(int which, std::uint64_t& state) {
+  return skewed(which, lattice::random_cubes(4, state));
 }
 
 TEST(FastChain, UnionsOfAnySolidsAreTheSameInAnyOrder) {
@@ -145,6 +150,75 @@ TEST(FastChain, UnionsOfAnySolidsAreTheSameInAnyOrder) {
       chain.apply(BooleanOp::kUnion, solids[i]);
     EXPECT_TRUE(same_bytes(least(chain.solid()), *expected));
   }
+}
+
+/// Plates with holes, three by three beside each other.
+Solid plates(std::uint64_t& state, const Solid* with) {
+  Solid first;
+  std::vector<Solid> parts;
+  for (std::int64_t part = 0; part < 9; ++part) {
+    Cubes cubes;
+    for (std::size_t i = 0; i < cubes.full.size(); ++i) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      const bool odd = i / 64 % 2 == 1 && i / 8 % 2 == 1;
+      cubes.full[i] = i % 8 % 4 == 1 && (!odd || (state >> 33) % 8 == 0);
+    }
+    const auto solid = skewed(0, cubes, {part / 3 * 40, part % 3 * 32, 0});
+    if (with == nullptr) {
+      first = to_solid(solid);
+      with = &first;
+    }
+    parts.push_back(to_solid(solid, *with));
+  }
+  return combined(BooleanOp::kUnion, parts);
+}
+
+TEST(FastChain, FacesWithManyEdgesAreCutAsTheirPartsAre) {
+  // The same plates as squares, which have few edges, and as whole faces.
+  std::uint64_t state = 53;
+  std::size_t most = 0;
+  const auto least = [](const Solid& solid) {
+    return exported(merged(solid, Merge::kPlane), {.triangles = true});
+  };
+  for (int row = 0; row < 3; ++row) {
+    SCOPED_TRACE("row " + std::to_string(row));
+    const Solid squares = plates(state, nullptr);
+    const Solid whole = merged(squares, Merge::kPlane);
+    for (const Face& face : whole.faces)
+      most = std::max(most, std::size_t{face.edge_count});
+    // Another one under the same map has planes in common with it.
+    const Solid other =
+        row == 0 ? plates(state, &squares)
+                 : to_solid(skewed(row, lattice::random_cubes(4, state),
+                                   {50, 40, 1 - row}),
+                            squares);
+    const Solid other_whole = merged(other, Merge::kPlane);
+    for (const BooleanOp operation :
+         {BooleanOp::kUnion, BooleanOp::kIntersection,
+          BooleanOp::kDifference}) {
+      const ExportedMesh expected = least(boolean(operation, squares, other));
+      const Solid result = boolean(operation, whole, other_whole);
+      ASSERT_TRUE(bad_edges(result).empty());
+      ASSERT_TRUE(same_bytes(least(result), expected));
+    }
+    // One small tool after another, here and there.
+    Chain few(squares), chain(whole);
+    for (int step = 0; step < 24; ++step) {
+      const Cubes cube = cube_at((5 * step + row) % 8, (3 * step) % 8,
+                                 step % 5 == 4 ? 6 : 4 * (step % 2) + 1);
+      const GridPoint by{step % 3 * 40, step / 3 % 3 * 32, 0};
+      const Solid tool = to_solid(skewed(step % 4, cube, by), squares);
+      const BooleanOp operation =
+          step % 5 == 4 ? BooleanOp::kUnion : BooleanOp::kDifference;
+      few.apply(operation, tool);
+      chain.apply(operation, tool);
+      ASSERT_TRUE(bad_edges(chain.solid()).empty());
+      if (step % 8 != 7) continue;
+      ASSERT_TRUE(same_bytes(least(chain.solid()), least(few.solid())));
+    }
+  }
+  // So that there are groups of blocks of edges.
+  EXPECT_GT(most, 512u);
 }
 
 /// The same faces, edge by edge.
