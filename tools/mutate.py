@@ -114,7 +114,7 @@ class Site:
 
     def __init__(self, begin, end, is_statement):
         self.begin, self.end, self.is_statement = begin, end, is_statement
-        self.mutants = []  # (id, text); the text of a statement is left out
+        self.mutants = []  # (id, code); the code of a statement is left out
 
 
 class Mutant:
@@ -182,7 +182,9 @@ class Source:
             for sign, other in (("++", "--"), ("--", "++"), ("-", ""),
                                 ("!", "")):
                 if text.startswith(sign) and text[1:2] != "=":
-                    self.add(begin, end, other + text[len(sign):])
+                    # An optional<bool>, say, must not become the type of both.
+                    self.add(begin, end, other + text[len(sign):],
+                             code="!" + text if sign == "!" else None)
                     break
         elif kind == Kind.CXX_BOOL_LITERAL_EXPR:
             self.add(begin, end, "false" if text == "true" else "true")
@@ -230,18 +232,18 @@ class Source:
             self.sites[key] = Site(begin, end, is_statement)
         return self.sites[key]
 
-    def add(self, begin, end, after):
-        self.note(self.site(begin, end, False), after)
+    def add(self, begin, end, after, code=None):
+        self.note(self.site(begin, end, False), after, code or after)
 
     def leave_out(self, cursor):
         begin, end = cursor.extent.start.offset, cursor.extent.end.offset
         if not any(a <= begin < b for a, b in self.kept_out):
-            self.note(self.site(begin, end, True), "")
+            self.note(self.site(begin, end, True), "", "")
 
-    def note(self, site, after):
+    def note(self, site, after, code):
         number = self.next_id
         self.next_id += 1
-        site.mutants.append((number, after))
+        site.mutants.append((number, code))
         line = self.text.count("\n", 0, site.begin) + 1
         self.mutants.append(Mutant(
             number, self.path, line, self.text.splitlines()[line - 1].strip(),

@@ -10,10 +10,6 @@ Wing Engine::wing_of(std::size_t o, std::int32_t f, int turn) const {
   return {static_cast<std::int32_t>(o), f, face.plane, turn, face.turned};
 }
 
-Segment Engine::segment_of(const LineEdge& edge) const {
-  return {edge.low, edge.high, edge.axis, {edge.plane, edge.other}};
-}
-
 void Engine::emit_edges(std::size_t o) {
   for (std::size_t e = 0; e < operands_[o].edges.size(); ++e) {
     const auto id = static_cast<std::int32_t>(e);
@@ -29,14 +25,17 @@ void Engine::emit_edges(std::size_t o) {
 void Engine::emit_whole(std::size_t o, std::int32_t id) {
   const Operand& operand = operands_[o];
   const LineEdge& edge = operands_[o].edge(id);
-  std::optional<bool> member;
-  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
-    const EdgeUse& use = operand.uses[edge.first_use + u];
-    if (operand.touched[static_cast<std::size_t>(use.face)] == 0) continue;
-    if (!member) member = is_part_inside(o, id, edge.low, edge.high);
-    const bool within = apply(o, true, *member);
-    const bool beyond = apply(o, false, *member);
-    if (within == beyond) continue;
+  const auto uses =
+      std::span(operand.uses).subspan(edge.first_use, edge.use_count);
+  const auto is_touched = [&](const EdgeUse& use) {
+    return operand.touched[static_cast<std::size_t>(use.face)] != 0;
+  };
+  if (std::none_of(uses.begin(), uses.end(), is_touched)) return;
+  const bool member = is_part_inside(o, id, edge.low, edge.high);
+  const bool beyond = apply(o, false, member);
+  if (apply(o, true, member) == beyond) return;
+  for (const EdgeUse& use : uses) {
+    if (!is_touched(use)) continue;
     const std::int32_t plane = operand.face(use.face).plane;
     Piece piece{bucket_of(o, use.face, beyond), plane, edge.low, edge.high,
                 other_than(plane, {edge.plane, edge.other})};
@@ -70,9 +69,7 @@ void Engine::emit_parts(std::size_t o, std::int32_t id) {
   find_points(o, id);
   find_covered(o, id);
   auto covered = covered_.begin();
-  // The last part known to be inside the other operand or not.
-  std::size_t known = 0;
-  std::optional<bool> inside;
+  std::optional<KnownPart> last;
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     wings_.clear();
     bool twice = false;
@@ -87,10 +84,9 @@ void Engine::emit_parts(std::size_t o, std::int32_t id) {
     std::array<bool, 2> member{};
     if (wings_.empty()) {
       auto told = told_inside(o, id, points_[i], points_[i + 1]);
-      if (!told && inside) told = carried_inside(o, id, known, *inside, i);
+      if (!told && last) told = carried_inside(o, id, *last, i);
       if (!told) told = locator(1 - o).is_inside(points_[i], points_[i + 1]);
-      inside = told;
-      known = i;
+      last = {i, *told};
       member[1 - o] = *told;
     }
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
@@ -98,13 +94,9 @@ void Engine::emit_parts(std::size_t o, std::int32_t id) {
       const bool turned = operands_[o].face(use.face).turned;
       wings_.push_back(wing_of(o, use.face, use.forward != turned ? 1 : -1));
     }
-    Segment segment = segment_of(edge);
-    segment.low = points_[i];
-    segment.high = points_[i + 1];
-    if (segment.planes[1] < 0)
-      segment.planes[1] =
-          second_plane(operands_[o].edge(id), operands_[o], space_);
-    emit(segment, member);
+    const std::int32_t other =
+        second_plane(operands_[o].edge(id), operands_[o], space_);
+    emit({points_[i], points_[i + 1], edge.axis, {edge.plane, other}}, member);
   }
 }
 
@@ -124,43 +116,20 @@ void Engine::emit_traces() {
   }
 }
 
-/// How often the wedge before the first wing is inside the operand.
-int Engine::level_before(std::size_t o, bool member) const {
-  int least = 0, most = 0, sum = 0;
-  bool any = false;
-  for (std::size_t i = 0; i < wings_.size(); ++i) {
-    if (wings_[i].operand == static_cast<std::int32_t>(o)) {
-      sum += change(wings_[i]);
-      any = true;
-    }
-    if (i + 1 < wings_.size() && as_last(wings_, i + 1)) continue;
-    least = std::min(least, sum);
-    most = std::max(most, sum);
-  }
-  if (!any) return member ? 1 : 0;
-  // Faces back to back, and nothing else, are amid the operand.
-  // Never true: no operand's own faces overlap (S6.2).
-  return least == most ? 1 : -least;
+/// Whether the wedge before the first wing is inside the operand: if the first
+/// of its own wings leaves it, for none of its faces overlap (S6.2).
+bool Engine::is_before_inside(std::size_t o, bool member) const {
+  const auto first = std::find_if(
+      wings_.begin(), wings_.end(),
+      [o](const Wing& w) { return w.operand == static_cast<std::int32_t>(o); });
+  return first == wings_.end() ? member : leaves(*first);
 }
 
 /// Of the wings from `first` to before `last`, which stand in one place, the
-/// one that the result's face is a part of: the first operand's (S6.4), if
-/// possible one that need not be turned over.
-const Wing& Engine::source_of(std::size_t first, std::size_t last,
-                              bool turned) const {
-  const Wing* source = nullptr;
-  for (const std::int32_t o : {1, 0}) {
-    for (std::size_t k = first; k < last; ++k) {
-      if (wings_[k].operand != o) continue;
-      const bool is_right = wings_[k].turned == turned;
-      // Never false: the first operand's face turns as the result's does, for
-      // no operand's own faces overlap (S6.2).
-      // Never true: so what the other one does is not asked.
-      if (source == nullptr || is_right || source->turned != turned)
-        source = &wings_[k];
-    }
-  }
-  return *source;
+/// one that the result's face is a part of: the first operand's (S6.4), which
+/// never has to be turned over for that. No operand has two.
+const Wing& Engine::source_of(std::size_t first, std::size_t last) const {
+  return wings_[wings_[first].operand == 0 ? first : last - 1];
 }
 
 /// Adds the pieces of the result's faces along the segment, at which the wings
@@ -169,22 +138,21 @@ void Engine::emit(const Segment& segment, const std::array<bool, 2>& member) {
   // Step 1: the wings counter-clockwise round the segment.
   sort_wings(wings_, segment.axis, space_);
   // Step 2: inside which operands the wedge before the first wing is.
-  std::array<int, 2> level{level_before(0, member[0]),
-                           level_before(1, member[1])};
+  std::array<bool, 2> inside{is_before_inside(0, member[0]),
+                             is_before_inside(1, member[1])};
   // Step 3: where the result begins or ends, there is a face of it.
   const std::size_t before_any = pieces_.size();
   for (std::size_t i = 0; i < wings_.size();) {
-    const bool before = truth_(level[0] > 0, level[1] > 0);
+    const bool before = truth_(inside[0], inside[1]);
     std::size_t j = i;
     do {
-      level[static_cast<std::size_t>(wings_[j].operand)] += change(wings_[j]);
+      inside[static_cast<std::size_t>(wings_[j].operand)] = !leaves(wings_[j]);
       ++j;
     } while (j < wings_.size() && as_last(wings_, j));
-    const bool after = truth_(level[0] > 0, level[1] > 0);
-    if (before != after) {
+    if (before != truth_(inside[0], inside[1])) {
       // Outwards is on from here where the result ends, else back.
-      const bool turned = before ? wings_[i].turn < 0 : wings_[i].turn > 0;
-      const Wing& source = source_of(i, j, turned);
+      const bool turned = wings_[i].turn == (before ? -1 : 1);
+      const Wing& source = source_of(i, j);
       Piece piece{bucket_of(static_cast<std::size_t>(source.operand),
                             source.face, source.turned != turned),
                   source.plane, segment.low, segment.high,

@@ -289,7 +289,7 @@ bool Engine::is_part_inside(std::size_t o, std::int32_t id, std::int32_t low,
 }
 
 /// Likewise of the edge's part `i`, of points_, if what is inside is known of
-/// the part `from` before it. Between them may be parts on the surface: they
+/// the part before it. Between them may be parts on the surface: they
 /// count as what is right beside them, as Locator::winding has it.
 ///
 /// Where two parts meet, only the faces there make a difference: of others that
@@ -297,15 +297,15 @@ bool Engine::is_part_inside(std::size_t o, std::int32_t id, std::int32_t low,
 /// theirs come and go together. But if the edge passes through the plane of a
 /// face there that is along the ray, so it does far away, where that face ends.
 std::optional<bool> Engine::carried_inside(std::size_t o, std::int32_t id,
-                                           std::size_t from, bool inside,
+                                           const KnownPart& before,
                                            std::size_t i) {
   const Operand& other = operands_[1 - o];
   // Along the edge there is no such face, unless the edge is oblique.
   const int axis = operands_[o].edge(id).axis;
   std::optional<Locator>& faces = near_locators_[1 - o];
   if (!faces) faces.emplace(*other.solid, space_, nullptr, other.blocks.get());
-  int winding = inside ? 1 : 0;
-  for (std::size_t k = from + 1; k <= i; ++k) {
+  int winding = before.inside ? 1 : 0;
+  for (std::size_t k = before.part + 1; k <= i; ++k) {
     for (const Cut& cut : cuts_at(o, id, points_[k])) {
       const Face& face = other.face(cut.face);
       if (face.edge_count == 0 ||

@@ -57,6 +57,12 @@ class Engine {
   /// Of what is joined, in the other operand.
   enum Member : std::uint8_t { kUnknown, kOutside, kInside };
 
+  /// A part of an edge that is inside the other operand or not.
+  struct KnownPart {
+    std::size_t part = 0;
+    bool inside = false;
+  };
+
   void find_contacts();
   void drop_apart(std::vector<std::pair<std::int32_t, std::int32_t>>& pairs);
   Solid result();
@@ -69,8 +75,8 @@ class Engine {
   void emit_parts(std::size_t o, std::int32_t edge);
   void emit_traces();
   void emit(const Segment& segment, const std::array<bool, 2>& member);
-  int level_before(std::size_t o, bool member) const;
-  const Wing& source_of(std::size_t first, std::size_t last, bool turned) const;
+  bool is_before_inside(std::size_t o, bool member) const;
+  const Wing& source_of(std::size_t first, std::size_t last) const;
   void begin_face(std::size_t o, std::int32_t face, bool flipped,
                   Solid& result) const;
   void copy_untouched(std::size_t o, Solid& result);
@@ -82,7 +88,6 @@ class Engine {
   void add_edge(const Piece& piece, Solid& result);
   void end_face(Solid& result);
   Wing wing_of(std::size_t o, std::int32_t face, int turn) const;
-  Segment segment_of(const LineEdge& edge) const;
 
   std::span<const Cut> cuts_of(std::size_t o, std::int32_t edge) const;
   std::span<const Cut> cuts_at(std::size_t o, std::int32_t edge,
@@ -101,8 +106,7 @@ class Engine {
   std::optional<bool> told_inside(std::size_t o, std::int32_t edge,
                                   std::int32_t low, std::int32_t high);
   std::optional<bool> carried_inside(std::size_t o, std::int32_t edge,
-                                     std::size_t from, bool inside,
-                                     std::size_t part);
+                                     const KnownPart& before, std::size_t part);
   const Locator& locator(std::size_t o);
   bool is_beyond_other(std::size_t o, std::int32_t vertex) const {
     return is_beyond(operands_[o].reach, space_.vertex(vertex).approximate);

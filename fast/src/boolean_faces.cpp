@@ -53,8 +53,9 @@ Solid Engine::result() {
     if (i == 0 || piece.bucket != pieces_[i - 1].bucket) {
       if (i > 0) end_face(result);
       const auto o = static_cast<std::size_t>(piece.bucket >> 40);
-      const std::int64_t rest = piece.bucket & ((std::int64_t{1} << 40) - 1);
-      begin_face(o, static_cast<std::int32_t>(rest / 2), rest % 2 != 0, result);
+      // Converted, a bucket has lost what is before the face.
+      const auto face = static_cast<std::int32_t>(piece.bucket >> 1);
+      begin_face(o, face, piece.bucket % 2 != 0, result);
     }
     add_edge(piece, result);
   }

@@ -47,8 +47,10 @@ inline bool as_last(const std::vector<Wing>& wings, std::size_t i) {
          wings[i].turn == wings[i - 1].turn;
 }
 
-/// What a wing adds to being inside its operand, round the segment: what
-/// leaves the operand was inside of it.
-inline int change(const Wing& w) { return (w.turn > 0) != w.turned ? -1 : 1; }
+/// Whether its operand ends there, round the segment, or begins.
+inline bool leaves(const Wing& w) { return (w.turn > 0) != w.turned; }
+
+/// What a wing adds to how often its surface winds round what is there.
+inline int change(const Wing& w) { return leaves(w) ? -1 : 1; }
 
 }  // namespace halfspace::fast

@@ -40,10 +40,9 @@ int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
   find(ray, [&](std::int32_t f) {
     const Face& face = solid_.faces[static_cast<std::size_t>(f)];
     if (face.edge_count == 0) {
-      // No ray: its side decides for itself.
-      int side = space_.side(face.plane, vertex);
-      if (side == 0) side = space_.side(face.plane, towards);
-      winding = (side > 0) == face.turned ? 1 : 0;
+      // No ray: its side decides for itself. Nothing is asked of a vertex in
+      // its plane: an edge has a part on one side only, and an end there.
+      winding = space_.side(face.plane, vertex) == (face.turned ? 1 : -1);
     } else {
       winding += share(0, f, vertex, towards);
     }

@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "boolean_result.hpp"
+#include "boolean_truth.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "lattice.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// A solid of polygons, each the numbers of its corners.
+Solid solid_of(const std::vector<GridPoint>& vertices,
+               const std::vector<std::vector<VertexId>>& polygons) {
+  SceneData data;
+  data.unit = {10, -3};
+  data.vertices = vertices;
+  for (const auto& corners : polygons) {
+    data.corners.insert(data.corners.end(), corners.begin(), corners.end());
+    data.first_corner.push_back(
+        static_cast<std::uint32_t>(data.corners.size()));
+    data.colors.push_back({});
+  }
+  auto scene = make_scene(std::move(data));
+  EXPECT_TRUE(scene) << scene.error().message;
+  auto solid = make_solid(*std::move(scene));
+  EXPECT_TRUE(solid) << solid.error().message;
+  return to_solid(*solid);
+}
+
+TEST(Merged, FacesThatLookOppositeWaysStay) {
+  const Solid sheet =
+      solid_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}, {2, 1, 0}});
+  EXPECT_EQ(merged(sheet, Merge::kPlane).faces.size(), 2u);
+}
+
+/// A block of two cubes, its upper and lower faces in halves, and on the edge
+/// between the upper ones, if asked for, a tetrahedron.
+Solid block(bool with_tetrahedron) {
+  const std::vector<GridPoint> vertices = {
+      {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0},
+      {2, 1, 0}, {0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {0, 1, 1},
+      {1, 1, 1}, {2, 1, 1}, {0, 0, 3}, {2, 0, 3}};
+  std::vector<std::vector<VertexId>> polygons = {
+      {0, 3, 4, 1},       {1, 4, 5, 2},         {6, 7, 10, 9}, {7, 8, 11, 10},
+      {0, 1, 2, 8, 7, 6}, {3, 9, 10, 11, 5, 4}, {0, 6, 9, 3},  {2, 5, 11, 8}};
+  if (with_tetrahedron) {
+    for (const auto& face : std::vector<std::vector<VertexId>>{
+             {7, 12, 10}, {7, 10, 13}, {7, 13, 12}, {10, 12, 13}})
+      polygons.push_back(face);
+  }
+  return solid_of(vertices, polygons);
+}
+
+TEST(Merged, EdgesWhereTheSurfaceTouchesItselfStay) {
+  EXPECT_EQ(merged(block(false), Merge::kPlane).faces.size(), 6u);
+  EXPECT_EQ(merged(block(true), Merge::kPlane).faces.size(), 7u + 4u);
+}
+
+/// Whether a face's edges go on from one to the next, loop by loop.
+bool goes_round(const Solid& solid, const Face& face) {
+  std::int32_t start = -1, last = -1;
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    const SolidEdge& edge = solid.edges[face.first_edge + i];
+    if (start < 0) start = last = edge.from;
+    if (edge.from != last) return false;
+    last = edge.to;
+    if (last == start) start = -1;
+  }
+  return start < 0;
+}
+
+/// Every face of the boolean is a part of the one that it names, in a box of
+/// its own.
+Solid with_faces_of(BooleanOp operation, const Solid& a, const Solid& b) {
+  Solid result = boolean(operation, a, b);
+  EXPECT_TRUE(result.unit == a.unit);
+  for (const Face& face : result.faces) {
+    const Solid& of = face.from_first ? a : b;
+    const Face& source = of.faces.at(static_cast<std::size_t>(face.source));
+    EXPECT_EQ(face.plane, source.plane);
+    EXPECT_TRUE(face.box == face_box(result, face));
+    EXPECT_TRUE(goes_round(result, face));
+  }
+  return result;
+}
+
+constexpr BooleanOp kOperations[] = {
+    BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference};
+
+TEST(FastBooleanFaces, AreOfTheirSourcesAndGoRound) {
+  std::uint64_t state = 11;
+  for (int pair = 0; pair < 8; ++pair) {
+    SCOPED_TRACE("pair " + std::to_string(pair));
+    // A plate with holes and a cube at its corner, then anything.
+    lattice::Cubes a = lattice::random_cubes(1 + pair % 2, state);
+    lattice::Cubes b = lattice::random_cubes(2, state);
+    for (std::size_t i = 0; i < a.full.size() && pair < 2; ++i) {
+      a.full[i] = i < 64 && i != 27 && i != 45 && i != 30;
+      b.full[i] = i == 0;
+    }
+    const Solid first = merged(to_solid(lattice::surface(a)), Merge::kPlane);
+    const Solid second = to_solid(lattice::surface(b), first);
+    for (const BooleanOp operation : kOperations) {
+      const Solid result = with_faces_of(operation, first, second);
+      with_faces_of(operation, second, first);
+      with_faces_of(operation, complement(second), first);
+      with_faces_of(operation, result, complement(first));
+    }
+  }
+}
+
+/// A pyramid with its top at (1, 1, 1). Its base, in two triangles, goes from
+/// (4 - d, 4 + d) to (4 + e, 4 - e) and from z = 1 to z = 2.
+Solid pyramid(std::int64_t d, std::int64_t e) {
+  return solid_of(
+      {{4 - d, 4 + d, 1},
+       {4 + e, 4 - e, 1},
+       {4 + e, 4 - e, 2},
+       {4 - d, 4 + d, 2},
+       {1, 1, 1}},
+      {{0, 2, 1}, {0, 3, 2}, {3, 0, 4}, {2, 3, 4}, {1, 2, 4}, {0, 1, 4}});
+}
+
+TEST(FastBooleanFaces, EndAtNoPointWhereNothingTurns) {
+  // All but a quarter, the edge of which the bases' edges touch; and a cube
+  // within a block.
+  lattice::Cubes cubes, cube, block;
+  for (std::size_t i = 0; i < cubes.full.size(); ++i) {
+    cubes.full[i] = i / 64 < 4 || i / 8 % 8 < 4;
+    cube.full[i] = i == (3 * 8 + 3) * 8 + 1;
+    block.full[i] = i / 64 % 7 != 0 && i / 8 % 8 % 7 != 0;
+  }
+  for (const auto& [d, e] : {std::pair(2, 1), std::pair(4, 4)}) {
+    const Solid inner = pyramid(d, e);
+    const Solid outer = moved_to(
+        merged(to_solid(lattice::surface(cubes)), Merge::kPlane), inner.space);
+    // Vertices of the cube, which stay, are where nothing turns afterwards.
+    const auto beside = [&inner](const lattice::Cubes& full) {
+      return moved_to(to_solid(lattice::surface(full)), inner.space);
+    };
+    const Solid within =
+        boolean(BooleanOp::kIntersection, beside(cube), beside(block));
+    EXPECT_EQ(within.faces.size(), 6u);
+    for (const bool swapped : {false, true}) {
+      const Solid& a = swapped ? outer : inner;
+      const Solid& b = swapped ? inner : outer;
+      const Solid both = with_faces_of(BooleanOp::kIntersection, a, b);
+      EXPECT_EQ(both.faces.size(), 6u);
+      EXPECT_EQ(both.edges.size(), 18u);
+      EXPECT_TRUE(bad_edges(both).empty());
+      const Solid any = with_faces_of(BooleanOp::kUnion, a, b);
+      EXPECT_EQ(any.faces.size(), outer.faces.size());
+      EXPECT_EQ(any.edges.size(), outer.edges.size());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace halfspace::fast
