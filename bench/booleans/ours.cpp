@@ -41,7 +41,7 @@ fast::Solid lean(fast::Solid solid) {
     is_seen = 1;
   }
   if (4 * count > 3 * solid.faces.size()) return solid;
-  return fast::merged(solid, fast::Merge::kColor);
+  return fast::merged(std::move(solid), fast::Merge::kColor);
 }
 
 template <class Evaluate>
@@ -57,10 +57,10 @@ std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
                               : fast::to_solid(solid, solids[0], part)));
   }
   const double imported = process_ms();
-  const fast::Solid result = evaluate(std::move(solids));
+  fast::Solid result = evaluate(std::move(solids));
   const double done = process_ms();
-  const fast::ExportedMesh mesh = fast::exported(
-      fast::merged(result, fast::Merge::kPlane), {.triangles = true});
+  result = fast::merged(std::move(result), fast::Merge::kPlane);
+  const fast::ExportedMesh mesh = fast::exported(result, {.triangles = true});
   outcome.output_ms = process_ms() - done;
   outcome.import_ms = imported - start;
   outcome.boolean_ms = done - imported;

@@ -40,7 +40,7 @@ class LoopWalk {
     used_.assign(pieces.size(), 0);
   }
 
-  void walk(List<Piece>& out) {
+  void walk(std::vector<Piece>& out) {
     for (std::size_t start = 0; start < pieces_.size(); ++start) {
       if (used_[start] != 0 || is_straight(pieces_[start].from)) continue;
       std::size_t at = start;
@@ -152,8 +152,9 @@ void sort_by_bucket(List<Piece>& pieces) {
 
 void walk_loops(List<Piece>& pieces, const Hubs& hubs) {
   sort_by_bucket(pieces);
-  List<Piece> out;
-  out.reserve(pieces.size());
+  // What comes out takes the place of what went in, of which there is no less.
+  auto end = pieces.begin();
+  std::vector<Piece> out;
   std::vector<std::uint8_t> used;
   for (auto i = pieces.begin(); i != pieces.end();) {
     const auto j = std::find_if(i, pieces.end(), [&](const Piece& piece) {
@@ -162,10 +163,12 @@ void walk_loops(List<Piece>& pieces, const Hubs& hubs) {
     std::sort(i, j, [](const Piece& x, const Piece& y) {
       return x.from != y.from ? x.from < y.from : x.to < y.to;
     });
+    out.clear();
     LoopWalk({i, j}, hubs, used).walk(out);
+    end = std::copy(out.begin(), out.end(), end);
     i = j;
   }
-  pieces.swap(out);
+  pieces.erase(end, pieces.end());
 }
 
 void straighten(List<Piece>& pieces,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "boolean_result.hpp"
@@ -55,7 +56,8 @@ class Merger {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
-  Solid run() {
+  /// The result; nothing if just the first edges of faces differ.
+  std::optional<Solid> run() {
     drop_edges(entries());
     const auto for_spokes = [this](const auto& visit) {
       for_edges([&](std::int32_t, const Face& face, const SolidEdge& edge) {
@@ -65,6 +67,13 @@ class Merger {
     };
     const Hubs hubs(
         for_spokes, [](std::int32_t) { return false; }, *solid_.space);
+    staying_.resize(solid_.faces.size());
+    bool all_stay = true;
+    for (std::size_t f = 0; f < staying_.size(); ++f) {
+      staying_[f] = stays(f, hubs);
+      all_stay = all_stay && staying_[f] != 0;
+    }
+    if (all_stay) return std::nullopt;
     return result(hubs);
   }
 
@@ -95,6 +104,7 @@ class Merger {
   std::vector<std::int32_t> parent_;   ///< by face
   std::vector<std::uint8_t> merges_;   ///< by face: it has dropped edges
   std::vector<std::uint8_t> dropped_;  ///< by edge
+  std::vector<std::uint8_t> staying_;  ///< by face: as stays() says
 };
 
 /// By face, whether another may be in its plane and face the same way.
@@ -224,13 +234,18 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   return is_in_order || edges[face.edge_count - 1].to == edges[0].from;
 }
 
-/// Begins with the least vertex, as walk_loops() does.
+/// The edge with which walk_loops() begins: that of the least vertex.
+template <class Edge>
+Edge* first_of_loop(Edge* first, Edge* last) {
+  return std::min_element(
+      first, last,
+      [](const SolidEdge& x, const SolidEdge& y) { return x.from < y.from; });
+}
+
 void Merger::pass_on(const Face& face, Solid& result) const {
   const SolidEdge* first = solid_.edges.data() + face.first_edge;
   const SolidEdge* last = first + face.edge_count;
-  const SolidEdge* least = std::min_element(
-      first, last,
-      [](const SolidEdge& x, const SolidEdge& y) { return x.from < y.from; });
+  const SolidEdge* least = first_of_loop(first, last);
   result.faces.push_back(face);
   result.faces.back().first_edge =
       static_cast<std::uint32_t>(result.edges.size());
@@ -239,12 +254,10 @@ void Merger::pass_on(const Face& face, Solid& result) const {
 }
 
 Solid Merger::result(const Hubs& hubs) {
-  std::vector<std::uint8_t> staying(solid_.faces.size());
-  for (std::size_t f = 0; f < staying.size(); ++f) staying[f] = stays(f, hubs);
   // What is left of the others, by the first of the faces that are one.
   List<Piece> pieces;
   for_edges([&](std::int32_t f, const Face& face, const SolidEdge& edge) {
-    if (staying[static_cast<std::size_t>(f)] == 0)
+    if (staying_[static_cast<std::size_t>(f)] == 0)
       pieces.push_back({root(f), face.plane, edge.from, edge.to, edge.other});
   });
   walk_loops(pieces, hubs);
@@ -252,9 +265,9 @@ Solid Merger::result(const Hubs& hubs) {
   result.faces.reserve(solid_.faces.size());
   result.edges.reserve(solid_.edges.size());
   auto piece = pieces.begin();
-  for (std::size_t f = 0; f < staying.size(); ++f) {
+  for (std::size_t f = 0; f < staying_.size(); ++f) {
     const Face& face = solid_.faces[f];
-    if (staying[f] != 0) {
+    if (staying_[f] != 0) {
       pass_on(face, result);
       continue;
     }
@@ -276,8 +289,28 @@ Solid Merger::result(const Hubs& hubs) {
 
 }  // namespace
 
+namespace {
+
+/// The solid with each face's first edge as walk_loops() has it.
+Solid turned_loops(Solid solid) {
+  for (const Face& face : solid.faces) {
+    SolidEdge* first = solid.edges.data() + face.first_edge;
+    SolidEdge* last = first + face.edge_count;
+    std::rotate(first, first_of_loop(first, last), last);
+  }
+  return solid;
+}
+
+}  // namespace
+
 Solid merged(const Solid& solid, Merge rule) {
-  return Merger(solid, rule).run();
+  std::optional<Solid> result = Merger(solid, rule).run();
+  return result ? *std::move(result) : turned_loops(solid);
+}
+
+Solid merged(Solid&& solid, Merge rule) {
+  std::optional<Solid> result = Merger(solid, rule).run();
+  return result ? *std::move(result) : turned_loops(std::move(solid));
 }
 
 }  // namespace halfspace::fast

@@ -26,7 +26,9 @@ namespace {
 template <class Int>
 bool turn_normal(Vector3<Int>& n) {
   const bool turned = (n.x != 0 ? n.x : n.y != 0 ? n.y : n.z) < 0;
-  if (turned) n = {-n.x, -n.y, -n.z};
+  // Nothing can foretell it: no branch.
+  const Int sign = turned ? -1 : 1;
+  n = {sign * n.x, sign * n.y, sign * n.z};
   return turned;
 }
 
@@ -44,34 +46,31 @@ std::uint64_t low_word_of(Int128 value) {
 }
 std::uint64_t low_word_of(const Wide<3>& value) { return value.words[0]; }
 
-/// A hash that all multiples of a plane's normal and offset share.
+/// A hash that all positive multiples of a plane's normal and offset share.
 ///
-/// They share the quotients by the largest component, and so what doubles
-/// round those to, for both numbers have 53 bits; and the offset's quotient
-/// rounded down, and what is left of it.
+/// They share the quotients by the size of the largest component, and so what
+/// doubles round those to, for both numbers have 53 bits; and the offset's
+/// quotient rounded down, and what is left of it.
 /// Requires: the plane holds a point of the grid of 26 bits; `near` is the
 ///           offset as a double.
 std::uint64_t hash_of_ray(const Vector3<std::int64_t>& n, Int128 offset,
                           double near) {
-  const std::array<std::int64_t, 3> c{n.x, n.y, n.z};
-  std::size_t most = size_of(n.y) > size_of(n.x) ? 1 : 0;
-  if (size_of(n.z) > size_of(c[most])) most = 2;
-  const std::int64_t sign = c[most] < 0 ? -1 : 1;
-  const std::int64_t by = sign * c[most];
+  const auto by = static_cast<std::int64_t>(
+      std::max({size_of(n.x), size_of(n.y), size_of(n.z)}));
   const auto divisor = static_cast<double>(by);
   const auto quotient = [divisor](std::int64_t value) {
     return std::bit_cast<std::uint64_t>(static_cast<double>(value) / divisor);
   };
   // Less than 2^27 in size, so the double is off by less than one.
-  auto whole =
-      static_cast<std::int64_t>(static_cast<double>(sign) * near / divisor);
-  Int128 rest = (sign < 0 ? -offset : offset) - Int128{whole} * by;
+  auto whole = static_cast<std::int64_t>(near / divisor) - (near < 0 ? 1 : 0);
+  Int128 rest = offset - Int128{whole} * by;
   for (; rest < 0; --whole) rest += by;
   for (; rest >= by; ++whole) rest -= by;
-  return hash_of(quotient(sign * c[(most + 1) % 3]) + most,
-                 quotient(sign * c[(most + 2) % 3]),
-                 quotient(static_cast<std::int64_t>(rest)) +
-                     0x9e3779b97f4a7c15u * static_cast<std::uint64_t>(whole));
+  return mixed(quotient(n.x) * 0x9e3779b97f4a7c15u +
+               quotient(n.y) * 0xbf58476d1ce4e5b9u +
+               quotient(n.z) * 0x94d049bb133111ebu +
+               quotient(static_cast<std::int64_t>(rest)) * 0xd6e8feb86659fd93u +
+               static_cast<std::uint64_t>(whole) * 0xa0761d6478bd642fu);
 }
 
 template <int kBits>
@@ -115,11 +114,12 @@ Vector3<Int128> Space::reduced_normal(std::int32_t plane) const {
 }
 
 void Space::reserve(std::size_t points, std::size_t planes) {
+  // Places in an index are not copied: for another operand like this one, too.
   const auto grow = [](auto& list, std::size_t more) {
     const std::size_t size = list.size() + more;
     if (size > list.capacity())
       list.reserve(std::max(size, 2 * list.capacity()));
-    return list.capacity();
+    return size + more;
   };
   vertex_index_.reserve(grow(vertices_, points));
   plane_index_.reserve(grow(planes_, planes));

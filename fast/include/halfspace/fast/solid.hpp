@@ -104,7 +104,10 @@ enum class Merge : std::uint8_t {
 ///
 /// Keeps: the point set, and with it the planes. Edges at which other faces
 ///        meet too, where the surface touches itself, stay.
+/// Cost:  of a solid that is given away, where nothing is to be merged: that of
+///        looking, and no copy.
 Solid merged(const Solid& solid, Merge rule);
+Solid merged(Solid&& solid, Merge rule);
 
 /// The plane normal.(p - origin) = 0. The normal's components have no common
 /// divisor, and its first one that is not zero is positive.
