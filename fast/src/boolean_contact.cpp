@@ -38,6 +38,19 @@ void Contact::add_marks(std::size_t o, std::int32_t across) {
   }
 }
 
+/// Where the edge meets a plane. Each of its faces asks, and few planes cut it.
+std::int32_t Contact::cut_of(std::size_t o, LineEdge& edge,
+                             std::int32_t across) {
+  for (const std::size_t k : {0u, 1u}) {
+    if (edge.cut_by[k] == across) return edge.cut_at[k];
+  }
+  const std::int32_t vertex = space_.meet(
+      edge.plane, second_plane(edge, *operands_[o], space_), across);
+  edge.cut_by = {across, edge.cut_by[0]};
+  edge.cut_at = {vertex, edge.cut_at[0]};
+  return vertex;
+}
+
 void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
   Operand& operand = *operands_[o];
   const SolidEdge& solid_edge = operand.edges_of(faces_[o])[hit.edge];
@@ -68,8 +81,7 @@ void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
   } else {
     LineEdge& edge = operand.edge(id);
     mark.edge[o] = id;
-    mark.vertex =
-        space_.meet(edge.plane, second_plane(edge, operand, space_), across);
+    mark.vertex = cut_of(o, edge, across);
   }
   marks_.push_back(mark);
 }

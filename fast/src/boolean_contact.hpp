@@ -87,6 +87,7 @@ class Contact {
                  std::uint32_t last);
   void measure(std::size_t o, std::int32_t plane);
   void add_marks(std::size_t o, std::int32_t across);
+  std::int32_t cut_of(std::size_t o, LineEdge& edge, std::int32_t across);
   void add_mark(std::size_t o, const Hit& hit, std::int32_t across);
   void begin_line();
   void order_marks();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -28,6 +29,9 @@ struct LineEdge {
   std::uint32_t first_edge = 0;  ///< of the solid: the face's
   std::uint32_t first_use = 0;
   std::uint32_t use_count = 0;
+  /// The planes that it was cut by last, and where.
+  std::array<std::int32_t, 2> cut_by{-1, -1};
+  std::array<std::int32_t, 2> cut_at{};
 };
 
 /// A face at an edge. `forward`: it has the edge from low to high.
