@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "depth.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -212,6 +214,7 @@ const Ink& Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
     seen.ready = false;
   }
   seen.fragment = &fragment;
+  seen.has_depth = false;
   const Scene& scene = frame_.reader.scene();
   const bool smooth = gouraud_ && has_gradient(scene, fragment.source);
   if (smooth) shader_.start(fragment.source, eye_sign);
@@ -297,100 +300,7 @@ void Drawer<kBits>::blend(void* self, std::int32_t x, std::int32_t y,
   }
 }
 
-/// Whether the fragment at hand is nearer than `other` at the sample (S5.3),
-/// exactly: the planes' order along the ray is the sign of the line they meet
-/// in.
-template <int kBits>
-bool Drawer<kBits>::is_nearer(PolygonId other, std::int32_t i, std::int32_t j) {
-  ++stats_.exact;
-  const Geometry& geometry = frame_.reader.geometry();
-  const auto here =
-      see(geometry.exact<kBits>(fragment_->source), frame_.camera);
-  const auto there = see(geometry.exact<kBits>(other), frame_.camera);
-  const int order = meet_line<kBits>(here, there).sign_at_sample(i, j) *
-                    eye_sign_ * sign(there.eye);
-  return order > 0 || (order == 0 && fragment_->source < other);
-}
-
-/// The plane of a polygon, from the corners of its fragment if that is all of
-/// the triangle: the scene's own lists are far from here.
-template <int kBits>
-Plane Drawer<kBits>::plane_of(PolygonId polygon,
-                              const TreeFragment* fragment) const {
-  const Scene& scene = frame_.reader.scene();
-  const auto count = static_cast<std::int32_t>(scene.data().vertices.size());
-  std::array<GridPoint, 3> points;
-  std::size_t k = 0;
-  if (fragment != nullptr && fragment->corner_count == 3) {
-    for (const Corner& corner : frame_.reader.corners(*fragment)) {
-      if (corner.edge != static_cast<EdgeCode>(k) || corner.vertex >= count) {
-        break;
-      }
-      points[k++] = scene.point(corner.vertex);
-    }
-  }
-  if (k == 3) return rounded(exact_plane<kBits>(points));
-  return frame_.reader.geometry().plane(polygon);
-}
-
-template <int kBits>
-const SeenApproximately& Drawer<kBits>::seen(PolygonId polygon) {
-  Seen& entry = seen_[static_cast<std::size_t>(polygon) % kSeenPlanes];
-  if (entry.polygon != polygon) entry = {polygon, false, nullptr, {}};
-  if (!entry.ready) {
-    entry.ready = true;
-    entry.plane =
-        see_approximately(plane_of(polygon, entry.fragment), frame_.view);
-  }
-  return entry.plane;
-}
-
-template <int kBits>
-const typename Drawer<kBits>::Rival& Drawer<kBits>::rival(PolygonId other) {
-  Rival& entry = rivals_[static_cast<std::size_t>(other) % rivals_.size()];
-  if (entry.polygon == other && entry.serial == serial_) return entry;
-  // Both may be kept at the same place.
-  const SeenApproximately here = seen(fragment_->source);
-  const SeenApproximately there = seen(other);
-  entry = {other, serial_, order_line(here, there)};
-  // Read against the sides that the eye is on; where the other's is in doubt,
-  // so is all of this.
-  const int there_sign = known_sign(there.eye);
-  if (there_sign == 0) entry.line.error = 1e300;
-  if (there_sign * eye_sign_ < 0) {
-    entry.line = {-entry.line.a, -entry.line.b, -entry.line.c,
-                  entry.line.error};
-  }
-  return entry;
-}
-
-template <int kBits>
-void Drawer<kBits>::nearer(void* self, std::int32_t other, std::int32_t x,
-                           std::int32_t y, std::uint32_t* lit) {
-  auto& drawer = *static_cast<Drawer*>(self);
-  if (other == drawer.fragment_->source) {
-    // Lit by itself, until it was in doubt.
-    std::fill_n(lit, kTileHeight, 0u);
-    return;
-  }
-  const OrderLine& line = drawer.rival(other).line;
-  for (std::int32_t r = 0; r < kTileHeight; ++r) {
-    if (lit[r] == 0) continue;
-    const std::int32_t j = y + r;
-    // What holds at both ends holds between them.
-    const int first = line.known_sign_at(x + std::countr_zero(lit[r]), j);
-    const int last = line.known_sign_at(x + 31 - std::countl_zero(lit[r]), j);
-    if (first > 0 && last > 0) continue;
-    if (first < 0 && last < 0) lit[r] = 0;
-    for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
-      const int k = std::countr_zero(bits);
-      const int known = line.known_sign_at(x + k, j);
-      const bool is_nearer =
-          known != 0 ? known > 0 : drawer.is_nearer(other, x + k, j);
-      if (!is_nearer) lit[r] &= ~(std::uint32_t{1} << k);
-    }
-  }
-}
+#include "drawer_rivals.inc"
 
 template class Drawer<26>;
 template class Drawer<40>;

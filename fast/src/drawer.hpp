@@ -147,9 +147,13 @@ class Drawer {
   struct Rival {
     PolygonId polygon = kBackground;
     std::uint32_t serial = 0;
-    OrderLine line;  ///< positive where the fragment at hand is nearer
+    bool by_depths = false;  ///< planes may tell more
+    OrderLine line;          ///< positive where the fragment at hand is nearer
   };
-  const Rival& rival(PolygonId other);
+  Rival& rival(PolygonId other);
+  const OrderLine* depth(PolygonId polygon);
+  bool compare_depths(Rival& entry);
+  void compare_planes(Rival& entry);
   const SeenApproximately& seen(PolygonId polygon);
   Plane plane_of(PolygonId polygon, const TreeFragment* fragment) const;
 
@@ -174,7 +178,9 @@ class Drawer {
     PolygonId polygon = kBackground;
     bool ready = false;
     const TreeFragment* fragment = nullptr;  ///< of the polygon, if known
+    bool has_depth = false;
     SeenApproximately plane;
+    OrderLine depth;  ///< of the fragment
   };
   std::vector<Seen> seen_;
   std::array<Gathered, 2> gathered_;  ///< triangles, quadrangles

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "halfspace/fast/build.hpp"
 #include "image_line.hpp"
 
 namespace halfspace::fast {
@@ -32,20 +33,25 @@ struct Gradient {
   double doubt = 0;
 };
 
-/// What a polygon has lit of a tile whose colours are not written yet.
+/// What a polygon has lit of a tile, kept until its colours are written or,
+/// where they are already, until the leaf that it is of ends.
 struct LitPiece {
   std::uint32_t lit[8];
-  std::int32_t ink = 0;
+  std::int32_t ink = 0;   ///< negative: written, by polygon -1 - ink
   std::int32_t next = 0;  ///< lit before it, of the same tile
+
+  bool is_written() const { return ink < 0; }
 };
 /// No piece, no ink.
 constexpr std::int32_t kNone = -1;
 /// From so many pieces on a tile is written though it is open.
 constexpr std::int32_t kMostPieces = 8;
-/// The pieces of a tile: the last that was lit, and how many there are.
+/// The pieces of a tile: the last that was lit, how many there are, and how
+/// many of them are written.
 struct Pieces {
   std::int32_t newest = kNone;
   std::int32_t count = 0;
+  std::int32_t written = 0;
 };
 /// What memory may run out of.
 enum class Room : std::uint8_t { kPieces, kInks, kGradients };
@@ -103,6 +109,10 @@ struct Canvas {
   std::uint32_t* before = nullptr;   ///< lit, when that leaf touched it first
   std::int32_t* touched = nullptr;   ///< tiles that the leaf has touched
   std::int32_t touched_count = 0;
+  /// How many tiles the last leaves touched, and the pieces there, each leaf
+  /// counting a little less than the next.
+  float recent_tiles = 0;
+  float recent_pieces = 0;
   /// So many pieces on one of them are written when the leaf ends. 1 where its
   /// polygons are small: there are many inks, which need not be kept.
   std::int32_t most_pieces = kMostPieces;
@@ -169,6 +179,18 @@ struct Decider {
   void* context;
 };
 
+/// A view in floats, for boxes. A quotient x / t or y / t of a point with t
+/// beyond `least` is off by less than a tenth of a pixel, if it matters.
+struct BoxView {
+  float x[4] = {0, 0, 0, 0};  ///< the factors of a point, and what is added
+  float y[4] = {0, 0, 0, 0};
+  float t[4] = {0, 0, 0, 0};
+  float least = 0;
+};
+
+/// Whether something in a box can light a pixel.
+enum class Sight : std::uint8_t { kHidden, kShown, kUntold };
+
 /// The inner loops for one instruction set.
 struct Kernel {
   /// Lights and paints what the outline covers of the unlit pixels. Returns
@@ -187,6 +209,8 @@ struct Kernel {
   bool (*any_open)(const Canvas& canvas, PixelRange columns, PixelRange lines);
   /// Out of leaves: whether a pixel of the rectangle is unlit.
   bool (*any_unlit)(const Canvas& canvas, PixelRange columns, PixelRange lines);
+  /// Out of leaves: whether something in the box can light a pixel.
+  Sight (*see_box)(const Canvas& canvas, const BoxView& view, const Box& box);
   /// Ends a leaf: closes tiles that it has filled.
   void (*leave_leaf)(Canvas& canvas, const Decider& decider);
   /// Paints every unlit pixel, and writes what is not written yet. Returns how

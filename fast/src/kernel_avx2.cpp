@@ -27,14 +27,18 @@ namespace {
 //
 #include "kernel.inc"
 //
+#include "kernel_avx2_boxes.inc"
+//
 #include "kernel_lanes.inc"
+//
+#include "kernel_avx2_runs.inc"
 //
 #include "kernel_small.inc"
 
 }  // namespace
 
 const Kernel kAvx2Kernel = {draw,      draw_lines, draw_small, any_open,
-                            any_unlit, leave_leaf, fill_rest};
+                            any_unlit, see_box,    leave_leaf, fill_rest};
 
 }  // namespace halfspace::fast
 #endif

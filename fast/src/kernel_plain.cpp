@@ -283,6 +283,10 @@ inline std::uint32_t shade_pixels(const Target& target, const ShadedLine& line,
 //
 #include "kernel.inc"
 
+Sight see_box(const Canvas&, const BoxView&, const Box&) {
+  return Sight::kUntold;
+}
+
 /// Leaves them all.
 std::int64_t draw_small(Canvas&, const View&, bool, SmallPolygons& polygons,
                         const Decider&) {
@@ -294,7 +298,7 @@ std::int64_t draw_small(Canvas&, const View&, bool, SmallPolygons& polygons,
 }  // namespace
 
 const Kernel kPlainKernel = {draw,      draw_lines, draw_small, any_open,
-                             any_unlit, leave_leaf, fill_rest};
+                             any_unlit, see_box,    leave_leaf, fill_rest};
 
 const Kernel& best_kernel() {
 #if defined(__x86_64__)

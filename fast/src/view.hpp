@@ -111,6 +111,12 @@ struct OrderLine {
 /// and 5u in those of a i + b j + c: 8u of (|e| + |f|) most, with a margin.
 OrderLine order_line(const SeenApproximately& p, const SeenApproximately& q);
 
+/// The difference of two depths (see depth_of()): positive where the first is
+/// nearer.
+inline OrderLine nearer_line(const OrderLine& p, const OrderLine& q) {
+  return {p.a - q.a, p.b - q.b, p.c - q.c, (p.error + q.error) * (1 + 0x1p-40)};
+}
+
 View make_view(const Camera& camera, int grid_bits);
 
 }  // namespace halfspace::fast

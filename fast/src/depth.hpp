@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "exact_scan.hpp"
+#include "view.hpp"
+
+namespace halfspace::fast {
+
+/// How near a fragment is: at the centre of a pixel (i, j) that it covers,
+/// larger where nearer. `farthest` bounds i and j. Where doubles cannot tell it
+/// the error is enormous, or no number.
+///
+/// Unlike its plane that comes from the vertices that it is drawn by.
+OrderLine depth_of(const TreeReader& reader, const TreeFragment& fragment,
+                   const View& view, std::int32_t farthest);
+
+}  // namespace halfspace::fast
