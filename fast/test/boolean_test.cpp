@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "boolean_parts.hpp"
+#include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"
 #include "lattice.hpp"
 
@@ -283,6 +284,12 @@ TEST(FastBoolean, PartsOfAFaceAreOnSidesOfTheirOwn) {
                 volume(cut), 1e-6);
     EXPECT_NEAR(volume(symmetric_difference(other, cut)) + 2 * both,
                 volume(cut) + volume(other), 1e-6);
+    // In a chain, where far parts stay as they are.
+    Chain chain(cut);
+    for (const std::int64_t far : {40, 60, 80})
+      chain.apply(BooleanOp::kUnion, to_solid(octahedron({far, 0, 0}), first));
+    chain.apply(BooleanOp::kDifference, other);
+    EXPECT_NEAR(volume(chain.solid()) + both, volume(cut) + 3 * 512, 1e-6);
   }
 }
 
