@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <vector>
+
 #include "definition.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/ref/split.hpp"
@@ -13,18 +16,25 @@ struct Fragments {
   FragmentName definition;
 };
 
+/// The polygons' planes, as those have them that need them.
+struct Planes {
+  std::vector<ref::Plane> reference;
+  std::vector<definition::Plane> definition;
+};
+
 /// Compares the relation to the plane of `q`, and the parts where it spans;
 /// goes on with one of them.
-void cut(const Scene& scene, Fragments& fragment, PolygonId q, bool keep_up,
-         const std::string& text) {
+void cut(const Scene& scene, const Planes& planes, Fragments& fragment,
+         PolygonId q, bool keep_up, const std::string& text) {
   fast::FilterStats stats;
-  const auto plane = ref::plane_of(ref::whole(scene, q).vertices);
+  const auto& plane = planes.reference[static_cast<std::size_t>(q)];
   const Relation relation = ref::relation(fragment.reference, plane);
   HALFSPACE_FUZZ_EXPECT(
       fast::relation(scene, fragment.fast, q, stats) == relation, text);
   HALFSPACE_FUZZ_EXPECT(
       definition::relation(definition::points_of(scene, fragment.definition),
-                           definition::plane_of(scene, q)) == relation,
+                           planes.definition[static_cast<std::size_t>(q)]) ==
+          relation,
       text);
   if (relation != Relation::kSpanning) return;
   const auto parts = ref::split(fragment.reference, plane, q);
@@ -57,14 +67,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   if (count == 0) return 0;
   const std::string text = write_scene({scene, std::nullopt, {}});
   const std::uint64_t which = order.word();
+  Planes planes;
+  for (PolygonId p = 0; p < count; ++p) {
+    planes.reference.push_back(ref::plane_of(ref::whole(scene, p).vertices));
+    planes.definition.push_back(definition::plane_of(scene, p));
+  }
   for (PolygonId p = 0; p < count; ++p) {
     Fragments fragment{ref::whole(scene, p), fast::whole(scene, p),
                        definition::whole(scene, p)};
-    for (PolygonId k = 0; k < count; ++k) {
+    // More would be beside the fragment.
+    for (PolygonId k = 0; k < std::min(count, PolygonId{8}); ++k) {
       const std::uint64_t choice = mix(which + static_cast<unsigned>(k));
       const auto q =
           static_cast<PolygonId>(choice % static_cast<std::uint64_t>(count));
-      cut(scene, fragment, q, choice >> 63 != 0, text);
+      cut(scene, planes, fragment, q, choice >> 63 != 0, text);
     }
   }
   return 0;

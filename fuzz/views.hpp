@@ -16,6 +16,13 @@ inline BuildOptions build_options_of(Bytes& bytes) {
   return options;
 }
 
+/// From 1 on: mostly up to `few`, for what is small is tried often, but of
+/// eight bytes one means up to `most`.
+inline int size_of(Bytes& bytes, int few, int most) {
+  const int byte = bytes.next();
+  return 1 + byte % (byte < 224 ? few : most);
+}
+
 inline generate::ViewRecipe view_recipe_of(Bytes& bytes) {
   generate::ViewRecipe view;
   view.eye = static_cast<generate::EyeKind>(bytes.below(5));
@@ -27,8 +34,8 @@ inline generate::ViewRecipe view_recipe_of(Bytes& bytes) {
   view.gouraud = (flags & 4) != 0;
   view.other = bytes.below(24);
   view.edge = bytes.below(12);
-  view.width_px = 1 + bytes.below(16);
-  view.height_px = 1 + bytes.below(12);
+  view.width_px = size_of(bytes, 6, 16);
+  view.height_px = size_of(bytes, 4, 12);
   view.numbers = bytes.numbers(12);
   return view;
 }
@@ -36,10 +43,12 @@ inline generate::ViewRecipe view_recipe_of(Bytes& bytes) {
 inline generate::SceneRecipe scene_recipe_of(Bytes& bytes) {
   generate::SceneRecipe scene;
   scene.stretch = static_cast<generate::Stretch>(bytes.below(4));
-  const int more = bytes.below(4);
+  const int more = bytes.next();
   scene.jitter = (more & 1) != 0;
   scene.corner_colors = (more & 2) != 0;
-  while (!bytes.empty() && scene.shapes.size() < 10) {
+  const bool is_large = more >= 224;
+  if (!is_large) scene.most_polygons = 12;
+  while (!bytes.empty() && scene.shapes.size() < (is_large ? 10 : 4)) {
     const auto kind = static_cast<generate::ShapeKind>(bytes.below(12));
     const int other = bytes.below(24);
     scene.shapes.push_back({kind, other, bytes.numbers(9)});

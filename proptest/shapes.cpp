@@ -289,6 +289,8 @@ void add(const Shape& shape, Polygons& polygons) {
 MadeScene make(const SceneRecipe& recipe) {
   Polygons polygons;
   for (const Shape& shape : recipe.shapes) add(shape, polygons);
+  if (polygons.size() > recipe.most_polygons)
+    polygons.resize(recipe.most_polygons);
   MadeScene made;
   int grid_bits = 26;
   if (recipe.stretch != Stretch::kNone) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "halfspace/polygon.hpp"
@@ -47,6 +48,7 @@ struct SceneRecipe {
   Stretch stretch = Stretch::kNone;
   bool jitter = false;  ///< then triangles move by single grid steps
   bool corner_colors = false;
+  std::size_t most_polygons = 1000;  ///< what is more is left out
 };
 
 /// A scene, and by how much it was stretched.
