@@ -1,12 +1,11 @@
 // Checks what holds for the booleans of every two of the meshes that are named.
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -137,31 +136,49 @@ int run(const std::vector<std::string>& paths, const Bounds& bounds) {
   return wrong == 0 && checked > 0 ? 0 : 1;
 }
 
+/// What the command line asks for.
+struct Request {
+  Bounds bounds;
+  std::uint64_t made = 0, seed = 1;
+  std::vector<std::string> paths;
+};
+
+/// Reads all of the text as a number that is not negative. Whether it is one.
+template <class Number>
+bool read_number(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && at == end && number >= 0;
+}
+
+/// Whether the words are right.
+bool read_request(const std::vector<std::string>& words, Request& request) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word.rfind("-", 0) != 0) {
+      request.paths.push_back(word);
+      continue;
+    }
+    if (++i == words.size()) return false;
+    const bool good =
+        word == "--min-polygons"   ? read_number(words[i], request.bounds.least)
+        : word == "--max-polygons" ? read_number(words[i], request.bounds.most)
+        : word == "--seconds" ? read_number(words[i], request.bounds.seconds)
+        : word == "--made"
+            ? read_number(words[i], request.made)
+            : word == "--seed" && read_number(words[i], request.seed);
+    if (!good) return false;
+  }
+  return (request.made > 0) == request.paths.empty();
+}
+
 }  // namespace
 }  // namespace halfspace::identities
 
 int main(int argc, char** argv) {
-  halfspace::identities::Bounds bounds;
-  std::uint64_t made = 0, seed = 1;
-  std::vector<std::string> paths;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--min-polygons" && i + 1 < argc) {
-      bounds.least = std::strtoull(argv[++i], nullptr, 10);
-    } else if (word == "--made" && i + 1 < argc) {
-      made = std::strtoull(argv[++i], nullptr, 10);
-    } else if (word == "--seed" && i + 1 < argc) {
-      seed = std::strtoull(argv[++i], nullptr, 10);
-    } else if (word == "--max-polygons" && i + 1 < argc) {
-      bounds.most = std::strtoull(argv[++i], nullptr, 10);
-    } else if (word == "--seconds" && i + 1 < argc) {
-      bounds.seconds = std::strtod(argv[++i], nullptr);
-    } else {
-      paths.push_back(word);
-    }
-  }
-  if (made > 0) return halfspace::identities::run_made(made, seed);
-  if (paths.empty()) {
+  using namespace halfspace::identities;
+  Request request;
+  if (!read_request({argv + 1, argv + argc}, request)) {
     std::fprintf(
         stderr,
         "usage: check_identities [--min-polygons N] [--max-polygons N] "
@@ -169,5 +186,6 @@ int main(int argc, char** argv) {
         "       check_identities --made N [--seed S]\n");
     return 2;
   }
-  return halfspace::identities::run(paths, bounds);
+  return request.made > 0 ? run_made(request.made, request.seed)
+                          : run(request.paths, request.bounds);
 }
