@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "boolean_engine.hpp"
 #include "boolean_result.hpp"
 #include "boolean_truth.hpp"
 #include "halfspace/fast/boolean.hpp"
@@ -157,6 +158,84 @@ TEST(FastBooleanFaces, EndAtNoPointWhereNothingTurns) {
       EXPECT_EQ(any.edges.size(), outer.edges.size());
     }
   }
+}
+
+/// Whether a box holds the vertex, wherever within its error it is.
+bool holds(const Box& box, const Solid& solid, std::int32_t vertex) {
+  Box both = box;
+  extend(both, solid.space->vertex(vertex).approximate);
+  return both == box;
+}
+
+/// The blocks of a face are all its edges in order, in boxes that hold them,
+/// and are found by those boxes.
+void expect_right(const BlockList& list, const Solid& solid, const Face& face) {
+  EXPECT_TRUE(list.box() == face.box);
+  const SolidEdge* edges = solid.edges.data() + face.first_edge;
+  std::uint32_t next = 0;
+  for (const EdgeBlock& block : list.blocks()) {
+    ASSERT_EQ(block.first, next);
+    next += block.count;
+    ASSERT_GT(next, block.first);
+    ASSERT_LE(next, face.edge_count);
+    Face part = face;
+    part.first_edge += block.first;
+    part.edge_count = block.count;
+    EXPECT_EQ(block.is_closed, goes_round(solid, part));
+    for (std::uint32_t i = block.first; i < next; ++i) {
+      EXPECT_TRUE(holds(block.box, solid, edges[i].from));
+      EXPECT_TRUE(holds(block.box, solid, edges[i].to));
+      const bool goes_on = i > block.first && edges[i - 1].to == edges[i].from;
+      EXPECT_TRUE(i == block.first || goes_on || !block.is_row);
+    }
+    bool is_found = false;
+    list.visit(
+        [&](const Box& box) { return holds(box, solid, edges[next - 1].to); },
+        [&](const EdgeBlock& found) {
+          is_found = is_found || found.first == block.first;
+        });
+    EXPECT_TRUE(is_found);
+  }
+  EXPECT_EQ(next, face.edge_count);
+}
+
+TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
+  // A plate with holes, of which the others take bites and slices away, or
+  // nothing.
+  lattice::Cubes plate;
+  std::vector<lattice::Cubes> others(14);
+  for (std::size_t i = 0; i < plate.full.size(); ++i) {
+    const std::size_t x = i / 64, y = i / 8 % 8, z = i % 8;
+    plate.full[i] = z == 1 && (x % 2 == 0 || y % 2 == 0);
+    for (std::size_t k = 0; k < 6; ++k) {
+      others[k].full[i] = x <= k;
+      others[k + 6].full[i] = x <= 2 && y <= k && z < 3;
+    }
+    others[12].full[i] = z == 5;
+    others[13].full[i] = x == 7 && z < 3;
+  }
+  const Solid whole = merged(to_solid(lattice::surface(plate)), Merge::kPlane);
+  std::size_t known = 0;
+  for (const lattice::Cubes& other : others) {
+    const Solid tool = to_solid(lattice::surface(other), whole, 1);
+    for (const BooleanOp operation : kOperations) {
+      for (const bool swapped : {false, true}) {
+        Engine engine(truth_of(operation), swapped ? tool : whole,
+                      swapped ? whole : tool, *whole.space, 1);
+        const Solid result = engine.run();
+        for (std::size_t f = 0; f < result.faces.size(); ++f) {
+          const Face& face = result.faces[f];
+          const auto list =
+              engine.blocks().shared(static_cast<std::int32_t>(f));
+          ASSERT_EQ(list != nullptr, EdgeBlocks::has_many(face));
+          if (list == nullptr) continue;
+          expect_right(*list, result, face);
+          ++known;
+        }
+      }
+    }
+  }
+  EXPECT_GT(known, 60u);
 }
 
 }  // namespace
