@@ -1,6 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <vector>
+
 #include "booleans/contestant.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/chain.hpp"
+#include "halfspace/fast/export.hpp"
 
 namespace halfspace::bench {
 namespace {
@@ -20,8 +26,31 @@ TEST(Booleans, SurfacesAreTheLeastOnes) {
   EXPECT_EQ(ours_in_turn().run(menger(3))->volume6, 6.0 * 8000 * 0x1p30);
 }
 
+/// How many triangles of all operands' union lie in the plane z = 0.
+std::size_t triangles_on_ground(const BooleanCase& task) {
+  std::vector<fast::Solid> solids;
+  for (const Triangles& operand : task.operands) {
+    const Solid solid = solid_of(operand);
+    solids.push_back(solids.empty() ? fast::to_solid(solid)
+                                    : fast::to_solid(solid, solids[0]));
+  }
+  const auto mesh = fast::exported(
+      fast::merged(fast::combined(task.operation, solids), fast::Merge::kPlane),
+      {.triangles = true});
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.faces.size(); ++t) {
+    bool is_low = true;
+    for (std::size_t i = 3 * t; i < 3 * t + 3; ++i)
+      is_low = is_low &&
+               mesh.vertices[static_cast<std::size_t>(mesh.corners[i])][2] == 0;
+    if (is_low) ++count;
+  }
+  return count;
+}
+
 TEST(Booleans, AFaceSharedByAllIsOneFace) {
   const BooleanCase task = shared_face(20);
+  EXPECT_EQ(triangles_on_ground(task), 2u);
   const auto in_turn = ours_in_turn().run(task);
   const auto at_once = ours_at_once().run(task);
   EXPECT_TRUE(in_turn->closed);

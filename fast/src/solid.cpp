@@ -16,22 +16,13 @@ constexpr std::size_t kFacesAtOnce = 64;
 
 /// Holds the polygon as face_box() would: points of the grid have no error.
 Box polygon_box(const Scene& scene, std::span<const VertexId> corners) {
-  GridPoint low = scene.point(corners[0]);
-  GridPoint high = low;
-  for (const VertexId corner : corners.subspan(1)) {
+  Bounds bounds;
+  for (const VertexId corner : corners) {
     const GridPoint& p = scene.point(corner);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y),
-            std::max(high.z, p.z)};
+    bounds.add({static_cast<double>(p.x), static_cast<double>(p.y),
+                static_cast<double>(p.z), 0});
   }
-  const auto down = [](std::int64_t c) {
-    return rounded_down(static_cast<double>(c));
-  };
-  const auto up = [](std::int64_t c) {
-    return rounded_up(static_cast<double>(c));
-  };
-  return {{down(low.x), down(low.y), down(low.z)},
-          {up(high.x), up(high.y), up(high.z)}};
+  return bounds.box();
 }
 
 /// Adds the face that polygon `id` is. `ids`: the points of its vertices.

@@ -199,6 +199,17 @@ class Fixture {
   Kernel kernel_ = kPlainKernel;
 };
 
+/// An image plane that is not square, so far from the eye.
+CameraData skew_camera(int steps) {
+  CameraData camera;
+  camera.eye = {0, 0, -steps * 256};
+  camera.s0 = {-4 * 256, -4 * 256, 0};
+  camera.sx = {200, 60, 30};
+  camera.sy = {-50, 230, 10};
+  camera.width_px = camera.height_px = 8;
+  return camera;
+}
+
 /// The same vertex, moved to a corner of the cube around it: way 0 to 7.
 Vertex moved(Vertex v, int way) {
   v.x += (way & 1) != 0 ? v.error : -v.error;
@@ -208,12 +219,7 @@ Vertex moved(Vertex v, int way) {
 }
 
 TEST(ViewBounds, OfOutlines) {
-  CameraData camera;
-  camera.eye = {0, 0, -100 * 256};
-  camera.s0 = {-4 * 256, -4 * 256, 0};
-  camera.sx = {200, 60, 30};
-  camera.sy = {-50, 230, 10};
-  camera.width_px = camera.height_px = 8;
+  CameraData camera = skew_camera(100);
   for (const bool perspective : {true, false}) {
     camera.perspective = perspective;
     Fixture fixture(camera);
@@ -246,12 +252,7 @@ TEST(ViewBounds, OfOutlines) {
 /// Where its vertices are moved by their errors, a fragment is as near as that
 /// says.
 TEST(ViewBounds, OfDepths) {
-  CameraData camera;
-  camera.eye = {0, 0, -300 * 256};
-  camera.s0 = {-4 * 256, -4 * 256, 0};
-  camera.sx = {200, 60, 30};
-  camera.sy = {-50, 230, 10};
-  camera.width_px = camera.height_px = 8;
+  CameraData camera = skew_camera(300);
   for (const bool perspective : {true, false}) {
     camera.perspective = perspective;
     Fixture fixture(camera);
