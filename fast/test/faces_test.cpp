@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -74,17 +77,19 @@ bool goes_round(const Solid& solid, const Face& face) {
   return start < 0;
 }
 
-/// Every face of the boolean is a part of the one that it names, in a box of
-/// its own.
+/// Every face of the boolean is all that is left of the one that it names, to
+/// one side, in a box of its own.
 Solid with_faces_of(BooleanOp operation, const Solid& a, const Solid& b) {
   Solid result = boolean(operation, a, b);
   EXPECT_TRUE(result.unit == a.unit);
+  std::set<std::tuple<bool, PolygonId, bool>> seen;
   for (const Face& face : result.faces) {
     const Solid& of = face.from_first ? a : b;
     const Face& source = of.faces.at(static_cast<std::size_t>(face.source));
     EXPECT_EQ(face.plane, source.plane);
     EXPECT_TRUE(face.box == face_box(result, face));
     EXPECT_TRUE(goes_round(result, face));
+    EXPECT_TRUE(seen.emplace(face.from_first, face.source, face.turned).second);
   }
   return result;
 }
@@ -112,6 +117,92 @@ TEST(FastBooleanFaces, AreOfTheirSourcesAndGoRound) {
       with_faces_of(operation, result, complement(first));
     }
   }
+}
+
+/// The solid's outlines are those of the cubes that are in one of the two.
+void expect_cubes(const Solid& solid, BooleanOp operation,
+                  const lattice::Cubes& a, const lattice::Cubes& b) {
+  const Truth truth = truth_of(operation);
+  lattice::Cubes cubes;
+  for (std::size_t i = 0; i < cubes.full.size(); ++i)
+    cubes.full[i] = truth(a.full[i], b.full[i]) != solid.unbounded;
+  bool whole = false;
+  EXPECT_TRUE(bad_edges(solid).empty());
+  EXPECT_TRUE(lattice::outline(solid.unbounded ? complement(solid) : solid,
+                               whole) == lattice::outline(cubes));
+  EXPECT_TRUE(whole);
+}
+
+lattice::Cubes complement(lattice::Cubes cubes) {
+  for (bool& full : cubes.full) full = !full;
+  return cubes;
+}
+
+TEST(FastBooleanFaces, InPartsGoWhereEachPartIs) {
+  // Two channels leave a block's top in four parts. Caps hold some of them
+  // whole, and touch none.
+  lattice::Cubes block, channels, prongs;
+  const auto is_channel = [](std::size_t c) { return c > 1 && c < 5; };
+  for (std::size_t i = 0; i < block.full.size(); ++i) {
+    const std::size_t x = i / 64, y = i / 8 % 8, z = i % 8;
+    block.full[i] = x % 6 != 0 && y % 6 != 0 && x < 6 && y < 6 && z < 5;
+    channels.full[i] = (is_channel(x) || is_channel(y)) && z > 1;
+    prongs.full[i] = block.full[i] && !channels.full[i];
+  }
+  const Solid whole = merged(to_solid(lattice::surface(block)), Merge::kPlane);
+  const Solid cut =
+      with_faces_of(BooleanOp::kDifference, whole,
+                    to_solid(lattice::surface(channels), whole, 1));
+  EXPECT_EQ(std::count_if(cut.faces.begin(), cut.faces.end(),
+                          [](const Face& f) { return f.edge_count == 16; }),
+            1);
+  for (std::size_t held = 1; held < 16; ++held) {
+    SCOPED_TRACE("parts held " + std::to_string(held));
+    lattice::Cubes caps;
+    for (std::size_t i = 0; i < caps.full.size(); ++i) {
+      const std::size_t x = i / 64, y = i / 8 % 8, z = i % 8;
+      const std::size_t part = x / 4 * 2 + y / 4;
+      caps.full[i] =
+          x % 4 < 3 && y % 4 < 3 && z > 2 && z < 7 && (held >> part) % 2 != 0;
+    }
+    const Solid other = to_solid(lattice::surface(caps), cut, 2);
+    for (const BooleanOp operation : kOperations) {
+      expect_cubes(with_faces_of(operation, cut, other), operation, prongs,
+                   caps);
+      expect_cubes(with_faces_of(operation, other, cut), operation, caps,
+                   prongs);
+      expect_cubes(with_faces_of(operation, complement(other), cut), operation,
+                   complement(caps), prongs);
+      expect_cubes(with_faces_of(operation, cut, complement(other)), operation,
+                   prongs, complement(caps));
+    }
+  }
+}
+
+TEST(FastBooleanFaces, KeepVerticesOfPartsThatStay) {
+  // A channel through a block's top, of which one half is black: a corner of
+  // each half is amid a wall's edge. The wall is bitten into, the top only
+  // near.
+  lattice::Cubes block, channel, bite, rest;
+  for (std::size_t i = 0; i < block.full.size(); ++i) {
+    const std::size_t x = i / 64, y = i / 8 % 8, z = i % 8;
+    block.full[i] = y > 0 && z < 4;
+    channel.full[i] = (y == 3 || y == 4) && z > 2;
+    bite.full[i] = x > 2 && x < 5 && (y < 2 ? z == 1 : y == 4 && z == 6);
+    rest.full[i] = block.full[i] && !channel.full[i];
+  }
+  Solid whole = to_solid(lattice::surface(block));
+  for (Face& face : whole.faces) {
+    if (face.box.low[2] > 3 && face.box.low[0] > 3) face.color.r = 1;
+  }
+  whole = merged(whole, Merge::kColor);
+  EXPECT_EQ(whole.faces.size(), 7u);
+  const Solid cut =
+      with_faces_of(BooleanOp::kDifference, whole,
+                    to_solid(lattice::surface(channel), whole, 1));
+  const Solid other = to_solid(lattice::surface(bite), cut, 2);
+  for (const BooleanOp operation : kOperations)
+    expect_cubes(with_faces_of(operation, cut, other), operation, rest, bite);
 }
 
 /// A pyramid with its top at (1, 1, 1). Its base, in two triangles, goes from
@@ -201,9 +292,9 @@ void expect_right(const BlockList& list, const Solid& solid, const Face& face) {
 
 TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
   // A plate with holes, of which the others take bites and slices away, or
-  // nothing.
+  // nothing, also where they are above and below, or round it.
   lattice::Cubes plate;
-  std::vector<lattice::Cubes> others(14);
+  std::vector<lattice::Cubes> others(15);
   for (std::size_t i = 0; i < plate.full.size(); ++i) {
     const std::size_t x = i / 64, y = i / 8 % 8, z = i % 8;
     plate.full[i] = z == 1 && (x % 2 == 0 || y % 2 == 0);
@@ -213,11 +304,13 @@ TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
     }
     others[12].full[i] = z == 5;
     others[13].full[i] = x == 7 && z < 3;
+    others[14].full[i] = x == 3 && y == 3 && (z == 0 || z == 4);
   }
   const Solid whole = merged(to_solid(lattice::surface(plate)), Merge::kPlane);
   std::size_t known = 0;
-  for (const lattice::Cubes& other : others) {
-    const Solid tool = to_solid(lattice::surface(other), whole, 1);
+  for (std::size_t k = 0; k < 2 * others.size(); ++k) {
+    Solid tool = to_solid(lattice::surface(others[k / 2]), whole, 1);
+    if (k % 2 != 0) tool = complement(std::move(tool));
     for (const BooleanOp operation : kOperations) {
       for (const bool swapped : {false, true}) {
         Engine engine(truth_of(operation), swapped ? tool : whole,
@@ -235,7 +328,7 @@ TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
       }
     }
   }
-  EXPECT_GT(known, 60u);
+  EXPECT_GT(known, 120u);
 }
 
 }  // namespace
