@@ -7,6 +7,7 @@
   tools/mutate.py --report mutants.md      the table and the survivors
   tools/mutate.py --tests vectors_test --report quick.md    by these tests only
   tools/mutate.py --again quick.md         what survived those, by all tests
+  tools/mutate.py --new                    what nobody has argued away
 
 Mutant schemata: every mutant of a file is compiled into it at once, and the
 environment variable HALFSPACE_MUTANT tells which one is alive; so there is one
@@ -50,7 +51,8 @@ FILES = [
     "fast/src/predicate.cpp", "fast/src/splitter.cpp",
     "fast/src/traverse.cpp", "fast/src/insert.cpp", "fast/src/screen.cpp",
     "fast/src/boolean_parts.cpp", "fast/src/boolean_emit.cpp",
-    "fast/src/boolean_faces.cpp", "fast/src/locator.cpp",
+    "fast/src/boolean_faces.cpp", "fast/src/boolean_hits.cpp",
+    "fast/src/edge_blocks.cpp", "fast/src/locator.cpp",
 ]
 
 # The source by which a header with functions of its own is compiled.
@@ -73,18 +75,23 @@ LAWS = [("exhaustive_test", "*Word*"), ("agree_tree_test", "*"),
 
 REF_BOOLEAN = "Faces*:Keep*:Classify*:Boolean*:BadEdges*:Rounded*"
 
-# The tests that look at these files, where not all do.
+# Those of faces take least, so they come first.
+FAST_BOOLEAN = ("FastBooleanFaces*:FastOperand* "
+                "FastBoolean.*:FastChain*:FastRepair*")
+
+# The tests that look at these files, where not all do. Filters apart are tried
+# in turn.
 TESTS_OF = {
     "ref/src/classify": {"vectors_test": "*Implementations*",
                          "ref_test": REF_BOOLEAN, "proptest": ""},
     "ref/src/boolean": {"vectors_test": "*Implementations*",
                         "ref_test": REF_BOOLEAN, "proptest": ""},
     "fast/src/boolean": {"agree_boolean_test": "*",
-                         "fast_test": "FastBoolean*:FastChain*:"
-                                      "FastOperand*:FastRepair*"},
+                         "fast_test": FAST_BOOLEAN},
+    "fast/src/edge_blocks": {"agree_boolean_test": "*",
+                             "fast_test": FAST_BOOLEAN},
     "fast/src/locator": {"agree_boolean_test": "*",
-                         "fast_test": "FastBoolean*:FastChain*:"
-                                      "FastOperand*:FastRepair*"},
+                         "fast_test": FAST_BOOLEAN},
     "fast/src/screen": {"vectors_test": "*Implementations*",
                         "fast_test": "DisplayTree*:Near*",
                         "agree_image_test": "*"},
@@ -430,7 +437,7 @@ def plan_for(path, programs):
             laws = LAWS_OF.get(pathlib.Path(path).stem, "S*").split(":")
             number = 0 if room == "ref" else 1
             filter_ = ":".join(f"{law}/{number}.*" for law in laws)
-        steps.append((programs[target], filter_))
+        steps += [(programs[target], part) for part in filter_.split()]
     return steps
 
 
@@ -491,6 +498,8 @@ def parse():
     parser.add_argument("--tests", default="", help="these only, commas")
     parser.add_argument("--again", type=pathlib.Path, metavar="REPORT",
                         help="those only that survived there")
+    parser.add_argument("--new", action="store_true",
+                        help="not those that tools/mutants.txt explains")
     parser.add_argument("--list", action="store_true")
     return parser.parse_args()
 
@@ -540,6 +549,8 @@ def main():
         mutants = [m for m in mutants if m.line_of_report() in again]
     known, survivors = reasons(), []
     rows = collections.OrderedDict((path, [0, 0, 0]) for path in paths)
+    if arguments.new:
+        mutants = [m for m in mutants if m.key() not in known]
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         verdicts = pool.map(
             lambda m: judge(m, plans[m.path], limits), mutants)
