@@ -11,18 +11,26 @@ void FaceIndex::add(const Solid& solid, std::int32_t first) {
   for (std::int32_t f = first; f < count; ++f) {
     if (!is_gone(f)) faces.push_back(f);
   }
-  while (!layers_.empty() && layers_.back().faces.size() < 2 * faces.size()) {
-    for (const std::int32_t f : layers_.back().faces) {
-      if (!is_gone(f)) faces.push_back(f);
+  if (faces.empty()) return;
+  int level = 0;
+  const auto is_full = [&] {
+    return layers_.size() + 1 >= kAlike &&
+           layers_[layers_.size() + 1 - kAlike].level == level;
+  };
+  for (; is_full(); ++level) {
+    for (std::size_t i = 1; i < kAlike; ++i) {
+      for (const std::int32_t f : layers_.back().faces) {
+        if (!is_gone(f)) faces.push_back(f);
+      }
+      layers_.pop_back();
     }
-    layers_.pop_back();
   }
   BoxTree tree(
       [&](std::int32_t f) -> const Box& {
         return solid.faces[static_cast<std::size_t>(f)].box;
       },
       faces);
-  layers_.push_back({std::move(faces), std::move(tree)});
+  layers_.push_back({std::move(faces), level, std::move(tree)});
 }
 
 }  // namespace halfspace::fast

@@ -10,8 +10,9 @@ namespace halfspace::fast {
 
 /// Finds faces by their boxes, while some go and others come.
 ///
-/// Cost: of adding or removing a face, amortised, (log n)^2; of a search, as of
-///       log n trees of boxes.
+/// Cost: of adding faces, amortised, n log n with a small factor, for each is
+///       put into a new tree log n times to the base of 8; of a search, as of
+///       7 trees of boxes for each such time.
 class FaceIndex {
  public:
   /// Adds the faces of the solid from number `first` on that are not gone.
@@ -36,9 +37,12 @@ class FaceIndex {
  private:
   struct Layer {
     std::vector<std::int32_t> faces;
+    int level = 0;  ///< how often layers were put together for it
     BoxTree tree;
   };
-  std::vector<Layer> layers_;  ///< each less than half as large as the last
+  static constexpr std::size_t kAlike = 8;
+
+  std::vector<Layer> layers_;  ///< in each level less than kAlike, high to low
   std::vector<std::uint8_t> gone_;  ///< by face
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <random>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "box_tree.hpp"
+#include "face_index.hpp"
 #include "near_cells.hpp"
 
 namespace halfspace::fast {
@@ -86,6 +88,77 @@ TEST(NearCells, DropMostOfWhatIsFar) {
   drop_lonely(a, first, b, second, {{-2000, -300, -300}, {3001, 800, 800}});
   EXPECT_LE(first.size(), 100u);
   EXPECT_LE(second.size(), 100u);
+}
+
+/// Of the faces that are not gone those whose boxes overlap `box`.
+std::vector<std::int32_t> overlapping(const Solid& solid, const Box& box,
+                                      const std::set<std::int32_t>& gone = {}) {
+  std::vector<std::int32_t> found;
+  for (const std::int32_t f : all_of(solid)) {
+    if (gone.count(f) == 0 &&
+        overlap(solid.faces[static_cast<std::size_t>(f)].box, box))
+      found.push_back(f);
+  }
+  return found;
+}
+
+/// Boxes to look for: of faces, and that of all of space.
+std::vector<Box> boxes_of(const Solid& solid) {
+  std::vector<Box> boxes{{kEmptyBox.high, kEmptyBox.low}};
+  for (const Face& face : solid.faces) boxes.push_back(face.box);
+  return boxes;
+}
+
+TEST(BoxTree, FindsJustWhatOverlaps) {
+  std::mt19937_64 random(8);
+  // Levels are full, and one more; items are sorted from some number on.
+  for (const std::size_t count :
+       {0u, 1u, 7u, 8u, 9u, 64u, 65u, 256u, 257u, 513u, 4097u}) {
+    Solid solid = boxed_faces(random, count, 90);
+    // A half-space's face is everywhere.
+    if (count > 8) solid.faces[5].box = {kEmptyBox.high, kEmptyBox.low};
+    const BoxTree tree(
+        [&](std::int32_t f) -> const Box& {
+          return solid.faces[static_cast<std::size_t>(f)].box;
+        },
+        all_of(solid));
+    for (const Box& box : boxes_of(boxed_faces(random, 40, 200))) {
+      std::vector<std::int32_t> found;
+      tree.find(box, [&](std::int32_t f) { found.push_back(f); });
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, overlapping(solid, box)) << count;
+    }
+  }
+}
+
+TEST(FaceIndex, FindsWhatIsThere) {
+  std::mt19937_64 random(9);
+  Solid solid;
+  FaceIndex index;
+  std::set<std::int32_t> gone;
+  std::size_t found_in_all = 0;
+  for (int step = 0; step < 600; ++step) {
+    const auto first = static_cast<std::int32_t>(solid.faces.size());
+    // Now and then none, or many.
+    const std::size_t more = step % 50 == 49 ? 300 : random() % 6;
+    for (const Face& face : boxed_faces(random, more, 60).faces)
+      solid.faces.push_back(face);
+    index.add(solid, first);
+    for (std::size_t i = 0; i < random() % 5 && !solid.faces.empty(); ++i) {
+      const auto f = static_cast<std::int32_t>(random() % solid.faces.size());
+      index.remove(f);
+      gone.insert(f);
+    }
+    for (const Box& box : boxes_of(boxed_faces(random, 2, 200))) {
+      std::vector<std::int32_t> found;
+      index.find(box, [&](std::int32_t f) { found.push_back(f); });
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, overlapping(solid, box, gone)) << step;
+      found_in_all += found.size();
+    }
+  }
+  EXPECT_GT(gone.size(), 500u);
+  EXPECT_GT(found_in_all, 100000u);
 }
 
 /// A point in a plane: `origin + i u + j v`.
