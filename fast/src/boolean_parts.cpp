@@ -1,9 +1,9 @@
 #include "boolean_parts.hpp"
 
 #include <algorithm>
-#include <compare>
 #include <utility>
 
+#include "digits.hpp"
 #include "near_cells.hpp"
 #include "parallel.hpp"
 
@@ -81,14 +81,11 @@ void add_edges(Operand& operand, const Space& space) {
   const Solid& solid = *operand.solid;
   // Step 1: bring the edges with the same ends together.
   struct Entry {
-    std::int32_t low;
-    std::int32_t high;
     std::uint32_t edge;
     std::int32_t face;
-    bool forward;
-    auto operator<=>(const Entry&) const = default;
   };
   std::vector<Entry> entries;
+  List<Keyed> keyed;  // by the lesser end, then the greater one
   for (const std::int32_t f : operand.active) {
     const Face& face = operand.face(f);
     const auto add = [&](std::uint32_t first, std::uint32_t count) {
@@ -98,7 +95,10 @@ void add_edges(Operand& operand, const Space& space) {
                       space.vertex(edge.to).approximate))
           continue;
         const auto [low, high] = std::minmax(edge.from, edge.to);
-        entries.push_back({low, high, at, f, edge.from == low});
+        keyed.push_back({static_cast<std::uint64_t>(low) << 32 |
+                             static_cast<std::uint32_t>(high),
+                         static_cast<std::uint32_t>(entries.size())});
+        entries.push_back({at, f});
       }
     };
     const BlockList* list = operand.blocks->of(f);
@@ -110,26 +110,28 @@ void add_edges(Operand& operand, const Space& space) {
         [&](const Box& box) { return overlap(box, operand.reach); },
         [&](const EdgeBlock& b) { add(face.first_edge + b.first, b.count); });
   }
-  std::sort(entries.begin(), entries.end());
+  sort_by_key(keyed);
   // Step 2: name each once, in the direction of an axis.
   operand.uses.reserve(entries.size());
-  for (std::size_t i = 0; i < entries.size();) {
-    const Entry& first = entries[i];
-    LineEdge edge{first.low, first.high};
+  for (std::size_t i = 0; i < keyed.size();) {
+    const std::uint64_t ends = keyed[i].key;
+    const Entry& first = entries[keyed[i].item];
+    LineEdge edge{static_cast<std::int32_t>(ends >> 32),
+                  static_cast<std::int32_t>(ends & 0xffffffff)};
     edge.axis = space.edge_axis(edge.low, edge.high);
-    const bool swapped = space.compare(edge.axis, edge.low, edge.high) > 0;
-    if (swapped) std::swap(edge.low, edge.high);
+    if (space.compare(edge.axis, edge.low, edge.high) > 0)
+      std::swap(edge.low, edge.high);
     edge.owner = first.face;
     edge.first_edge = first.edge;
     edge.plane = operand.face(first.face).plane;
     edge.other = solid.edges[first.edge].other;
     edge.first_use = static_cast<std::uint32_t>(operand.uses.size());
     const auto id = static_cast<std::int32_t>(operand.edges.size());
-    for (; i < entries.size() && entries[i].low == first.low &&
-           entries[i].high == first.high;
-         ++i) {
-      operand.uses.push_back({entries[i].face, entries[i].forward != swapped});
-      operand.edge_of[entries[i].edge] = id;
+    for (; i < keyed.size() && keyed[i].key == ends; ++i) {
+      const Entry& entry = entries[keyed[i].item];
+      operand.uses.push_back(
+          {entry.face, solid.edges[entry.edge].from == edge.low});
+      operand.edge_of[entry.edge] = id;
       ++edge.use_count;
     }
     operand.edges.push_back(edge);
