@@ -59,10 +59,11 @@ class Merger {
   /// The result; nothing if just the first edges of faces differ.
   std::optional<Solid> run() {
     drop_edges(entries());
+    // A closed surface has every edge in either direction: there is a spoke
+    // from each end to each other one without looking back along edges.
     const auto for_spokes = [this](const auto& visit) {
       for_edges([&](std::int32_t, const Face& face, const SolidEdge& edge) {
         visit(Spoke{edge.from, edge.to, face.plane, edge.other});
-        visit(Spoke{edge.to, edge.from, face.plane, edge.other});
       });
     };
     const Hubs hubs(
