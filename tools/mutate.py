@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Plants faults in the sources, and tells which the tests do not notice.
 
-  tools/mutate.py                          the core of ref/ and fast/
+  tools/mutate.py                          ref/, fast/, io/, the vocabulary
   tools/mutate.py --only screen,split      files whose path has one of these
   tools/mutate.py --list --only screen     the mutants, one a line
   tools/mutate.py --report mutants.md      the table and the survivors
@@ -53,6 +53,16 @@ FILES = [
     "fast/src/boolean_parts.cpp", "fast/src/boolean_emit.cpp",
     "fast/src/boolean_faces.cpp", "fast/src/boolean_hits.cpp",
     "fast/src/edge_blocks.cpp", "fast/src/locator.cpp",
+    "spec/src/boolean.cpp", "spec/src/camera.cpp", "spec/src/int128.cpp",
+    "spec/src/polygon.cpp", "spec/src/scene.cpp", "spec/src/scene_file.cpp",
+    "spec/src/scene_file_write.cpp",
+    "io/src/automatic_view.cpp", "io/src/encode.cpp", "io/src/file.cpp",
+    "io/src/grid.cpp", "io/src/import.cpp", "io/src/join.cpp",
+    "io/src/mesh_builder.cpp", "io/src/npy.cpp", "io/src/number.cpp",
+    "io/src/ply_header.cpp", "io/src/png_rows.cpp", "io/src/read_mesh.cpp",
+    "io/src/read_obj.cpp", "io/src/read_off.cpp", "io/src/read_ply.cpp",
+    "io/src/read_stl.cpp", "io/src/shade.cpp", "io/src/text.cpp",
+    "io/src/triangulate.cpp", "io/src/view.cpp", "io/src/write_mesh.cpp",
 ]
 
 # The source by which a header with functions of its own is compiled.
@@ -67,7 +77,8 @@ OTHERS = {
 }
 
 # Which tests look at a file, quickest first: a program and its filter.
-QUICK = [("vectors_test", "*Implementations*"), ("ref_test", "*"),
+QUICK = [("spec_test", "*"), ("io_test", "*"), ("faults_test", "*"),
+         ("vectors_test", "*Implementations*"), ("ref_test", "*"),
          ("fast_test", "*")]
 LAWS = [("exhaustive_test", "*Word*"), ("agree_tree_test", "*"),
         ("agree_image_test", "*"), ("agree_boolean_test", "*"),
@@ -95,7 +106,16 @@ TESTS_OF = {
     "fast/src/screen": {"vectors_test": "*Implementations*",
                         "fast_test": "DisplayTree*:Near*",
                         "agree_image_test": "*"},
+    "io/": {"io_test": "*", "faults_test": "*"},
+    "spec/src/boolean": {"spec_test": "BadEdges*:MakeSolid*"},
+    "spec/src/camera": {"spec_test": "MakeCamera*"},
+    "spec/src/scene_file": {"spec_test": "SceneFile*"},
+    "spec/": {"spec_test": "-*BitBudget*"},
 }
+
+# What runs only for the files that name it, or for those of its own room.
+CHOSEN = {"agree_boolean_test", "faults_test"}
+ROOMS = {"spec_test", "io_test", "ref_test", "fast_test"}
 
 # The laws that look at a file, where not all do.
 LAWS_OF = {
@@ -299,6 +319,9 @@ class Source:
             else:
                 # On one line, so that errors name the original's lines.
                 flat = " ".join(re.sub(r"//.*", "", after).split())
+                # A condition's other outcome; an optional is none.
+                if flat.startswith("!("):
+                    inner = f"static_cast<bool>({inner})"
                 inner = f"(HalfspaceMutant({number}) ? ({flat}) : ({inner}))"
         return inner
 
@@ -422,8 +445,7 @@ def plan_for(path, programs):
     room = path.split("/")[0]
     steps = []
     for target, filter_ in QUICK + LAWS:
-        if target not in programs or f"{room}_test" != target in (
-                "ref_test", "fast_test"):
+        if target not in programs:
             continue
         chosen = next((tests for start, tests in TESTS_OF.items()
                        if path.startswith(start)), None)
@@ -431,7 +453,7 @@ def plan_for(path, programs):
             if target not in chosen:
                 continue
             filter_ = chosen[target]
-        elif target == "agree_boolean_test":
+        elif target in CHOSEN or f"{room}_test" != target in ROOMS:
             continue
         if target == "proptest":
             laws = LAWS_OF.get(pathlib.Path(path).stem, "S*").split(":")

@@ -113,9 +113,8 @@ Result<Solid> make_solid(Scene scene) {
     return Error{ErrorCode::kNotClosed,
                  "the surface is not closed or not consistently oriented: " +
                      std::to_string(bad.size()) +
-                     (bad.size() == 1 ? " bad edge" : " bad edges") +
-                     ", the first from " + text_of(first.from) + " to " +
-                     text_of(first.to) + " (in grid steps)",
+                     " bad edges, the first from " + text_of(first.from) +
+                     " to " + text_of(first.to) + " (in grid steps)",
                  static_cast<std::int64_t>(bad.size())};
   }
   Solid solid;

@@ -230,7 +230,7 @@ std::optional<Error> polygon_error(const SceneData& data, std::size_t polygon) {
                        : shape_error<Int256>(polygon, count, at)) {
     return error;
   }
-  if (count > 3 && !data.corner_colors.empty()) {
+  if (!data.corner_colors.empty()) {
     const auto begin =
         data.corner_colors.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = begin + static_cast<std::ptrdiff_t>(count);

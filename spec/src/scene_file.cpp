@@ -131,7 +131,9 @@ bool Reader::integer(std::size_t token, Int128 least, Int128 most, Int& value) {
 bool Reader::count_is(std::size_t values) {
   if (tokens_.size() == values + 1) return true;
   return fail(ErrorCode::kSyntax, quoted(tokens_[0]) + " is followed by " +
-                                      std::to_string(values) + " values, not " +
+                                      std::to_string(values) +
+                                      (values == 1 ? " value" : " values") +
+                                      ", not " +
                                       std::to_string(tokens_.size() - 1));
 }
 
@@ -240,7 +242,7 @@ bool Reader::polygon() {
       return fail(ErrorCode::kSyntax,
                   quoted(tokens_[token]) + " is not a vertex, nor 'color'");
     }
-    if (vertices == 0 || !integer(token, 0, vertices - 1, vertex)) {
+    if (!integer(token, 0, vertices - 1, vertex)) {
       return fail(ErrorCode::kBadIndex,
                   "there is no vertex " + quoted(tokens_[token]) +
                       " above, only " + to_string(vertices) + " vertices");

@@ -185,5 +185,149 @@ TEST(SceneFile, PassesOnWhatSceneAndCameraRefuse) {
   EXPECT_EQ(code_of(with_line("near", "near -1\n")), ErrorCode::kOutOfRange);
 }
 
+TEST(SceneFile, SaysWhatIsWrongInASentence) {
+  const auto message_of = [](const std::string& text) {
+    const Result<SceneFile> file = read_scene(text);
+    return file ? std::string("fine") : file.error().message;
+  };
+  const struct {
+    const char* start;
+    const char* line;
+    const char* message;
+  } cases[] = {
+      {"unit", "unit 1 0\n", "line 2: '1' is not from 2 to 10"},
+      {"unit", "unit 3 0\n", "line 2: the base of a unit is 2 or 10, not '3'"},
+      {"unit", "unit 2 -4097\n", "line 2: '-4097' is not from -4096 to 4096"},
+      {"unit", "unit 2 4097\n", "line 2: '4097' is not from -4096 to 4096"},
+      {"unit", "unit ten 0\n", "line 2: 'ten' is not an integer"},
+      {"unit", "unit 10 ~\x7f\x1f \n", "line 2: '~\?\?' is not an integer"},
+      {"unit", "unit 10 \x80\xff!\n", "line 2: '\?\?!' is not an integer"},
+      {"unit", "unit 10 0123456789012345678901234567890123456789\n",
+       "line 2: '0123456789012345678901234567890123456789' is not from -4096 "
+       "to 4096"},
+      {"unit", "unit 10 01234567890123456789012345678901234567890\n",
+       "line 2: '0123456789012345678901234567890123456789...' is not from "
+       "-4096 to 4096"},
+      {"unit", "unit 10\n", "line 2: 'unit' is followed by 2 values, not 1"},
+      {"unit", "units 10 0\n", "line 2: there should be 'unit', not 'units'"},
+      {"grid", "grid 25\n", "line 3: '25' is not from 26 to 54"},
+      {"grid", "grid 55\n", "line 3: '55' is not from 26 to 54"},
+      {"grid", "grid 41\n", "line 3: a grid has 26, 40 or 54 bits, not '41'"},
+      {"v", "v 0 -33554433 0\n",
+       "line 4: '-33554433' is not from -33554432 to 33554431"},
+      {"v", "v 0 0 33554432\n",
+       "line 4: '33554432' is not from -33554432 to 33554431"},
+      {"v", "v 0 0\n", "line 4: 'v' is followed by 3 values, not 2"},
+      {"p", "p 0 1 3 color 0 0 0\n",
+       "line 7: there is no vertex '3' above, only 3 vertices"},
+      {"p", "p 0 1 2\n", "line 7: the polygon has no 'color'"},
+      {"p", "p 0 1 2 color 0 0\n", "line 7: a colour has three values"},
+      {"p", "p 0 1 2 color -1 0 0\n", "line 7: '-1' is not from 0 to 255"},
+      {"p", "p 0 1 2 color 0 256 0\n", "line 7: '256' is not from 0 to 255"},
+      {"p", "p 0 1 2 color 0 0 256\n", "line 7: '256' is not from 0 to 255"},
+      {"p", "p 0 1 2 color 256 0 0\n", "line 7: '256' is not from 0 to 255"},
+      {"p", "p 0 1 a color 0 0 0\n",
+       "line 7: 'a' is not a vertex, nor 'color'"},
+      {"p", "p 0 1 2 color 0 0 0 colors 1 2 3\n",
+       "line 7: after its colour a polygon of 3 corners has nothing, or "
+       "'colors' and 9 values"},
+      {"p", "p 0 1 2 color 0 0 0 colours 1 2 3 4 5 6 7 8 9\n",
+       "line 7: after its colour a polygon of 3 corners has nothing, or "
+       "'colors' and 9 values"},
+      {"p", "p 0 1 2 color 0 0 0 colors 1 2 3 4 5 6 7 8 900\n",
+       "line 7: '900' is not from 0 to 255"},
+      {"p", "q\n", "line 7: 'q' is no keyword"},
+      {"eye", "eye 0 0 1 -1\n", "line 8: '-1' is not from 0 to 1"},
+      {"eye", "eye 0 0 1 2\n", "line 8: '2' is not from 0 to 1"},
+      {"eye", "eye 0 0 1\n", "line 8: 'eye' is followed by 4 values, not 3"},
+      {"eye", "eye 0 0 1329227995784915872903807060280344577 1\n",
+       "line 8: '1329227995784915872903807060280344577' is not from "
+       "-1329227995784915872903807060280344576 to "
+       "1329227995784915872903807060280344576"},
+      {"s0", "s0 0 0 549755813889\n",
+       "the camera's s0 has a component beyond 549755813888"},
+      {"sx", "sx 0 0\n", "line 10: 'sx' is followed by 3 values, not 2"},
+      {"sy", "sy 0 0 0 0\n", "line 11: 'sy' is followed by 3 values, not 4"},
+      {"near", "near\n", "line 12: 'near' is followed by 1 value, not 0"},
+      {"near", "near 4611686018427387905\n",
+       "line 12: '4611686018427387905' is not from -4611686018427387904 to "
+       "4611686018427387904"},
+      {"size", "size 64\n", "line 13: 'size' is followed by 2 values, not 1"},
+      {"size", "size 0 1\n", "line 13: '0' is not from 1 to 65536"},
+      {"size", "size 1 0\n", "line 13: '0' is not from 1 to 65536"},
+      {"size", "size 65537 1\n", "line 13: '65537' is not from 1 to 65536"},
+      {"size", "", "line 16: the camera has no 'size' line"},
+      {"eye", "", "line 16: the camera has no 'eye' line"},
+      {"cull", "cull 1\n", "line 14: 'cull' is followed by 0 values, not 1"},
+      {"shade", "shade\n", "line 15: 'shade' is followed by 1 value, not 0"},
+      {"shade", "shade phong\n",
+       "line 15: shading is 'flat' or 'gouraud', not 'phong'"},
+      {"background", "background 1 2\n",
+       "line 16: 'background' is followed by 3 values, not 2"},
+      {"end", "end 1\n", "line 17: 'end' is followed by 0 values, not 1"},
+      {"end", "end\n# a comment\nv 0 0 0\n",
+       "line 19: there is more after 'end'"},
+      {"end", "", "line 17: the file ends without 'end'"},
+      {"end", "# nothing\n\n", "line 19: the file ends without 'end'"},
+      {"end", "en", "line 17: 'en' is no keyword, where the file ends"},
+  };
+  for (const auto& [start, line, message] : cases) {
+    EXPECT_EQ(message_of(with_line(start, line)), message) << line;
+  }
+  EXPECT_EQ(message_of(""),
+            "line 1: the file ends where its 'halfspace-scene' line should be");
+  EXPECT_EQ(message_of("halfspace-scene 1\n"),
+            "line 2: the file ends where its 'unit' line should be");
+  EXPECT_EQ(message_of("halfspace-scene 2\n"),
+            "line 1: version '2' is not known");
+  EXPECT_EQ(message_of("halfspace-scene 1\nunit 2 0\n"),
+            "line 3: the file ends where its 'grid' line should be");
+  // Whether 'end' has its line feed does not matter.
+  std::string cut = with_line("size", "");
+  cut.pop_back();
+  EXPECT_EQ(message_of(cut), "line 16: the camera has no 'size' line");
+  // Without vertices, and with a second line of what there is once.
+  EXPECT_EQ(message_of("halfspace-scene 1\nunit 2 0\ngrid 26\np 0\nend\n"),
+            "line 4: there is no vertex '0' above, only 0 vertices");
+  for (const std::string keyword : {"eye", "s0", "sx", "sy", "near", "size",
+                                    "cull", "shade", "background"}) {
+    const std::size_t at = kExample.find("\n" + keyword) + 1;
+    const std::string line =
+        kExample.substr(at, kExample.find('\n', at) + 1 - at);
+    const auto number =
+        2 + std::count(kExample.begin(),
+                       kExample.begin() + static_cast<std::ptrdiff_t>(at),
+                       '\n');
+    EXPECT_EQ(message_of(with_line(keyword, line + line)),
+              "line " + std::to_string(number) + ": there is a second '" +
+                  keyword + "' line");
+  }
+}
+
+TEST(SceneFile, HoldsNumbersAtTheirLimits) {
+  const Result<SceneFile> file = read_scene(
+      "halfspace-scene 1\nunit 10 4096\ngrid 26\n"
+      "v -33554432 33554431 -33554432\nv 33554431 -33554432 33554431\n"
+      "v +0 -0 00\n"
+      "p 0 1 2 color 255 0 255 colors 0 255 0 255 0 255 1 1 1\n"
+      "eye 549755813888 -549755813888 1 1\n"
+      "s0 0 0 0\nsx 1 0 0\nsy 0 1 0\nnear 4294967296\nsize 1 65536\n"
+      "shade flat\nend\n");
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_EQ(file->scene.unit(), (Unit{10, 4096}));
+  EXPECT_EQ(file->scene.point(0), (GridPoint{-33554432, 33554431, -33554432}));
+  EXPECT_EQ(file->scene.color(0), (Rgb{255, 0, 255}));
+  EXPECT_EQ(file->scene.corner_colors(0)[0], (Rgb{0, 255, 0}));
+  EXPECT_EQ(file->camera->data().near, std::int64_t{1} << 32);
+  EXPECT_EQ(file->camera->data().width_px, 1);
+  EXPECT_EQ(file->camera->data().height_px, 65536);
+  EXPECT_EQ(file->options,
+            (ImageOptions{false, Shading::kFlat, {255, 255, 255}}));
+  EXPECT_FALSE(
+      read_scene("halfspace-scene 1\nunit 2 0\ngrid 26\nend\n")->camera);
+  EXPECT_FALSE(
+      read_scene("halfspace-scene 1\nunit 2 0\ngrid 26\nnear 1\nend\n"));
+}
+
 }  // namespace
 }  // namespace halfspace
