@@ -47,14 +47,16 @@ class LoopWalk {
       while (true) {
         Piece whole = pieces_[at];
         used_[at] = 1;
-        while (is_straight(whole.to)) {
-          at = next(at);
+        at = next(at);
+        // There is one that goes on, and not back to where this one began (a
+        // run may be a loop), unless an operand is no solid (S6.2).
+        while (at != pieces_.size() && is_straight(whole.to)) {
           used_[at] = 1;
           whole.to = pieces_[at].to;
           whole.other = std::max(whole.other, pieces_[at].other);
+          at = next(at);
         }
-        out.push_back(whole);
-        at = next(at);
+        if (whole.from != whole.to || whole.run_count > 0) out.push_back(whole);
         if (at == pieces_.size()) break;
       }
     }

@@ -51,7 +51,9 @@ class Resolver {
   void emit_trace(const Trace& trace);
   void emit_segments(Segment line);
   void emit(const Segment& segment);
-  void add_points_of(std::int32_t f, const Trace& trace);
+  void add_points(const Segment& line);
+  void add_points_of(std::int32_t f, const Segment& line);
+  bool is_in_extent(std::int32_t f, std::int32_t v) const;
   Solid result(Repaired& repaired);
 
   const Solid& solid_;
@@ -109,45 +111,65 @@ void Resolver::emit_edge(std::size_t e) {
     any = any || is_cut(operand_.uses[edge.first_use + u].face);
   if (!any) return;
   points_.clear();
-  const auto first = std::lower_bound(
-      operand_.cuts.begin(), operand_.cuts.end(), id,
-      [](const Cut& cut, std::int32_t key) { return cut.edge < key; });
-  for (auto cut = first; cut != operand_.cuts.end() && cut->edge == id; ++cut)
-    points_.push_back(cut->vertex);
   const std::int32_t other = second_plane(edge, operand_, space_);
-  emit_segments({edge.low, edge.high, edge.axis, {edge.plane, other}});
+  const Segment line{edge.low, edge.high, edge.axis, {edge.plane, other}};
+  add_points(line);
+  emit_segments(line);
 }
 
-/// A segment in two faces' interiors. Where the plane of a third one crosses
-/// it, or an edge ends on it, it is parted.
+/// A segment in two faces' interiors.
 void Resolver::emit_trace(const Trace& trace) {
   points_.clear();
-  Box box = kEmptyBox;
-  extend(box, space_.vertex(trace.low).approximate);
-  extend(box, space_.vertex(trace.high).approximate);
-  std::vector<std::int32_t> near;
-  wings_.index().find(box, [&](std::int32_t f) { near.push_back(f); });
-  for (const std::int32_t f : near) {
-    if (f != trace.first && f != trace.second) add_points_of(f, trace);
-  }
-  emit_segments({trace.low,
-                 trace.high,
-                 trace.axis,
-                 {face(trace.first).plane, face(trace.second).plane}});
+  const Segment line{trace.low,
+                     trace.high,
+                     trace.axis,
+                     {face(trace.first).plane, face(trace.second).plane}};
+  add_points(line);
+  emit_segments(line);
 }
 
-void Resolver::add_points_of(std::int32_t f, const Trace& trace) {
-  const std::int32_t first = face(trace.first).plane;
-  const std::int32_t second = face(trace.second).plane;
-  const int low = space_.side(face(f).plane, trace.low);
-  const int high = space_.side(face(f).plane, trace.high);
-  if (low * high < 0)
-    points_.push_back(space_.meet(first, second, face(f).plane));
+/// Where another face may cross the line, or has a point on it. Edges and
+/// traces that have a part in common are parted there at the same points, for
+/// they are a matter of the point and one face.
+void Resolver::add_points(const Segment& line) {
+  Box box = kEmptyBox;
+  extend(box, space_.vertex(line.low).approximate);
+  extend(box, space_.vertex(line.high).approximate);
+  std::vector<std::int32_t> near;
+  wings_.index().find(box, [&](std::int32_t f) { near.push_back(f); });
+  for (const std::int32_t f : near) add_points_of(f, line);
+}
+
+/// Whether the point is between the face's vertices along every axis.
+bool Resolver::is_in_extent(std::int32_t f, std::int32_t v) const {
+  for (const int axis : {0, 1, 2}) {
+    bool below = false, above = false;
+    for (std::uint32_t i = 0; i < face(f).edge_count; ++i) {
+      const std::int32_t u = solid_.edges[face(f).first_edge + i].from;
+      const int sign = space_.compare(axis, u, v);
+      below = below || sign <= 0;
+      above = above || sign >= 0;
+      if (below && above) break;
+    }
+    if (!below || !above) return false;
+  }
+  return true;
+}
+
+void Resolver::add_points_of(std::int32_t f, const Segment& line) {
+  const auto [first, second] = line.planes;
+  const int low = space_.side(face(f).plane, line.low);
+  const int high = space_.side(face(f).plane, line.high);
+  if (low * high < 0) {
+    const std::int32_t v = space_.meet(first, second, face(f).plane);
+    if (is_in_extent(f, v)) points_.push_back(v);
+  }
   if (low != 0 || high != 0) return;
   const auto add = [&](std::int32_t v) {
-    if (space_.side(first, v) == 0 && space_.side(second, v) == 0 &&
-        space_.compare(trace.axis, v, trace.low) > 0 &&
-        space_.compare(trace.axis, v, trace.high) < 0)
+    if (space_.side(line.planes[0], v) == 0 &&
+        space_.side(line.planes[1], v) == 0 &&
+        space_.compare(line.axis, v, line.low) > 0 &&
+        space_.compare(line.axis, v, line.high) < 0)
       points_.push_back(v);
   };
   for (std::uint32_t i = 0; i < face(f).edge_count; ++i) {

@@ -88,6 +88,8 @@ int SelfWings::level_before_first(const Segment& segment) const {
     return 0;
   };
   int level = locator_.winding(segment.low, segment.high);
+  // Faces that are no region of their plane may have no wing at their edge.
+  if (wings_.empty()) return level;
   const Wing& first = wings_.front();
   const bool within_half = sine(first) > 0;
   for (const Wing& w : wings_) {

@@ -18,7 +18,8 @@ namespace halfspace::fast {
 ///        the point set asks for: no vertex at which nothing turns, no edge
 ///        within a face, and every vertex on an edge is an end of it.
 /// Keeps: planes and colours, and where faces came from.
-/// Exact: yes.
+/// Exact: yes. Of closed surfaces that check_operand() refuses the result may be
+///        anything, and open, but there is one.
 /// Cost:  n log n, and what the surfaces have in common. With more threads what
 ///        is near what is found by all of them; the result is the same.
 Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,

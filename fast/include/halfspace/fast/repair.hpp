@@ -21,7 +21,8 @@ struct Repaired {
 /// once (S6.2), which does not cross itself. A solid that needs no repair comes
 /// out as it is.
 ///
-/// Requires: bounded, and closed: bad_edges(solid) is empty.
+/// Requires: bounded, and closed: bad_edges(solid) is empty. No face's own edges
+///           cross each other: none of to_solid() has such.
 /// Shape:    as of boolean(): closed, and faces are parts of the solid's.
 /// Exact:    yes.
 Repaired repair(const Solid& solid);
