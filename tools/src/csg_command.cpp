@@ -125,6 +125,8 @@ class Job {
                 const Operands& operands, const CsgResult& result,
                 double boolean_ms) const;
   Status shadow_status(const CsgResult& result) const;
+  Result<Operands> load(const CsgScript& script, const CsgPlan& plan,
+                        bool find_crossings) const;
 
   const CsgArguments& arguments_;
   Request request_;
@@ -153,17 +155,21 @@ Result<std::optional<CsgResult>> Job::evaluate(const CsgPlan& plan,
                 : evaluate_fast(plan, operands, options);
 }
 
+Result<Operands> Job::load(const CsgScript& script, const CsgPlan& plan,
+                           bool find_crossings) const {
+  return Operands::load(script, plan,
+                        {.folder = request_.folder,
+                         .grid_bits = arguments_.grid_bits,
+                         .find_crossings = find_crossings,
+                         .repair = arguments_.repair});
+}
+
 Status Job::run() {
   const Result<CsgScript> script = parse_csg(request_.text, request_.bindings);
   if (!script) return fail_in_source(script.error());
   const Result<CsgPlan> plan = plan_csg(*script);
   if (!plan) return fail_in_source(plan.error());
-  Result<Operands> operands =
-      Operands::load(*script, *plan,
-                     {.folder = request_.folder,
-                      .grid_bits = arguments_.grid_bits,
-                      .find_crossings = !arguments_.trust,
-                      .repair = arguments_.repair});
+  Result<Operands> operands = load(*script, *plan, !arguments_.trust);
   if (!operands) return fail(operands.error().message);
   const Stopwatch watch;
   const Result<std::optional<CsgResult>> result = evaluate(*plan, *operands);
@@ -181,10 +187,12 @@ Status Job::finish(const CsgScript& script, const CsgPlan& plan,
         std::to_string(result.bad_edges) + " bad edges; nothing was written";
     if (!operands.are_trusted())
       return fail("this is a bug: the result has " + edges);
+    // Now it is worth looking. What only moving has bent is not found so.
+    const Result<Operands> checked = load(script, plan, true);
     return fail(
-        "a surface crosses itself, and --trust did not look which: the "
+        "--trust did not look for surfaces that cross themselves: the "
         "result has " +
-        edges);
+        edges + (checked ? "" : "; " + checked.error().message));
   }
   if (!result.turned.empty() && arguments_.strict) {
     return fail(turned_sentence(context) + "; nothing was written");
