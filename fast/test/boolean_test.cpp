@@ -301,8 +301,11 @@ TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
     Cubes plates;
     for (std::size_t i = 0; i < plates.full.size(); ++i) {
       state = state * 6364136223846793005u + 1442695040888963407u;
-      const bool odd = i / 64 % 2 == 1 && i / 8 % 2 == 1;
-      plates.full[i] = i % 8 % 3 == 1 && (state >> 33) % 8 >= (odd ? 6 : 1);
+      // Across one axis after the other.
+      std::array<std::size_t, 3> at{i / 64, i / 8 % 8, i % 8};
+      std::rotate(at.begin(), at.begin() + pair % 3, at.end());
+      const bool odd = at[0] % 2 == 1 && at[1] % 2 == 1;
+      plates.full[i] = at[2] % 3 == 1 && (state >> 33) % 8 >= (odd ? 6 : 1);
     }
     const Solid a = merged(to_solid(lattice::surface(plates)), Merge::kPlane);
     const Solid b =

@@ -110,14 +110,15 @@ TEST(FastChain, UnionsAreTheSameInAnyOrderAndLeast) {
 }
 
 /// Cubes under a linear map: of two such maps, no two solids have a plane in
-/// common but by chance, and corners of what is cut are fractions.
+/// common but by chance, and corners of what is cut are fractions. Coordinates
+/// have either sign.
 halfspace::Solid skewed(int which, const Cubes& cubes,
                         const GridPoint& by = {}) {
   SceneData data = lattice::surface(cubes).scene().data();
   for (GridPoint& p : data.vertices) {
-    p = {5 * p.x + which % 4 * p.y + by.x,
-         4 * p.y + which % 3 * p.z + which + by.y,
-         6 * p.z - which % 2 * p.x + by.z};
+    p = {5 * p.x + which % 4 * p.y + by.x - 60,
+         4 * p.y + which % 3 * p.z + which + by.y - 50,
+         6 * p.z - which % 2 * p.x + by.z - 20};
   }
   return *make_solid(*make_scene(std::move(data)));
 }

@@ -268,6 +268,8 @@ void expect_right(const BlockList& list, const Solid& solid, const Face& face) {
     ASSERT_EQ(block.first, next);
     next += block.count;
     ASSERT_GT(next, block.first);
+    // A block that matters takes a look at each of its edges.
+    EXPECT_LE(block.count, 16u);
     ASSERT_LE(next, face.edge_count);
     Face part = face;
     part.first_edge += block.first;
@@ -306,7 +308,21 @@ TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
     others[13].full[i] = x == 7 && z < 3;
     others[14].full[i] = x == 3 && y == 3 && (z == 0 || z == 4);
   }
-  const Solid whole = merged(to_solid(lattice::surface(plate)), Merge::kPlane);
+  Solid whole = merged(to_solid(lattice::surface(plate)), Merge::kPlane);
+  std::stable_sort(
+      whole.faces.begin(), whole.faces.end(),
+      [](const Face& f, const Face& g) { return f.edge_count > g.edge_count; });
+  // The first faces, some of them, and the others.
+  const EdgeBlocks blocks(whole);
+  const EdgeBlocks some(blocks, {1, 2, 0});
+  for (std::size_t f = 0; f < whole.faces.size(); ++f) {
+    EXPECT_EQ(blocks.of(static_cast<std::int32_t>(f)) != nullptr,
+              EdgeBlocks::has_many(whole.faces[f]));
+  }
+  EXPECT_TRUE(EdgeBlocks::has_many(whole.faces[1]));
+  EXPECT_EQ(some.of(0), blocks.of(1));
+  EXPECT_EQ(some.of(1), blocks.of(2));
+  EXPECT_EQ(some.of(2), blocks.of(0));
   std::size_t known = 0;
   for (std::size_t k = 0; k < 2 * others.size(); ++k) {
     Solid tool = to_solid(lattice::surface(others[k / 2]), whole, 1);
