@@ -78,6 +78,18 @@ TEST(MakeScene, AcceptsStraightCornersEvenAtTheStart) {
       one_polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}})));
 }
 
+TEST(MakeScene, AcceptsManyStraightCornersOnAnEdge) {
+  for (const std::int64_t side : {-3, 3}) {
+    EXPECT_TRUE(make_scene(one_polygon({{0, 0, 0},
+                                        {1, 1, 0},
+                                        {2, 2, 0},
+                                        {7, 7, 0},
+                                        {9, 9, 0},
+                                        {0, side, 3},
+                                        {0, side / 3, 1}})));
+  }
+}
+
 TEST(MakeScene, NamesWhatIsWrongWithAPolygon) {
   EXPECT_EQ(code_of(make_scene(one_polygon({{0, 0, 0}, {1, 0, 0}}))),
             ErrorCode::kTooFewVertices);

@@ -229,6 +229,9 @@ TEST(Shape, IsToldByItsMessage) {
   EXPECT_EQ(
       message({{0, 10, 0}, {-6, -8, 0}, {10, 3, 0}, {-10, 3, 0}, {6, -8, 0}}),
       "polygon 0 winds round more than once");
+  // Back beyond where its edge began.
+  EXPECT_EQ(message({{0, 0, 0}, {4, 0, 0}, {-2, 0, 0}, {-2, 4, 0}}),
+            "polygon 0 is not convex at corner 1");
   // The first corner that is not straight tells which way the others turn.
   EXPECT_EQ(message({{4, 0, 0}, {1, 1, 0}, {0, 4, 0}, {0, 0, 0}}),
             "polygon 0 is not convex at corner 2");
