@@ -4,6 +4,7 @@
 
 #include "halfspace/boolean.hpp"
 #include "halfspace/io/read_mesh.hpp"
+#include "shade.hpp"
 
 namespace halfspace::io {
 namespace {
@@ -280,6 +281,61 @@ TEST(ImportScene, MakesTrianglesForGouraud) {
                 result.scene.data().corner_colors[j]);
     }
   }
+}
+
+TEST(ImportScene, LetsCornersGoThatRepeatTheOneBeforeRoundTheEndToo) {
+  const std::string vertices =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 0 0.0 0\n";
+  const Imported result = imported(*read_mesh(
+      vertices + "f 1 4 2 2 3 3 5 1\nf 4 5 2 3 4 1\n", Format::kObj));
+  EXPECT_EQ(result.scene.data().corners,
+            (std::vector<VertexId>{0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(result.report.dropped, 0u);
+  const Imported nothing = imported(*read_mesh(
+      vertices + "f 1 2 3\nf 1 2 4\nf 1 4 5\nf 2 2 3\n", Format::kObj));
+  EXPECT_EQ(nothing.report.dropped, 3u);
+  EXPECT_EQ(nothing.scene.polygon_count(), 1u);
+}
+
+/// A tent of two triangles and a flat one, and what they are coloured by.
+Imported tent(const std::string& colors_of_faces) {
+  // The last vertex is the first again: one point, one sum of normals.
+  ImportOptions options;
+  options.gouraud = true;
+  return imported(
+      *read_mesh("OFF\n6 3 0\n0 0 0\n3 0 0\n0 4 0\n0 0 5\n2 2 0\n0 0 0\n" +
+                     colors_of_faces,
+                 Format::kOff),
+      options);
+}
+
+TEST(ImportScene, ShadesCornersByTheSumOfTheNormalsOfTheirFaces) {
+  const Imported result = tent("3 0 1 2\n3 5 3 1\n3 0 2 3\n");
+  const Direction flat = {0, 0, 12}, front = {0, 15, 0}, side = {20, 0, 0};
+  const auto sum = [](const Direction& u, const Direction& v) {
+    return Direction{u[0] + v[0], u[1] + v[1], u[2] + v[2]};
+  };
+  const std::vector<Rgb> shades = {
+      shaded(sum(sum(flat, front), side)), shaded(sum(flat, front)),
+      shaded(sum(flat, side)), shaded(sum(front, side))};
+  ASSERT_EQ(result.scene.polygon_count(), 3u);
+  const auto& corners = result.scene.data().corners;
+  EXPECT_EQ(corners, (std::vector<VertexId>{0, 1, 2, 0, 3, 1, 0, 2, 3}));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    EXPECT_EQ(result.scene.data().corner_colors[i],
+              shades[static_cast<std::size_t>(corners[i])]);
+  }
+}
+
+TEST(ImportScene, GivesCornersTheColourOfTheirFaceWhereItHasOne) {
+  const Imported result = tent("3 0 1 2 9 8 7\n3 5 3 1\n3 0 2 3 1 2 3\n");
+  const Direction side = {20, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(result.scene.corner_colors(0)[i], (Rgb{9, 8, 7}));
+    EXPECT_NE(result.scene.corner_colors(1)[i], (Rgb{9, 8, 7}));
+    EXPECT_EQ(result.scene.corner_colors(2)[i], (Rgb{1, 2, 3}));
+  }
+  EXPECT_NE(result.scene.corner_colors(1)[0], shaded(side));
 }
 
 }  // namespace
