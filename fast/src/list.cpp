@@ -1,9 +1,21 @@
 #include "halfspace/fast/list.hpp"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <mutex>
 #include <new>
 
 #if defined(__linux__)
 #include <sys/mman.h>
+#endif
+
+#if defined(__SANITIZE_ADDRESS__)
+#define HALFSPACE_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer)
+#define HALFSPACE_SANITIZED 1
+#endif
 #endif
 
 namespace halfspace::fast {
@@ -12,12 +24,10 @@ namespace {
 /// The usual size of large pages.
 constexpr std::size_t kPage = std::size_t{1} << 21;
 constexpr std::align_val_t kAligned{kPage};
-/// Shorter lists come from memory that has been in use before, mostly.
-constexpr std::size_t kLong = 4 * kPage;
+/// From here on memory is in large pages.
+constexpr std::size_t kLong = 2 * kPage;
 
-}  // namespace
-
-void* allocate_list(std::size_t bytes) {
+void* allocate(std::size_t bytes) {
   if (bytes < kLong) return ::operator new(bytes);
   void* const memory = ::operator new(bytes, kAligned);
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
@@ -27,11 +37,102 @@ void* allocate_list(std::size_t bytes) {
   return memory;
 }
 
-void free_list(void* memory, std::size_t bytes) noexcept {
+void release(void* memory, std::size_t bytes) noexcept {
   if (bytes < kLong) {
     ::operator delete(memory);
   } else {
     ::operator delete(memory, kAligned);
+  }
+}
+
+/// Memory that lists have given back, for the next ones: the system makes each
+/// page anew, which takes longer than to fill it.
+class Spare {
+ public:
+  /// Memory of just that size, or nothing.
+  void* take(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    // What was given back last is most likely at hand.
+    for (std::size_t i = count_; i-- > 0;) {
+      if (blocks_[i].bytes == bytes) return removed(i).memory;
+    }
+    return nullptr;
+  }
+  /// What has been here longest makes room.
+  void give(void* memory, std::size_t bytes) noexcept {
+    const std::lock_guard lock(mutex_);
+    while (count_ > 0 && (count_ == kMostBlocks || bytes_ + bytes > kMost)) {
+      const Block oldest = removed(0);
+      release(oldest.memory, oldest.bytes);
+    }
+    blocks_[count_++] = {memory, bytes};
+    bytes_ += bytes;
+  }
+
+  /// No more is kept in all.
+  static constexpr std::size_t kMost = std::size_t{1} << 27;
+
+ private:
+  struct Block {
+    void* memory = nullptr;
+    std::size_t bytes = 0;
+  };
+  static constexpr std::size_t kMostBlocks = 64;
+
+  Block removed(std::size_t i) {
+    const Block block = blocks_[i];
+    std::copy(blocks_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+              blocks_.begin() + static_cast<std::ptrdiff_t>(count_),
+              blocks_.begin() + static_cast<std::ptrdiff_t>(i));
+    --count_;
+    bytes_ -= block.bytes;
+    return block;
+  }
+
+  std::mutex mutex_;
+  std::array<Block, kMostBlocks> blocks_;
+  std::size_t count_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+/// Never destroyed: lists may outlive whatever is static.
+Spare& spare() {
+  static Spare* const instance = new Spare;
+  return *instance;
+}
+
+/// What is shorter is left to the allocator, which keeps it, too. Sanitizers
+/// are to see what is used after it was given back.
+bool is_kept(std::size_t bytes) {
+#ifdef HALFSPACE_SANITIZED
+  static_cast<void>(bytes);
+  return false;
+#else
+  constexpr std::size_t kShort = std::size_t{1} << 16;
+  return bytes >= kShort && bytes <= Spare::kMost / 2;
+#endif
+}
+
+/// Few sizes, so that what is given back fits: eight for each power of two.
+std::size_t block_size(std::size_t bytes) {
+  const std::size_t step = std::bit_floor(bytes) / 8;
+  return (bytes + step - 1) / step * step;
+}
+
+}  // namespace
+
+void* allocate_list(std::size_t bytes) {
+  if (!is_kept(bytes)) return allocate(bytes);
+  const std::size_t size = block_size(bytes);
+  void* const memory = spare().take(size);
+  return memory != nullptr ? memory : allocate(size);
+}
+
+void free_list(void* memory, std::size_t bytes) noexcept {
+  if (is_kept(bytes)) {
+    spare().give(memory, block_size(bytes));
+  } else {
+    release(memory, bytes);
   }
 }
 

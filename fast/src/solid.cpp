@@ -62,8 +62,7 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
   result.edges.reserve(scene.data().corners.size());
   std::vector<std::int32_t> ids;
   ids.reserve(scene.data().vertices.size());
-  for (const GridPoint& point : scene.data().vertices)
-    ids.push_back(result.space->add_point(point));
+  result.space->add_points(scene.data().vertices, ids);
   std::vector<std::array<GridPoint, 3>> corners;
   std::vector<OrientedPlane> planes;
   for (std::size_t first = 0; first < scene.polygon_count();

@@ -87,6 +87,9 @@ class Space {
   /// Makes room for more points of the grid and planes.
   void reserve(std::size_t points, std::size_t planes);
   std::int32_t add_point(const GridPoint& point);
+  /// Likewise for many at once, which takes less time; adds them to `ids`.
+  void add_points(std::span<const GridPoint> points,
+                  std::vector<std::int32_t>& ids);
   /// The plane of a polygon with these defining corners (S1.4).
   OrientedPlane add_plane(const std::array<GridPoint, 3>& corners);
   /// Likewise for many at once, which takes less time; adds them to `planes`.
@@ -135,6 +138,7 @@ class Space {
     std::int32_t vertex;
   };
 
+  std::int32_t enter_point(const GridPoint& point, std::uint64_t hash);
   template <int kBits>
   OrientedPlane enter(const PlaneEntry<kBits>& reduced);
   template <int kBits>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cell.hpp"
@@ -19,7 +20,26 @@ std::uint64_t hash_of_grid(const GridPoint& point, int grid_bits) {
 }  // namespace
 
 std::int32_t Space::add_point(const GridPoint& point) {
-  const std::uint64_t hash = hash_of_grid(point, grid_bits_);
+  return enter_point(point, hash_of_grid(point, grid_bits_));
+}
+
+/// In blocks: where points are looked up is fetched from memory meanwhile.
+void Space::add_points(std::span<const GridPoint> points,
+                       std::vector<std::int32_t>& ids) {
+  std::array<std::uint64_t, 32> hashes;
+  for (std::size_t i = 0; i < points.size(); i += hashes.size()) {
+    const auto block =
+        points.subspan(i, std::min(hashes.size(), points.size() - i));
+    for (std::size_t k = 0; k < block.size(); ++k) {
+      hashes[k] = hash_of_grid(block[k], grid_bits_);
+      vertex_index_.prefetch(hashes[k]);
+    }
+    for (std::size_t k = 0; k < block.size(); ++k)
+      ids.push_back(enter_point(block[k], hashes[k]));
+  }
+}
+
+std::int32_t Space::enter_point(const GridPoint& point, std::uint64_t hash) {
   const std::int32_t known = vertex_index_.find(hash, [&](std::int32_t v) {
     const SpaceVertex& other = vertex(v);
     if (other.is_grid()) return other.point() == point;

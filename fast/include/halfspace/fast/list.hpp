@@ -8,7 +8,8 @@ namespace halfspace::fast {
 /// Memory for a list: that of long ones in pages as large as the system has,
 /// where it can be asked for them. Pages are made one by one when first
 /// touched, and looked up where they are not at hand, which takes much of the
-/// time of what works on millions of faces.
+/// time of what works on millions of faces. So what lists give back is kept for
+/// the next ones, of any thread: up to 128 MiB in all.
 void* allocate_list(std::size_t bytes);
 void free_list(void* memory, std::size_t bytes) noexcept;
 
