@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <numeric>
 
+#include "chain_boxes.hpp"
 #include "halfspace/int128.hpp"
 
 namespace halfspace::io {
@@ -77,19 +78,6 @@ bool turns_once(std::span<const GridPoint> corners, const Vector& normal) {
   return changes == 2;
 }
 
-/// A point of the projection.
-struct Flat {
-  std::int64_t u = 0;
-  std::int64_t v = 0;
-  friend bool operator==(const Flat&, const Flat&) = default;
-};
-
-/// Positive where a, b, c turn left.
-Int128 turn(const Flat& a, const Flat& b, const Flat& c) {
-  return (Int128{b.u} - a.u) * (Int128{c.v} - a.v) -
-         (Int128{b.v} - a.v) * (Int128{c.u} - a.u);
-}
-
 /// Along the greatest component of the normal, so that the polygon's area
 /// comes out positive.
 std::vector<Flat> projected(std::span<const GridPoint> corners) {
@@ -130,6 +118,7 @@ class EarClipper {
         next_(corners.size()),
         previous_(corners.size()),
         is_ear_(corners.size()),
+        boxes_(corners.size()),
         left_(corners.size()),
         // A simple polygon needs two and a half times the square of its
         // corners: all against all edges, then three each time one is clipped.
@@ -138,6 +127,8 @@ class EarClipper {
     next_.back() = 0;
     std::iota(previous_.begin() + 1, previous_.end(), std::size_t{0});
     previous_.front() = corners.size() - 1;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      boxes_.set(i, flat_[i], flat_[next_[i]]);
   }
 
   std::vector<std::array<std::size_t, 3>> clip();
@@ -167,6 +158,7 @@ class EarClipper {
   std::vector<std::size_t> next_;
   std::vector<std::size_t> previous_;
   std::vector<char> is_ear_;
+  ChainBoxes boxes_;  ///< of the edges that leave the corners
   std::size_t left_;
   std::size_t budget_;
   std::size_t current_ = 0;
@@ -206,22 +198,23 @@ bool EarClipper::is_ear(std::size_t corner, Demand demand) {
   const Flat a = flat_[before];
   const Flat c = flat_[after];
   const std::array<Flat, 3> triangle = {a, flat_[corner], c};
-  for (std::size_t i = after; i != before; i = next_[i]) {
-    if (enters(i, triangle)) return false;
-    if (demand != Demand::kEar) continue;
+  const auto spoils = [&](std::size_t i) {
+    if (i == before || i == corner) return false;
+    if (enters(i, triangle)) return true;
+    if (demand != Demand::kEar) return false;
     const Flat& z = flat_[i];
-    const bool on_new_edge =
-        std::min(a.u, c.u) <= z.u && z.u <= std::max(a.u, c.u) &&
-        std::min(a.v, c.v) <= z.v && z.v <= std::max(a.v, c.v) && z != a &&
-        z != c && turn(a, c, z) == 0;
-    if (on_new_edge) return false;
-  }
-  return true;
+    return std::min(a.u, c.u) <= z.u && z.u <= std::max(a.u, c.u) &&
+           std::min(a.v, c.v) <= z.v && z.v <= std::max(a.v, c.v) && z != a &&
+           z != c && turn(a, c, z) == 0;
+  };
+  return !boxes_.any(triangle, spoils);
 }
 
 void EarClipper::remove(std::size_t corner) {
   next_[previous_[corner]] = next_[corner];
   previous_[next_[corner]] = previous_[corner];
+  boxes_.remove(corner);
+  boxes_.set(previous_[corner], flat_[previous_[corner]], flat_[next_[corner]]);
   if (current_ == corner) current_ = next_[corner];
   --left_;
 }
