@@ -110,7 +110,7 @@ TESTS_OF = {
     "io/src/number": {"io_test": "ParseNumber*:NumberOf*:ToDouble*:Import*"},
     "io/src/view": {"io_test": "LookAt*:AutomaticView*"},
     "io/src/automatic_view": {"io_test": "LookAt*:AutomaticView*"},
-    "io/src/grid": {"io_test": "ImportScene*"},
+    "io/src/grid": {"io_test": "ImportScene* ToGrid*:ChooseGrid*"},
     "io/src/import": {"io_test": "ImportScene*"},
     "io/src/join": {"io_test": "ImportScene*"},
     "io/src/shade": {"io_test": "ImportScene*"},
