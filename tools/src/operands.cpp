@@ -197,8 +197,9 @@ Result<Scene> Operands::moved_scene(const CsgLeaf& leaf) {
 Result<Solid> Operands::leaf(std::int32_t id) {
   const CsgLeaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
   const auto located = [&](Error error) {
-    error.message = "as moved at " + to_string(leaf.place) +
-                    " of the script: " + error.message;
+    // The first matrix moves nothing.
+    error.message = (leaf.matrix == 0 ? "as it stands at " : "as moved at ") +
+                    to_string(leaf.place) + ": " + error.message;
     return about(path_of(id), std::move(error));
   };
   const std::size_t moved_before = report_.moved;

@@ -242,6 +242,12 @@ box 1.5 1 0 3 3 5 >cutter.off
 expect 2 'wall.off.*polygons 6 and 7 overlap' csg X X=wall.off -o out.off
 expect 2 'trust did not look.*bad edges; .*wall.off.*polygons 6 and 7 overlap' \
   csg 'X - C' X=wall.off C=cutter.off --trust -o out.off
+# What is too small beside the others is named, and where it was moved, if so.
+box -1e300 -1e300 -1e300 1e300 1e300 1e300 >huge.off
+expect 2 'a.off: as it stands at line 1, column 1: nothing is left of it' \
+  csg 'A | H' A=a.off H=huge.off -o out.off
+expect 2 'a.off: as moved at line 1, column 11: nothing is left of it' \
+  csg 'translate(A, 1, 2, 3) | H' A=a.off H=huge.off -o out.off
 # What comes of edges that cross in a face is not fixed, but one or the other.
 "$program" csg 'X & half(z < 2.5)' X=crossed.off --trust -o out.off >stdout \
   2>stderr
