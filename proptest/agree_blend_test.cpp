@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "agree_scenes.hpp"
 #include "halfspace/fast/display_tree.hpp"
@@ -18,9 +19,12 @@ void expect_same(const Scene& scene, const fast::BspTree& tree,
                  std::uint8_t alpha, const ref::Rendering& painted,
                  const ref::Rendering& blended) {
   fast::RenderOptions how;
-  for (const int threads : {1, 2, 3}) {
+  constexpr std::pair<int, fast::Loops> kAll[] = {{1, fast::Loops::kBest},
+                                                  {2, fast::Loops::kPortable},
+                                                  {3, fast::Loops::kAvx2}};
+  for (const auto& [threads, loops] : kAll) {
     how.threads = threads;
-    how.portable = threads == 2;
+    how.loops = loops;
     const auto paint = fast::paint(scene, tree, camera, options, how);
     ASSERT_EQ(paint.items, painted.items);
     ASSERT_EQ(paint.colors, painted.colors);

@@ -62,13 +62,15 @@ void expect_same(const Scene& scene, const Camera& camera,
   ASSERT_EQ(whole.pixels_painted, expected.pixels_painted);
 
   fast::RenderOptions how;
-  how.portable = true;
-  const fast::Rendering portable =
-      fast::render(scene, tree, camera, options, how);
-  ASSERT_EQ(portable.items, expected.items);
-  ASSERT_EQ(portable.colors, expected.colors);
+  for (const auto loops : {fast::Loops::kAvx2, fast::Loops::kPortable}) {
+    how.loops = loops;
+    const fast::Rendering other =
+        fast::render(scene, tree, camera, options, how);
+    ASSERT_EQ(other.items, expected.items);
+    ASSERT_EQ(other.colors, expected.colors);
+  }
 
-  how.portable = draws.one_in(2);
+  how.loops = draws.one_in(2) ? fast::Loops::kPortable : fast::Loops::kBest;
   how.threads = 3;
   how.rectangle = random_rectangle(camera.data(), draws);
   fast::Rendering part = fast::render(scene, tree, camera, options, how);
@@ -86,9 +88,13 @@ void expect_same(const Scene& scene, const Camera& camera,
   how.colors = true;
   how.items = false;
   how.threads = 1;
-  fast::render(scene, tree, camera, options, how, part);
-  ASSERT_EQ(part.colors, expected.colors);
-  ASSERT_TRUE(part.items.pixels.empty());
+  for (const auto loops :
+       {fast::Loops::kPortable, fast::Loops::kAvx2, fast::Loops::kBest}) {
+    how.loops = loops;
+    fast::render(scene, tree, camera, options, how, part);
+    ASSERT_EQ(part.colors, expected.colors);
+    ASSERT_TRUE(part.items.pixels.empty());
+  }
 }
 
 /// Runs the comparison on scenes of every kind and grid.

@@ -145,17 +145,21 @@ void hash_large(bool with_inner, std::ostream& out) {
     if (with_inner) {
       out << "display tree, " << threads << " threads " << saved.text() << '\n';
     }
-    for (const bool portable : {false, true}) {
+    constexpr std::pair<fast::Loops, const char*> kAll[] = {
+        {fast::Loops::kBest, " "},
+        {fast::Loops::kAvx2, ", AVX2 "},
+        {fast::Loops::kPortable, ", portable "}};
+    for (const auto& [loops, name] : kAll) {
       fast::RenderOptions options;
       options.threads = threads;
-      options.portable = portable;
+      options.loops = loops;
       const auto rendering =
           fast::render(v.scene, tree, v.camera, v.options, options);
       Hash hash;
       hash.add(rendering.items);
       hash.add(rendering.colors);
-      out << "large image, " << threads << " threads"
-          << (portable ? ", portable " : " ") << hash.text() << '\n';
+      out << "large image, " << threads << " threads" << name << hash.text()
+          << '\n';
     }
   }
 }

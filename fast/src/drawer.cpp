@@ -203,7 +203,7 @@ int Drawer<kBits>::turn(std::size_t count) const {
 
 /// The fragment that is meant from now on, and its colour.
 template <int kBits>
-const Ink& Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
+Ink Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
   fragment_ = &fragment;
   eye_sign_ = eye_sign;
   scan_.start(fragment, eye_sign);
@@ -220,19 +220,17 @@ const Ink& Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
   if (smooth) shader_.start(fragment.source, eye_sign);
   const Rgb color = gouraud_ ? scene.corner_colors(fragment.source)[0]
                              : scene.color(fragment.source);
-  ink_ = {fragment.source,
-          {color.r, color.g, color.b},
-          static_cast<std::int8_t>(eye_sign),
-          smooth,
-          0};
-  return ink_;
+  return {fragment.source,
+          smooth ? Ink::kSmooth : packed_color(color.r, color.g, color.b),
+          eye_sign, 0};
 }
 
 template <int kBits>
 void Drawer<kBits>::draw_projected(const TreeFragment& fragment, Fate fate,
                                    int eye_sign) {
   ++fragments_;
-  const Ink& ink = start(fragment, eye_sign);
+  const Ink ink = start(fragment, eye_sign);
+  ink_ = ink;
   if (fate == Fate::kLines) {
     pixels_ += static_cast<std::size_t>(
         frame_.kernel.draw_lines(canvas_, canvas_.lines, ink, decider_));
@@ -281,11 +279,11 @@ void Drawer<kBits>::blend(void* self, std::int32_t x, std::int32_t y,
   const Canvas& canvas = drawer.canvas_;
   std::uint8_t over[3 * kTileWidth];
   for (std::size_t k = 0; k < sizeof(over); ++k) {
-    over[k] = drawer.ink_.rgb[k % 3];
+    over[k] = static_cast<std::uint8_t>(drawer.ink_.color >> (8 * (k % 3)));
   }
   for (std::int32_t r = 0; r < kTileHeight; ++r) {
     if (bits[r] == 0) continue;
-    if (drawer.ink_.smooth) {
+    if (drawer.ink_.smooth()) {
       drawer.stats_.exact += static_cast<std::uint64_t>(
           drawer.shader_.shade(x, y + r, bits[r], over, 0));
     }

@@ -77,8 +77,9 @@ class Drawer {
   /// Paints what is unlit in the background's colour. Returns how many pixels
   /// that were.
   std::int64_t fill_rest(const Rgb& background) {
-    const Ink ink = {
-        kBackground, {background.r, background.g, background.b}, 0, false};
+    const Ink ink = {kBackground,
+                     packed_color(background.r, background.g, background.b), 0,
+                     0};
     return frame_.kernel.fill_rest(canvas_, ink, decider_);
   }
 
@@ -131,7 +132,7 @@ class Drawer {
   Fate project(const TreeFragment& fragment);
   int turn(std::size_t count) const;
   void draw_projected(const TreeFragment& fragment, Fate fate, int eye_sign);
-  const Ink& start(const TreeFragment& fragment, int eye_sign);
+  Ink start(const TreeFragment& fragment, int eye_sign);
   static Ink begin(void* self, std::int32_t k, std::int32_t turn);
   static PixelRange exact_line(void* self, std::int32_t j, PixelRange range);
   static void nearer(void* self, std::int32_t other, std::int32_t x,
@@ -166,7 +167,7 @@ class Drawer {
   bool gouraud_;
   const TreeFragment* fragment_ = nullptr;
   int eye_sign_ = 0;
-  Ink ink_;
+  Ink ink_;  ///< of the last that was not drawn together with others
   double x_[kMostCorners];
   double y_[kMostCorners];
   double error_ = 0;

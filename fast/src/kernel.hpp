@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "halfspace/fast/build.hpp"
+#include "halfspace/fast/render.hpp"
 #include "image_line.hpp"
 
 namespace halfspace::fast {
@@ -14,13 +15,24 @@ constexpr std::int32_t kTileWidth = 32;
 constexpr std::int32_t kTileHeight = 8;
 
 /// What is written where a polygon lights a pixel.
+///
+/// Whole words: bytes that are written one by one are slow to read together.
 struct Ink {
   std::int32_t id = 0;
-  std::uint8_t rgb[3] = {0, 0, 0};
-  std::int8_t eye_sign = 0;  ///< the side of it that the eye is on
-  bool smooth = false;       ///< Decider::gradient() tells the colours
-  std::int32_t uses = 0;     ///< pieces that have it, or the next spare ink
+  std::uint32_t color = 0;    ///< packed_color(), or kSmooth
+  std::int32_t eye_sign = 0;  ///< the side of it that the eye is on
+  std::int32_t uses = 0;      ///< pieces that have it, or the next spare ink
+
+  /// Decider::gradient() tells the colours.
+  static constexpr std::uint32_t kSmooth = ~std::uint32_t{0};
+  bool smooth() const { return color == kSmooth; }
 };
+
+/// A colour in a word, red in its lowest byte.
+constexpr std::uint32_t packed_color(std::uint32_t red, std::uint32_t green,
+                                     std::uint32_t blue) {
+  return red | (green << 8) | (blue << 16);
+}
 
 /// The colours of a triangle (S5.4): a channel is its sum over the total, and
 /// off by at most `doubt` over the total.
@@ -221,10 +233,11 @@ struct Kernel {
 
 extern const Kernel kPlainKernel;  ///< runs everywhere
 #if defined(__x86_64__)
-extern const Kernel kAvx2Kernel;  ///< needs AVX2
+extern const Kernel kAvx2Kernel;    ///< needs AVX2
+extern const Kernel kAvx512Kernel;  ///< needs AVX-512 with VBMI, and BMI2
 #endif
 
-/// The best kernel that this machine runs.
-const Kernel& best_kernel();
+/// The kernel of these loops, or the best below it that this machine runs.
+const Kernel& best_kernel(Loops loops = Loops::kBest);
 
 }  // namespace halfspace::fast

@@ -11,11 +11,15 @@ namespace {
 //
 #include "kernel_avx2.inc"
 //
+#include "kernel_avx2_colors.inc"
+//
 #include "kernel_avx2_flat.inc"
 //
 #include "kernel_avx2_shade.inc"
 //
 #include "kernel_avx2_blocks.inc"
+//
+#include "kernel_avx2_levels.inc"
 //
 #include "kernel_shade.inc"
 //

@@ -209,8 +209,10 @@ struct FlatColor {
   std::uint8_t rgb[3];
 };
 
-inline FlatColor flat_color(const std::uint8_t* rgb) {
-  return {{rgb[0], rgb[1], rgb[2]}};
+inline FlatColor flat_color(std::uint32_t packed) {
+  return {{static_cast<std::uint8_t>(packed),
+           static_cast<std::uint8_t>(packed >> 8),
+           static_cast<std::uint8_t>(packed >> 16)}};
 }
 
 /// Fills `tiles` times 32 pixels, one after another.
@@ -233,8 +235,8 @@ inline void store_colors(std::uint8_t* colors, std::int64_t first,
 }
 
 /// Here all tiles are put together part by part.
-inline bool write_flat(const Canvas&, const Pieces&, std::int32_t, std::int32_t,
-                       const Words8&, const Ink*) {
+inline bool write_flat(const Canvas&, const Pieces&, bool, std::int32_t,
+                       std::int32_t, const Words8&, const Ink*) {
   return false;
 }
 
@@ -300,9 +302,20 @@ std::int64_t draw_small(Canvas&, const View&, bool, SmallPolygons& polygons,
 const Kernel kPlainKernel = {draw,      draw_lines, draw_small, any_open,
                              any_unlit, see_box,    leave_leaf, fill_rest};
 
-const Kernel& best_kernel() {
+const Kernel& best_kernel(Loops loops) {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) return kAvx2Kernel;
+  const bool avx512 = __builtin_cpu_supports("avx512f") != 0 &&
+                      __builtin_cpu_supports("avx512bw") != 0 &&
+                      __builtin_cpu_supports("avx512dq") != 0 &&
+                      __builtin_cpu_supports("avx512vl") != 0 &&
+                      __builtin_cpu_supports("avx512vbmi") != 0 &&
+                      __builtin_cpu_supports("bmi2") != 0;
+  if (loops == Loops::kBest && avx512) return kAvx512Kernel;
+  if (loops != Loops::kPortable && __builtin_cpu_supports("avx2") != 0) {
+    return kAvx2Kernel;
+  }
+#else
+  (void)loops;
 #endif
   return kPlainKernel;
 }

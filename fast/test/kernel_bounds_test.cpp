@@ -98,7 +98,7 @@ Decider decider_of(Asked& asked) {
   return decider;
 }
 
-constexpr Ink kBlank = {kBackground, {0, 0, 0}, 0, false, 0};
+constexpr Ink kBlank = {kBackground, 0, 0, 0};
 
 /// A blank image with its screen.
 struct Paper {
@@ -194,7 +194,8 @@ class Random {
   std::mt19937_64 engine_{7};
 };
 
-const Kernel* const kKernels[] = {&kPlainKernel, &best_kernel()};
+const Kernel* const kKernels[] = {&kPlainKernel, &best_kernel(Loops::kAvx2),
+                                  &best_kernel()};
 
 TEST(KernelBounds, OutlinesAskWhereTheirErrorMatters) {
   for (const Kernel* kernel : kKernels) {

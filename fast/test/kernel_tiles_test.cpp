@@ -24,7 +24,7 @@ Rgb color_of(PolygonId id) {
 
 Ink ink_of(PolygonId id) {
   const Rgb color = color_of(id);
-  return {id, {color.r, color.g, color.b}, 1, false, 0};
+  return {id, packed_color(color.r, color.g, color.b), 1, 0};
 }
 
 /// A decider for leaves in which the lowest id is nearest.
@@ -199,7 +199,8 @@ class Both {
 };
 
 TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
-  const Kernel* const kernels[] = {&kPlainKernel, &best_kernel()};
+  const Kernel* const kernels[] = {&kPlainKernel, &best_kernel(Loops::kAvx2),
+                                   &best_kernel()};
   Random random;
   std::size_t small = 0;
   std::size_t contested = 0;
@@ -207,7 +208,7 @@ TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
   std::size_t not_found = 0;
   for (int round = 0; round < 200; ++round) {
     SCOPED_TRACE(round);
-    Both both(*kernels[round % 2],
+    Both both(*kernels[round / 16 % 3],
               {random.below(40), random.below(12), kWidth - random.below(10),
                kHeight - random.below(20)},
               round % 16 < 8);

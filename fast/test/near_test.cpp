@@ -83,9 +83,9 @@ TEST(Near, WhatIsAStepBeyondIsSeen) {
   const BspTree tree = build(scene, {});
   const BspTree leaf = one_leaf();
   for (const Camera& camera : {perspective(), orthographic()}) {
-    for (const bool portable : {false, true}) {
+    for (const Loops loops : {Loops::kBest, Loops::kAvx2, Loops::kPortable}) {
       RenderOptions options;
-      options.portable = portable;
+      options.loops = loops;
       for (const BspTree* each : {&tree, &leaf}) {
         expect_those_beyond(render(scene, *each, camera, {}, options).items);
       }
@@ -100,8 +100,8 @@ TEST(FastRender, PixelsAreCountedWithoutImages) {
   const BspTree leaf = one_leaf();
   RenderOptions counted;
   counted.items = counted.colors = false;
-  for (const bool portable : {false, true}) {
-    counted.portable = portable;
+  for (const Loops loops : {Loops::kBest, Loops::kAvx2, Loops::kPortable}) {
+    counted.loops = loops;
     for (const BspTree* each : {&tree, &leaf}) {
       const Rendering all = render(scene, *each, perspective(), {}, {});
       EXPECT_GT(all.pixels_painted, 0U);

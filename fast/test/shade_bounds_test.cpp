@@ -87,7 +87,7 @@ void expect_told(const Kernel& kernel, const Gradient& gradient,
   const double x[4] = {-9, kWidth + 9, kWidth + 9, -9};
   const double y[4] = {-9, -9, kHeight + 9, kHeight + 9};
   Ink ink;
-  ink.smooth = true;
+  ink.color = Ink::kSmooth;
   kernel.draw(screen.canvas(), {x, y, 4, 0, 1}, ink, decider_of(asked));
   kernel.fill_rest(screen.canvas(), {}, decider_of(asked));
   const Gradient& g = gradient;
@@ -118,7 +118,8 @@ void expect_told(const Kernel& kernel, const Gradient& gradient,
 }
 
 TEST(ShadeBounds, ColorsAskWhereTheirDoubtMatters) {
-  for (const Kernel* kernel : {&kPlainKernel, &best_kernel()}) {
+  for (const Kernel* kernel :
+       {&kPlainKernel, &best_kernel(Loops::kAvx2), &best_kernel()}) {
     Random random;
     std::size_t told = 0;
     std::size_t doubtful = 0;
@@ -136,7 +137,8 @@ TEST(ShadeBounds, ColorsAskWhereTheirDoubtMatters) {
 
 /// What floats are off alone.
 TEST(ShadeBounds, ColorsAskWhereRoundingMatters) {
-  for (const Kernel* kernel : {&kPlainKernel, &best_kernel()}) {
+  for (const Kernel* kernel :
+       {&kPlainKernel, &best_kernel(Loops::kAvx2), &best_kernel()}) {
     Random random;
     std::size_t told = 0;
     std::size_t doubtful = 0;

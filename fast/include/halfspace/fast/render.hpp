@@ -22,15 +22,19 @@ struct Rectangle {
   friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
+/// The innermost loops: those that run everywhere, those for AVX2, or the best
+/// that there are; a machine that does not run them takes those before.
+enum class Loops : std::uint8_t { kPortable, kAvx2, kBest };
+
 /// What render() does that does not change a pixel.
 struct RenderOptions {
   int threads = 1;  ///< at least 1
   /// The part of the image that is wanted; nothing: all of it. It must lie in
   /// the image and not be empty.
   std::optional<Rectangle> rectangle;
-  bool items = true;      ///< false: leave Rendering::items empty
-  bool colors = true;     ///< false: leave Rendering::colors empty
-  bool portable = false;  ///< only the loops that run on every machine
+  bool items = true;   ///< false: leave Rendering::items empty
+  bool colors = true;  ///< false: leave Rendering::colors empty
+  Loops loops = Loops::kBest;
 };
 
 /// An image, and what it took.

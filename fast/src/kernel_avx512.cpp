@@ -1,0 +1,55 @@
+#include "kernel.hpp"
+#include "view.hpp"
+
+#if defined(__x86_64__)
+// GCC 12 warns of what its own header leaves undefined.
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#endif
+#include <immintrin.h>
+
+namespace halfspace::fast {
+namespace {
+
+#include "kernel_target.inc"
+//
+#include "kernel_avx2.inc"
+//
+#include "kernel_avx512_colors.inc"
+//
+#include "kernel_avx512_flat.inc"
+//
+#include "kernel_avx2_flat.inc"
+//
+#include "kernel_avx2_shade.inc"
+//
+#include "kernel_avx2_blocks.inc"
+//
+#include "kernel_avx512_levels.inc"
+//
+#include "kernel_shade.inc"
+//
+#include "kernel_edges.inc"
+//
+#include "kernel_paint.inc"
+//
+#include "kernel_merge.inc"
+//
+#include "kernel.inc"
+//
+#include "kernel_avx2_boxes.inc"
+//
+#include "kernel_lanes.inc"
+//
+#include "kernel_avx2_runs.inc"
+//
+#include "kernel_small.inc"
+
+}  // namespace
+
+const Kernel kAvx512Kernel = {draw,      draw_lines, draw_small, any_open,
+                              any_unlit, see_box,    leave_leaf, fill_rest};
+
+}  // namespace halfspace::fast
+#endif
