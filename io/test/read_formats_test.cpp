@@ -10,10 +10,10 @@
 namespace halfspace::io {
 namespace {
 
-using Faces = std::vector<std::vector<VertexId>>;
+using CornerLists = std::vector<std::vector<VertexId>>;
 
-Faces faces_of(const Mesh& mesh) {
-  Faces faces;
+CornerLists faces_of(const Mesh& mesh) {
+  CornerLists faces;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     faces.emplace_back(mesh.corners.begin() + mesh.first_corner[f],
                        mesh.corners.begin() + mesh.first_corner[f + 1]);
@@ -63,22 +63,22 @@ TEST(ReadObj, ReadsEveryFormOfFace) {
       Format::kObj);
   EXPECT_EQ(mesh.vertices.size(), 4u);
   EXPECT_TRUE(mesh.decimal);
-  EXPECT_EQ(
-      faces_of(mesh),
-      (Faces{{0, 1, 2, 3}, {0, 1, 2}, {0, 1, 2}, {0, 1, 2, 3}, {0, 1, 2}}));
+  EXPECT_EQ(faces_of(mesh),
+            (CornerLists{
+                {0, 1, 2, 3}, {0, 1, 2}, {0, 1, 2}, {0, 1, 2, 3}, {0, 1, 2}}));
 }
 
 TEST(ReadObj, CountsNegativeIndicesFromWhereTheyStand) {
   const Mesh mesh =
       mesh_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf -4 -2 -1\n",
               Format::kObj);
-  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(faces_of(mesh), (CornerLists{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST(ReadObj, LetsFacesStandBeforeTheirVertices) {
   EXPECT_EQ(
       faces_of(mesh_of("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", Format::kObj)),
-      (Faces{{0, 1, 2}}));
+      (CornerLists{{0, 1, 2}}));
 }
 
 TEST(ReadObj, ReadsVertexColours) {
@@ -129,7 +129,7 @@ TEST(ReadStl, ReadsTextOfSeveralSolids) {
                                 "SOLID\n" + one + one + "EndSolid x y\n",
                             Format::kStl);
   EXPECT_EQ(mesh.vertices.size(), 3u);
-  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {0, 1, 2}, {0, 1, 2}}));
+  EXPECT_EQ(faces_of(mesh), (CornerLists{{0, 1, 2}, {0, 1, 2}, {0, 1, 2}}));
   EXPECT_EQ(mesh.vertices[2][1], (Number{1, -1, -1}));
   EXPECT_TRUE(mesh.decimal);
 }
@@ -142,7 +142,7 @@ TEST(ReadStl, ReadsBinaryEvenIfItStartsLikeText) {
     bytes.replace(0, std::strlen(start), start);
     const Mesh mesh = mesh_of(bytes, Format::kStl);
     EXPECT_EQ(mesh.vertices.size(), 4u);
-    EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {1, 2, 3}}));
+    EXPECT_EQ(faces_of(mesh), (CornerLists{{0, 1, 2}, {1, 2, 3}}));
     EXPECT_FALSE(mesh.decimal);
   }
 }
@@ -153,7 +153,7 @@ TEST(ReadStl, WeldsEqualPointsOnly) {
       mesh_of(samples::binary_stl({{{0.f, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                                    {{-0.f, 0, 0}, {0, 1, 0}, {next, 0, 0}}}),
               Format::kStl);
-  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(faces_of(mesh), (CornerLists{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST(ReadStl, PassesOverNormalsThatAreNoNumbers) {
@@ -202,7 +202,7 @@ TEST(ReadPly, ReadsTextWithOtherElementsAndProperties) {
       Format::kPly);
   EXPECT_EQ(mesh.vertices.size(), 4u);
   EXPECT_EQ(mesh.vertices[2][0], (Number{1, -1, -1}));
-  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {0, 1, 2, 3}}));
+  EXPECT_EQ(faces_of(mesh), (CornerLists{{0, 1, 2}, {0, 1, 2, 3}}));
   EXPECT_EQ(mesh.vertex_colors[1], (Rgb{5, 6, 7}));
   EXPECT_TRUE(mesh.decimal);
 }
@@ -213,7 +213,7 @@ TEST(ReadPly, ReadsBinaryOfEitherOrderTheSame) {
     EXPECT_EQ(mesh.vertices.size(), 4u);
     EXPECT_EQ(point(mesh, 1), (std::array<double, 3>{1.5, 0, -2.25}));
     EXPECT_EQ(mesh.vertices[2][0], number_of(0.1));
-    EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {3, 2, 1, 0}}));
+    EXPECT_EQ(faces_of(mesh), (CornerLists{{0, 1, 2}, {3, 2, 1, 0}}));
     EXPECT_EQ(mesh.face_colors[1], (Rgb{40, 50, 60}));
     EXPECT_FALSE(mesh.decimal);
   }
@@ -284,7 +284,7 @@ TEST(ReadOff, ReadsCountsWhereverTheyStand) {
         "# first\nOFF # word\n# between\n3 1 3\n"}) {
     const Mesh mesh = mesh_of(header + body, Format::kOff);
     EXPECT_EQ(mesh.vertices.size(), 3u) << header;
-    EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}})) << header;
+    EXPECT_EQ(faces_of(mesh), (CornerLists{{0, 1, 2}})) << header;
   }
 }
 

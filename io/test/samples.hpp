@@ -1,8 +1,12 @@
 #pragma once
 
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -129,5 +133,38 @@ class TemporaryFile {
   std::filesystem::path folder_;
   std::filesystem::path path_;
 };
+
+/// While this lives, no file grows beyond so many bytes.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t most_bytes) {
+    // The signal that tells of it would end the program.
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit small = before_;
+    small.rlim_cur = most_bytes;
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+/// Checks that there is this error, to the letter, and no value.
+template <class T>
+void expect_error(const Result<T>& result, ErrorCode code,
+                  const std::string& message, std::int64_t index = -1) {
+  ASSERT_FALSE(result) << message;
+  EXPECT_EQ(result.error().code, code) << message;
+  EXPECT_EQ(result.error().message, message);
+  EXPECT_EQ(result.error().index, index) << message;
+}
 
 }  // namespace halfspace::io::samples
