@@ -40,8 +40,7 @@ Rgb shaded(const Direction& normal) {
   const double half = 0.5 + 0.5 * facing;
   const double light = kAmbient + (1 - kAmbient) * half * half;
   const auto channel = [light](double full) {
-    const double value = full * light + 0.5;
-    return static_cast<std::uint8_t>(value < 0 ? 0 : value > 255 ? 255 : value);
+    return static_cast<std::uint8_t>(full * light + 0.5);
   };
   return {channel(kSurface[0]), channel(kSurface[1]), channel(kSurface[2])};
 }

@@ -296,6 +296,24 @@ TEST_F(PngParts, AreRemovedIfNeverFinished) {
   EXPECT_FALSE(std::filesystem::exists(path()));
 }
 
+TEST_F(PngParts, SayWhatWentWrongFirst) {
+  const Result<Done> done = [&] {
+    const samples::SmallFiles small(10);
+    PngWriter writer(path(), 3, 2, std::nullopt);
+    const std::uint8_t row[9] = {};
+    EXPECT_TRUE(writer.write_row(row));
+    return writer.finish();  // a row is missing, and there is no room
+  }();
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().message.find("File too large"), std::string::npos);
+  const ColorImage much = picture(3000, 1);
+  const samples::SmallFiles small(10);
+  PngWriter writer(path(), 3000, 1000, std::nullopt);
+  int written = 0;
+  while (written < 1000 && writer.write_row(&much.at(0, 0).r)) ++written;
+  EXPECT_LT(written, 1000);
+}
+
 using NpyParts = JoinTest;
 
 ItemImage items(std::int32_t width_px, std::int32_t height_px,
