@@ -92,5 +92,94 @@ TEST(Npy, NamesWhatIsWrong) {
   EXPECT_EQ(read_npy("/nowhere/a.npy").error().code, ErrorCode::kUnreadable);
 }
 
+TEST(Npy, ErrorsAreToTheLetter) {
+  const samples::TemporaryFile file("a.npy");
+  ASSERT_TRUE(write_npy(file.path(), sample_image()));
+  const std::string good = *samples::raw_bytes(file.path());
+  const auto read = [&file](const std::string& bytes) {
+    samples::write(file.path(), bytes);
+    return read_npy(file.path());
+  };
+  const auto with = [&good](const std::string& from, const std::string& to) {
+    std::string bytes = good;
+    return bytes.replace(bytes.find(from), from.size(), to);
+  };
+  const std::string name = file.path().string() + ": ";
+  samples::expect_error(read("\x93NUMPX" + good), ErrorCode::kUnknownFormat,
+                        name + "this is no NumPy array");
+  for (const std::size_t size : {6u, 11u, 12u, 127u}) {
+    samples::expect_error(read(good.substr(0, size)), ErrorCode::kTruncated,
+                          name + "the file ends in its header");
+  }
+  for (const std::size_t size : {128u, 151u}) {
+    samples::expect_error(
+        read(good.substr(0, size)), ErrorCode::kTruncated,
+        name + "the file holds " + (size == 128u ? "0" : "5") + " of 6 pixels");
+  }
+  for (const char* more : {"x", "more"}) {
+    samples::expect_error(read(good + more), ErrorCode::kSyntax,
+                          name + "the file goes on after its pixels");
+  }
+  const std::string kind =
+      name + "an item image is an array of '<i4' in C order";
+  // A header of two bytes, and no other byte.
+  samples::expect_error(read(std::string("\x93NUMPY\1\0\2\0{}", 12)),
+                        ErrorCode::kUnknownFormat, kind);
+  samples::expect_error(read(with("<i4", "<u4")), ErrorCode::kUnknownFormat,
+                        kind);
+  samples::expect_error(read(with("False", "True ")), ErrorCode::kUnknownFormat,
+                        kind);
+  for (const char* shape :
+       {"(6,)  ", "[2, 3)", "(2; 3)", "(2, 3]", "(x, 3)", "(2, x)", "(2  3)"}) {
+    samples::expect_error(read(with("(2, 3)", shape)), ErrorCode::kSyntax,
+                          name + "an item image has the shape (height, width)");
+  }
+  samples::expect_error(read(with("'shape'", "'shaqe'")), ErrorCode::kSyntax,
+                        name + "an item image has the shape (height, width)");
+  const struct {
+    std::string shape, size;
+  } cases[] = {{"(2, 0),", "0"},
+               {"(0, 3),", "0"},
+               {"(-1, 3)", "-1"},
+               {"(65537, 3), }", "65537"},
+               {"(3, 65537), }", "65537"}};
+  for (const auto& [shape, size] : cases) {
+    const std::string from = shape.size() > 7 ? "(2, 3), }    " : "(2, 3),";
+    samples::expect_error(
+        read(with(from, shape)), ErrorCode::kOutOfRange,
+        name + "an image has 1 to 65536 rows and columns, not " + size);
+  }
+}
+
+TEST(Npy, ReadsWhatNumPyMayWrite) {
+  const samples::TemporaryFile file("a.npy");
+  // Version 2, other blanks and another order.
+  std::string bytes("\x93NUMPY\2\0", 8);
+  const std::string header =
+      "{'shape':(1 ,  2 ),'fortran_order': False, 'descr': '<i4'}" +
+      std::string(300, ' ');
+  samples::append(bytes, static_cast<std::uint32_t>(header.size()));
+  bytes += header;
+  samples::append(bytes, 7);
+  samples::append(bytes, -1);
+  samples::write(file.path(), bytes);
+  const Result<ItemImage> image = read_npy(file.path());
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(image->width_px, 2);
+  EXPECT_EQ(image->height_px, 1);
+  EXPECT_EQ(image->pixels, (std::vector<PolygonId>{7, -1}));
+}
+
+TEST(Npy, HoldsTheLargestImages) {
+  const samples::TemporaryFile file("a.npy");
+  for (const auto& [width, height] : {std::pair{65536, 1}, {1, 65536}}) {
+    const ItemImage image(width, height, 3);
+    ASSERT_TRUE(write_npy(file.path(), image));
+    const Result<ItemImage> back = read_npy(file.path());
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(*back, image);
+  }
+}
+
 }  // namespace
 }  // namespace halfspace::io

@@ -145,6 +145,93 @@ TEST(WriteSceneMesh, WritesAnEmptyScene) {
   }
 }
 
+TEST(WriteSceneMesh, WritesDecimalsToTheLetter) {
+  const samples::TemporaryFile file("a.off");
+  const auto first_points = [&](Unit unit, std::int64_t step, int bits) {
+    EXPECT_TRUE(
+        write_scene_mesh(file.path(), scene_of(scene_data(unit, step, bits))));
+    const std::string bytes = *samples::raw_bytes(file.path());
+    const std::size_t begin = bytes.find("0 0 0\n") + 6;
+    return bytes.substr(begin, bytes.find('\n', begin) - begin);
+  };
+  EXPECT_EQ(first_points({10, 0}, 120, 26), "120 0 0");
+  EXPECT_EQ(first_points({10, 3}, 12, 26), "12000 0 0");
+  EXPECT_EQ(first_points({10, -1}, 12, 26), "1.2 0 0");
+  EXPECT_EQ(first_points({10, -2}, 12, 26), "0.12 0 0");
+  EXPECT_EQ(first_points({10, -3}, 12, 26), "0.012 0 0");
+  EXPECT_EQ(first_points({10, -3}, 5000, 26), "5 0 0");
+  EXPECT_EQ(first_points({2, -3}, 5, 26), "0.625 0 0");
+  EXPECT_EQ(first_points({2, 5}, 3, 26), "96 0 0");
+  // 80 characters are written exactly, more are a double's.
+  EXPECT_EQ(first_points({10, 79}, 1, 26), "1" + std::string(79, '0') + " 0 0");
+  EXPECT_EQ(first_points({10, 80}, 1, 26), "1e+80 0 0");
+  EXPECT_EQ(first_points({10, -78}, 1, 26),
+            "0." + std::string(77, '0') + "1 0 0");
+  EXPECT_EQ(first_points({10, -79}, 1, 26), "1e-79 0 0");
+}
+
+TEST(WriteSceneMesh, TellsHowFarDoublesMove) {
+  const samples::TemporaryFile file("a.off");
+  const Result<ExportReport> report =
+      write_scene_mesh(file.path(), scene_of(scene_data({10, -90}, 3, 26)));
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->moved, 5u);
+  EXPECT_GT(report->max_move, 0);
+  EXPECT_LT(report->max_move, 3e-90 * 0x1p-53);
+  const Scene huge = scene_of(scene_data({10, 300}, (1LL << 53) - 1, 54));
+  samples::expect_error(
+      write_scene_mesh(file.path(), huge), ErrorCode::kNotFinite,
+      file.path().string() + ": vertex 1 has a coordinate that no double holds",
+      1);
+}
+
+TEST(WriteSceneMesh, PlyIsOfBytesWhereDoublesAreExact) {
+  const samples::TemporaryFile file("a.ply");
+  const struct {
+    Unit unit;
+    bool is_binary;
+  } cases[] = {{{2, 0}, true},   {{2, -1022}, true}, {{2, -1023}, false},
+               {{2, 900}, true}, {{2, 901}, false},  {{10, 0}, false},
+               {{10, -3}, false}};
+  for (const auto& [unit, is_binary] : cases) {
+    const Result<ExportReport> report =
+        write_scene_mesh(file.path(), scene_of(scene_data(unit, 3, 26)));
+    ASSERT_TRUE(report) << report.error().message;
+    EXPECT_EQ(samples::raw_bytes(file.path())->find("format binary") == 4,
+              is_binary)
+        << unit.base << " " << unit.exponent;
+  }
+}
+
+TEST(WriteSceneMesh, RefusesPolygonsOfTooManyCornersInAnStl) {
+  for (const std::size_t count : {20000u, 20001u}) {
+    SceneData data;
+    data.grid_bits = 54;
+    // On a parabola, so that every corner turns.
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto x = static_cast<std::int64_t>(i);
+      data.vertices.push_back({x, x * x, 0});
+      data.corners.push_back(static_cast<VertexId>(i));
+    }
+    data.first_corner = {0, static_cast<std::uint32_t>(count)};
+    data.colors = {{}};
+    const samples::TemporaryFile file("a.stl");
+    const Result<ExportReport> report =
+        write_scene_mesh(file.path(), scene_of(data));
+    if (count == 20000) {
+      ASSERT_TRUE(report) << report.error().message;
+      EXPECT_EQ(report->triangulated, 1u);
+      EXPECT_EQ(samples::raw_bytes(file.path())->size(), 84u + 50 * 19998);
+      continue;
+    }
+    samples::expect_error(report, ErrorCode::kOutOfRange,
+                          file.path().string() +
+                              ": polygon 0 has 20001 corners, too many to cut "
+                              "into triangles",
+                          0);
+  }
+}
+
 OutputMesh output_mesh() {
   OutputMesh mesh;
   mesh.vertices = {
@@ -219,6 +306,61 @@ TEST(WriteMesh, SaysWhyItCannot) {
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::kNotFinite);
   EXPECT_EQ(report.error().index, 1);
+}
+
+TEST(WriteMesh, ErrorsAreToTheLetter) {
+  const samples::TemporaryFile file("a.stl");
+  const std::string name = file.path().string() + ": ";
+  OutputMesh mesh = output_mesh();
+  samples::expect_error(
+      write_mesh("/nowhere/at/all.obj", mesh), ErrorCode::kUnwritable,
+      "/nowhere/at/all.obj: cannot be written: No such file or directory");
+  for (const char* bad : {"a.glb", "a.ply.gz", "a.obj.GZ", "a"}) {
+    samples::expect_error(write_mesh(bad, mesh), ErrorCode::kUnknownFormat,
+                          std::string(bad) +
+                              ": a mesh is written to .obj, .stl, .ply or "
+                              ".off");
+    samples::expect_error(write_scene_mesh(bad, Scene{}),
+                          ErrorCode::kUnknownFormat,
+                          std::string(bad) +
+                              ": a mesh is written to .obj, .stl, .ply or "
+                              ".off");
+  }
+  mesh.vertices[0][2] = 0x1p128;
+  samples::expect_error(
+      write_mesh(file.path(), mesh), ErrorCode::kNotFinite,
+      name +
+          "vertex 0 has the coordinate 340282366920938463463374607431768211456."
+          "000000, which no float holds",
+      0);
+  mesh.vertices[2][1] = -std::numeric_limits<double>::infinity();
+  samples::expect_error(write_mesh(file.path(), mesh), ErrorCode::kNotFinite,
+                        name + "vertex 2 has the coordinate -inf", 2);
+}
+
+TEST(WriteMesh, CutsFansForAnStl) {
+  OutputMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}};
+  mesh.first_corner = {0, 5, 8, 12};
+  mesh.corners = {4, 0, 1, 2, 3, 0, 2, 1, 3, 2, 1, 0};
+  const samples::TemporaryFile file("a.stl");
+  const Result<ExportReport> report = write_mesh(file.path(), mesh);
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->triangulated, 2u);
+  EXPECT_EQ(report->moved, 0u);
+  EXPECT_EQ(report->max_move, 0);
+  const Result<Mesh> back = read_mesh(file.path());
+  std::vector<std::array<double, 3>> corners;
+  for (const VertexId corner : back->corners) {
+    const auto& p = back->vertices[static_cast<std::size_t>(corner)];
+    corners.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  }
+  std::vector<std::array<double, 3>> want;
+  for (const std::size_t v : {4u, 0u, 1u, 4u, 1u, 2u, 4u, 2u, 3u, 0u, 2u, 1u,
+                              3u, 2u, 1u, 3u, 1u, 0u}) {
+    want.push_back(mesh.vertices[v]);
+  }
+  EXPECT_EQ(corners, want);
 }
 
 }  // namespace
