@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string>
 
 namespace halfspace::io {
 namespace {
@@ -205,6 +206,163 @@ TEST(LookAt, NamesWhatIsWrong) {
               o.ortho_height = 1e-9;
             }),
             ErrorCode::kBadCamera);
+}
+
+TEST(LookAt, AcceptsWhatIsWithinItsLimits) {
+  const Scene scene = box_scene({2, 0}, 1000, 26);
+  const auto accepted = [&](auto&& change) {
+    ViewOptions options = options_at({0, -5, 0}, {0, 0, 0});
+    change(options);
+    const Result<Viewed> view = look_at(scene, options);
+    return view ? std::string() : view.error().message;
+  };
+  using O = ViewOptions;
+  for (const std::int32_t size : {1, 2, 65535, 65536}) {
+    EXPECT_EQ(accepted([size](O& o) { o.width_px = size; }), "");
+    EXPECT_EQ(accepted([size](O& o) { o.height_px = size; }), "");
+  }
+  for (const double degrees : {0.5, 1.0, 179.0, 179.5}) {
+    EXPECT_EQ(accepted([degrees](O& o) { o.fov_deg = degrees; }), "");
+    // It is not looked at in orthographic views, nor is their height in others.
+    EXPECT_EQ(accepted([degrees](O& o) {
+                o.orthographic = true;
+                o.fov_deg = -degrees;
+              }),
+              "");
+    EXPECT_EQ(accepted([degrees](O& o) { o.ortho_height = -degrees; }), "");
+  }
+  EXPECT_EQ(accepted([](O& o) {
+              o.orthographic = true;
+              o.ortho_height = 0.5;
+            }),
+            "");
+  const struct {
+    void (*change)(O&);
+    const char* message;
+  } cases[] = {
+      {[](O& o) { o.width_px = -3; },
+       "an image has 1 to 65536 columns and rows, not -3"},
+      {[](O& o) { o.fov_deg = 180; },
+       "a field of view is between 0 and 180 degrees, not 180.000000"},
+      {[](O& o) { o.fov_deg = 0; },
+       "a field of view is between 0 and 180 degrees, not 0.000000"},
+      {[](O& o) {
+         o.orthographic = true;
+         o.ortho_height = 0;
+       },
+       "the height of an orthographic view is above 0, not 0.000000"},
+      {[](O& o) { o.near = -0.5; }, "the near distance is negative"},
+      {[](O& o) { o.near = 1e30; }, "the near distance is too far"},
+      {[](O& o) { o.target.z = INFINITY; },
+       "a number of the view is not finite"},
+      {[](O& o) { o.up.y = NAN; }, "a number of the view is not finite"},
+      {[](O& o) { o.eye.z = -INFINITY; }, "a number of the view is not finite"},
+      {[](O& o) { o.eye = o.target; }, "the eye is at its target"},
+      {[](O& o) { o.eye.z = 3e9; },
+       "the eye is farther away than cameras of this scene reach, 2.14748e+09 "
+       "model units"},
+      {[](O& o) { o.fov_deg = 1e-9; },
+       "a pixel is less than a step of the camera's lattice: the view is too "
+       "narrow for so many rows"},
+      {[](O& o) {
+         o.orthographic = true;
+         o.ortho_height = 1e40;
+       },
+       "the image is larger than cameras of this scene reach"},
+  };
+  for (const auto& [change, message] : cases) {
+    EXPECT_EQ(accepted(change), message);
+  }
+}
+
+TEST(LookAt, KeepsTheImageOnTheLatticeWhereverTheEyeIs) {
+  const Scene scene = box_scene({2, 0}, 1000, 26);
+  const double limit = std::ldexp(1, 26 + 13);
+  for (const dvec3 eye : {dvec3{2e9, 5, 7},
+                          {-2e9, 1e9, 3},
+                          {4, -2e9, -2e9},
+                          {1e9, 1e9, -2.1e9},
+                          {0, 3, -2.1e9}}) {
+    for (const dvec3 target : {dvec3{0, 0, 0}, eye * 1.01 + dvec3{1, 2, 3},
+                               eye + dvec3{5, -3, 2}, eye - dvec3{7, -3, 2}}) {
+      for (const double degrees : {5.0, 90.0, 150.0}) {
+        ViewOptions options = options_at(eye, target);
+        options.fov_deg = degrees;
+        options.up = {1, 2, 5};
+        const CameraData camera = viewed(scene, options).camera.data();
+        // Of the room between the eye and the nearer end of each axis.
+        double used = 0;
+        for (const int x : {0, 200}) {
+          for (const int y : {0, 100}) {
+            const dvec3 corner = vector(camera.s0) +
+                                 static_cast<double>(x) * vector(camera.sx) +
+                                 static_cast<double>(y) * vector(camera.sy);
+            for (int axis = 0; axis < 3; ++axis) {
+              EXPECT_LE(std::abs(corner[axis]), limit);
+              const double from = 256 * eye[axis];
+              used = std::max(used, std::abs(corner[axis] - from) /
+                                        (limit - std::abs(from)));
+            }
+          }
+        }
+        EXPECT_GT(used, 0.95);
+        EXPECT_LE(used, 1);
+      }
+    }
+  }
+}
+
+TEST(LookAt, TellsHowFarTheCornersOfTheImageMoved) {
+  const Scene scene = box_scene({2, 0}, 1000, 26);
+  for (const double height : {0.3, 7.7, 400.1}) {
+    ViewOptions options = options_at({1.3, -4.1, 2.2}, {0.5, 0.7, 0.9});
+    options.orthographic = true;
+    options.ortho_height = height;
+    const Viewed view = viewed(scene, options);
+    const CameraData& camera = view.camera.data();
+    const dvec3 forward = glm::normalize(options.target - options.eye);
+    const dvec3 right = glm::normalize(glm::cross(forward, options.up));
+    const dvec3 down = glm::cross(forward, right);
+    double most = 0;
+    for (const int x : {0, 200}) {
+      for (const int y : {0, 100}) {
+        const dvec3 wanted =
+            options.eye +
+            height / 100 * ((x - 100.0) * right + (y - 50.0) * down);
+        const dvec3 got =
+            (vector(camera.s0) + static_cast<double>(x) * vector(camera.sx) +
+             static_cast<double>(y) * vector(camera.sy)) /
+            256.0;
+        for (int axis = 0; axis < 3; ++axis)
+          most = std::max(most, std::abs(got[axis] - wanted[axis]));
+      }
+    }
+    EXPECT_GT(most, 0);
+    EXPECT_NEAR(view.max_move, most, 1e-9);
+  }
+}
+
+TEST(LookAt, TellsHowFarTheEyeMovedWhereThatIsMore) {
+  const Scene scene = box_scene({2, 0}, 1000, 54);
+  ViewOptions options = options_at({0.4 / 256, -1000, 8}, {0.4 / 256, 0, 8});
+  options.near = 1;
+  options.width_px = options.height_px = 2;
+  EXPECT_GE(viewed(scene, options).max_move, 0.399 / 256);
+}
+
+TEST(LookAt, HasANegativeNearDistanceInOrthographicViewsOnly) {
+  const Scene scene = box_scene({2, 0}, 1000, 26);
+  ViewOptions options = options_at({0, -5, 0}, {0, 0, 0});
+  options.orthographic = true;
+  for (const double near : {-4.0, 4.0}) {
+    options.near = near;
+    const CameraData camera = viewed(scene, options).camera.data();
+    const dvec3 point = dvec3{0, -5 + near, 0} * 256.0;
+    EXPECT_NEAR(
+        image_of(camera, point).z * 65536 / static_cast<double>(*camera.near),
+        1, 1e-6);
+    EXPECT_EQ(*camera.near < 0, near < 0);
+  }
 }
 
 TEST(AutomaticView, JustHoldsTheScene) {
