@@ -18,14 +18,10 @@ constexpr dvec3 kToEye = {0.45, -0.78, 0.42};
 constexpr double kFieldDeg = 30;
 constexpr double kMargin = 1.04;
 
-/// The grid points that polygons use, as doubles.
+/// The corners of the polygons, as doubles.
 std::vector<dvec3> points_of(const Scene& scene) {
-  std::vector<bool> used(scene.data().vertices.size());
   std::vector<dvec3> points;
   for (const VertexId corner : scene.data().corners) {
-    const auto vertex = static_cast<std::size_t>(corner);
-    if (used[vertex]) continue;
-    used[vertex] = true;
     const GridPoint& p = scene.point(corner);
     points.emplace_back(p.x, p.y, p.z);
   }

@@ -88,8 +88,7 @@ Result<std::string> unpacked(std::string_view bytes) {
     if (status == Z_STREAM_END) {
       if (!is_gzipped(bytes)) return text;  // padding may follow
       inflateReset(&stream);
-    } else if (status == Z_BUF_ERROR ||
-               (status == Z_OK && bytes.empty() && stream.avail_out > 0)) {
+    } else if (status == Z_BUF_ERROR) {
       return Error{ErrorCode::kTruncated, "the gzipped data ends too early",
                    static_cast<std::int64_t>(text.size())};
     } else if (status != Z_OK) {

@@ -25,8 +25,7 @@ bool is_binary(std::string_view bytes) {
   if (start == std::string_view::npos) return false;
   if (!is_word(bytes.substr(start, 5), "solid")) return true;
   // Some programs begin the text of a binary header with "solid".
-  return bytes.substr(0, kHeaderSize).find('\0') != std::string_view::npos &&
-         !not_plain_text(bytes.substr(0, 2));
+  return bytes.substr(0, kHeaderSize).find('\0') != std::string_view::npos;
 }
 
 Result<Mesh> read_binary(std::string_view bytes) {

@@ -116,6 +116,7 @@ TEST(ReadErrors, OfOffAreToTheLetter) {
        {"OFF\n3 1 -1\n", kOutOfRange, "line 2: there cannot be '-1' edges", 2},
        {"OFF\n2147483647 2147483647 2147483648\n", kTruncated,
         "line 3: the file ends in vertex 0 of 2147483647", 3},
+       {"OFF\n3 1 0\\\n0 0 0\n", kSyntax, "line 2: '0\\' is not an integer", 2},
        {"OFF\n3 1 0 0\n", kSyntax, "line 2: there are more than 3 counts", 2},
        {"OFF\n3 1 0\n0 0 0\n1 0\n", kTruncated,
         "line 5: the file ends in vertex 1 of 3", 5},
@@ -339,6 +340,7 @@ void expect_type(const std::string& name, T a, T b) {
           << name << i;
     }
     EXPECT_EQ(mesh->corners, (std::vector<VertexId>{2, 1, 0}));
+    EXPECT_EQ(mesh->first_corner, (std::vector<std::uint32_t>{0, 3}));
     // One byte less is an error.
     EXPECT_FALSE(read_mesh(bytes.substr(0, bytes.size() - 1), Format::kPly));
   }
@@ -374,7 +376,7 @@ TEST(ReadErrors, OfPlyBytesAreToTheLetter) {
       binary_head("float",
                   "element face 1\nproperty list char short a\n"
                   "property list uchar uint vertex_index\n");
-  const std::string two("\2aabb", 5);
+  const std::string three("\3aabbcc", 7);
   expect_refused(
       {{head + nine.substr(0, 35), kTruncated,
         "the header claims 3 of element 'vertex', but the file has room for 2 "
@@ -384,19 +386,23 @@ TEST(ReadErrors, OfPlyBytesAreToTheLetter) {
         "vertex 1 of 3: -inf is not finite (byte 20 after the header)", 1},
        {head + nine + "\nx", kSyntax,
         "the file goes on for 2 bytes after what it says it holds", 37},
-       {lists + nine + two.substr(0, 4), kTruncated,
+       {lists + nine + "x", kTruncated,
+        "the header claims 1 of element 'face', but the file has room for 0 at "
+        "most",
+        0},
+       {lists + nine + three.substr(0, 6), kTruncated,
         "face 0 of 1: the file ends (byte 37 after the header)", 0},
-       {lists + nine + two, kTruncated,
-        "face 0 of 1: the file ends (byte 41 after the header)", 0},
+       {lists + nine + three, kTruncated,
+        "face 0 of 1: the file ends (byte 43 after the header)", 0},
        {lists + nine + "\xff" + "a", kOutOfRange,
         "face 0 of 1: a list has the length -1", 0},
-       {lists + nine + two + std::string("\1\3\0\0\0", 5), kBadIndex,
+       {lists + nine + three + std::string("\1\3\0\0\0", 5), kBadIndex,
         "face 0 of 1: there is no vertex 3, only 0 to 2", 0},
-       {lists + nine + two + std::string("\1\2\0\0", 4), kTruncated,
-        "face 0 of 1: the file ends (byte 42 after the header)", 0}},
+       {lists + nine + three + std::string("\1\2\0\0", 4), kTruncated,
+        "face 0 of 1: the file ends (byte 44 after the header)", 0}},
       Format::kPly);
   const Result<Mesh> mesh =
-      read_mesh(lists + nine + two + std::string("\1\2\0\0\0 \r\n\t\0", 10),
+      read_mesh(lists + nine + three + std::string("\1\2\0\0\0 \r\n\t\0", 10),
                 Format::kPly);
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(mesh->corners, (std::vector<VertexId>{2}));
@@ -415,6 +421,25 @@ TEST(ReadErrors, PlyTakesColoursOfVerticesAndFacesOnly) {
   const std::string rgb =
       "property uchar r\nproperty uchar g\nproperty uchar b\n";
   EXPECT_EQ(mesh_of(rgb, "7 8 9 1 2 3\n").vertex_colors[0], (Rgb{1, 2, 3}));
+  EXPECT_EQ(mesh_of("property ushort red\nproperty ushort green\n"
+                    "property ushort blue\n",
+                    "7 8 9 65535 32767 65407\n")
+                .vertex_colors[0],
+            (Rgb{255, 127, 255}));
+  EXPECT_EQ(mesh_of(rgb, "7 8 9 0 127 254\n").vertex_colors[0],
+            (Rgb{0, 127, 254}));
+  // What is passed over need not be a number.
+  EXPECT_EQ(
+      mesh_of("element edge 1\nproperty int a\n" + rgb, "7 8 9\nx x x x\n")
+          .vertices.size(),
+      1u);
+  EXPECT_EQ(mesh_of("element face 1\nproperty list uchar int vertex_index\n"
+                    "property uchar r\nproperty uchar g\n",
+                    "7 8 9\n0 x x\n")
+                .first_corner,
+            (std::vector<std::uint32_t>{0, 0}));
+  // There are no faces, so they need no list.
+  EXPECT_EQ(mesh_of("element face 0\n", "7 8 9\n").face_count(), 0u);
   EXPECT_EQ(mesh_of("property uchar diffuse_blue\nproperty ushort diffuse_red\n"
                     "property float diffuse_green\n",
                     "7 8 9 65535 65535 0\n")
