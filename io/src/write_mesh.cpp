@@ -57,9 +57,7 @@ std::string with_point(std::string digits, std::size_t places) {
   if (digits.size() <= places) {
     digits.insert(0, places + 1 - digits.size(), '0');
   }
-  digits.insert(digits.size() - places, ".");
-  digits.resize(digits.find_last_not_of('0') + 1);
-  if (digits.back() == '.') digits.pop_back();
+  if (places > 0) digits.insert(digits.size() - places, ".");
   return (negative ? "-" : "") + digits;
 }
 

@@ -131,6 +131,9 @@ TEST_F(PngParts, AreNotOverwritten) {
   expect_error(join_npy({at("a.png"), at("b.png")}, at("b.png")),
                ErrorCode::kUnwritable, told(at("b.png"), "is a part itself"),
                1);
+  expect_error(join_png({at("b.png"), at("a.png")}, at("b.png")),
+               ErrorCode::kUnwritable, told(at("b.png"), "is a part itself"),
+               0);
   EXPECT_EQ(raw_bytes(at("b.png")), before);
 }
 

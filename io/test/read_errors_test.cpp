@@ -34,6 +34,7 @@ TEST(ReadErrors, OfObjAreToTheLetter) {
   expect_refused(
       {{"v 0 0\n", kSyntax, "line 1: a vertex has 3 coordinates, not 2 values",
         1},
+       {"v x 0 0\n", kSyntax, "line 1: 'x' is not a number", 1},
        {"v 0 0 0 0 0\n", kSyntax,
         "line 1: a vertex has 3 coordinates, not 5 values", 1},
        {"v 0 0 0 0 0 0 0 0\n", kSyntax,
@@ -78,6 +79,7 @@ TEST(ReadErrors, ObjPassesOverReferencesAndWeights) {
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(mesh->corners,
             (std::vector<VertexId>{0, 1, 2, 0, 1, 2, 0, 1, 3, 0, 1, 3}));
+  EXPECT_EQ(to_double(mesh->vertices[3][0]), 5);
   ASSERT_EQ(mesh->vertex_colors.size(), 4u);
   EXPECT_FALSE(mesh->vertex_colors[0]);
   EXPECT_FALSE(mesh->vertex_colors[1]);
