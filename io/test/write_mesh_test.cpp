@@ -120,6 +120,21 @@ TEST(WriteSceneMesh, CutsStraightCornersIntoTrianglesWithArea) {
   EXPECT_EQ(back->report.dropped, 0u);
 }
 
+TEST(WriteSceneMesh, CutsEachPolygonByItself) {
+  SceneData data;
+  data.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0},
+                   {0, 0, 5}, {3, 0, 5}, {3, 1, 5}, {0, 1, 5}};
+  data.first_corner = {0, 4, 8};
+  data.corners = {0, 1, 2, 3, 4, 5, 6, 7};
+  data.colors = {{}, {}};
+  const samples::TemporaryFile file("a.stl");
+  const Result<ExportReport> report =
+      write_scene_mesh(file.path(), scene_of(data));
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->triangulated, 2u);
+  EXPECT_EQ(read_back(file.path())->scene.polygon_count(), 4u);
+}
+
 TEST(WriteSceneMesh, WritesDoublesWhereDecimalsAreLong) {
   const Scene scene = scene_of(scene_data({2, -400}, 33554431));
   for (const char* name : {"a.obj", "a.off"}) {
@@ -336,6 +351,9 @@ TEST(WriteMesh, ErrorsAreToTheLetter) {
   mesh.vertices[2][1] = -std::numeric_limits<double>::infinity();
   samples::expect_error(write_mesh(file.path(), mesh), ErrorCode::kNotFinite,
                         name + "vertex 2 has the coordinate -inf", 2);
+  mesh.vertices[0][0] = std::numeric_limits<double>::infinity();
+  samples::expect_error(write_mesh(file.path(), mesh), ErrorCode::kNotFinite,
+                        name + "vertex 0 has the coordinate inf", 0);
 }
 
 TEST(WriteMesh, CutsFansForAnStl) {
