@@ -42,7 +42,7 @@ Solid Engine::result() {
     // A vertex that is beyond an operand may be one of faces that are not here.
     // Of two edges in line there, one goes on beyond: a run, or pinned.
     for (const std::size_t o : {0u, 1u}) {
-      // Never true: unless doubles are too coarse to tell such an edge.
+      // Of a solid, true only if doubles are too coarse to tell such an edge.
       if (is_beyond_other(o, v)) return true;
     }
     return false;

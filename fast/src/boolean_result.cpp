@@ -21,7 +21,7 @@ bool on_line(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
 bool in_line(const Spoke& s, const Spoke& t, const Space& space) {
   for (const auto& [known, asked] : {std::pair(&s, &t), std::pair(&t, &s)}) {
     if (known->other >= 0) {
-      // Never false: every face at a vertex of two edges holds both of them.
+      // Of a solid, every face at a vertex of two edges holds both of them.
       return space.side(known->plane, asked->end) == 0 &&
              space.side(known->other, asked->end) == 0;
     }
