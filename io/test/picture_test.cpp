@@ -43,18 +43,36 @@ ItemImage sample_image() {
   return image;
 }
 
-TEST(Npy, RoundTrips) {
-  const samples::TemporaryFile file("a.npy");
-  ASSERT_TRUE(write_npy(file.path(), sample_image()));
-  const Result<ItemImage> back = read_npy(file.path());
+/// The file of the sample image.
+class Npy : public ::testing::Test {
+ protected:
+  Npy() {
+    EXPECT_TRUE(write_npy(file_.path(), sample_image()));
+    good_ = *samples::raw_bytes(file_.path());
+  }
+
+  /// The file's bytes, changed in one place.
+  std::string with(const std::string& from, const std::string& to) const {
+    std::string bytes = good_;
+    return bytes.replace(bytes.find(from), from.size(), to);
+  }
+
+  Result<ItemImage> read(const std::string& bytes) const {
+    samples::write(file_.path(), bytes);
+    return read_npy(file_.path());
+  }
+
+  samples::TemporaryFile file_{"a.npy"};
+  std::string good_;
+};
+
+TEST_F(Npy, RoundTrips) {
+  const Result<ItemImage> back = read_npy(file_.path());
   ASSERT_TRUE(back) << back.error().message;
   EXPECT_EQ(*back, sample_image());
 }
 
-TEST(Npy, IsWhatNumPyWrites) {
-  const samples::TemporaryFile file("a.npy");
-  ASSERT_TRUE(write_npy(file.path(), sample_image()));
-  const std::string bytes = *samples::raw_bytes(file.path());
+TEST_F(Npy, IsWhatNumPyWrites) {
   std::string want("\x93NUMPY\x01\x00\x76\x00", 10);
   want += "{'descr': '<i4', 'fortran_order': False, 'shape': (2, 3), }";
   want.resize(127, ' ');
@@ -62,28 +80,20 @@ TEST(Npy, IsWhatNumPyWrites) {
   for (const std::int32_t id : {-1, -1, 2147483647, 7, -1, -1}) {
     samples::append(want, id);
   }
-  EXPECT_EQ(bytes, want);
+  EXPECT_EQ(good_, want);
 }
 
-TEST(Npy, NamesWhatIsWrong) {
-  const samples::TemporaryFile file("a.npy");
-  ASSERT_TRUE(write_npy(file.path(), sample_image()));
-  const std::string good = *samples::raw_bytes(file.path());
-  const auto code_of = [&file](const std::string& bytes) {
-    samples::write(file.path(), bytes);
-    const Result<ItemImage> image = read_npy(file.path());
+TEST_F(Npy, NamesWhatIsWrong) {
+  const auto code_of = [this](const std::string& bytes) {
+    const Result<ItemImage> image = read(bytes);
     EXPECT_FALSE(image);
     return image ? static_cast<ErrorCode>(-1) : image.error().code;
   };
-  const auto with = [&good](const std::string& from, const std::string& to) {
-    std::string bytes = good;
-    return bytes.replace(bytes.find(from), from.size(), to);
-  };
-  for (std::size_t size = 6; size < good.size(); ++size) {
-    EXPECT_EQ(code_of(good.substr(0, size)), ErrorCode::kTruncated) << size;
+  for (std::size_t size = 6; size < good_.size(); ++size) {
+    EXPECT_EQ(code_of(good_.substr(0, size)), ErrorCode::kTruncated) << size;
   }
   EXPECT_EQ(code_of("PK"), ErrorCode::kUnknownFormat);
-  EXPECT_EQ(code_of(good + "x"), ErrorCode::kSyntax);
+  EXPECT_EQ(code_of(good_ + "x"), ErrorCode::kSyntax);
   EXPECT_EQ(code_of(with("<i4", "<i8")), ErrorCode::kUnknownFormat);
   EXPECT_EQ(code_of(with("False", "True ")), ErrorCode::kUnknownFormat);
   EXPECT_EQ(code_of(with("(2, 3)", "(6,)  ")), ErrorCode::kSyntax);
@@ -92,32 +102,21 @@ TEST(Npy, NamesWhatIsWrong) {
   EXPECT_EQ(read_npy("/nowhere/a.npy").error().code, ErrorCode::kUnreadable);
 }
 
-TEST(Npy, ErrorsAreToTheLetter) {
-  const samples::TemporaryFile file("a.npy");
-  ASSERT_TRUE(write_npy(file.path(), sample_image()));
-  const std::string good = *samples::raw_bytes(file.path());
-  const auto read = [&file](const std::string& bytes) {
-    samples::write(file.path(), bytes);
-    return read_npy(file.path());
-  };
-  const auto with = [&good](const std::string& from, const std::string& to) {
-    std::string bytes = good;
-    return bytes.replace(bytes.find(from), from.size(), to);
-  };
-  const std::string name = file.path().string() + ": ";
-  samples::expect_error(read("\x93NUMPX" + good), ErrorCode::kUnknownFormat,
+TEST_F(Npy, ErrorsAreToTheLetter) {
+  const std::string name = file_.path().string() + ": ";
+  samples::expect_error(read("\x93NUMPX" + good_), ErrorCode::kUnknownFormat,
                         name + "this is no NumPy array");
   for (const std::size_t size : {6u, 11u, 12u, 127u}) {
-    samples::expect_error(read(good.substr(0, size)), ErrorCode::kTruncated,
+    samples::expect_error(read(good_.substr(0, size)), ErrorCode::kTruncated,
                           name + "the file ends in its header");
   }
   for (const std::size_t size : {128u, 151u}) {
     samples::expect_error(
-        read(good.substr(0, size)), ErrorCode::kTruncated,
+        read(good_.substr(0, size)), ErrorCode::kTruncated,
         name + "the file holds " + (size == 128u ? "0" : "5") + " of 6 pixels");
   }
   for (const char* more : {"x", "more"}) {
-    samples::expect_error(read(good + more), ErrorCode::kSyntax,
+    samples::expect_error(read(good_ + more), ErrorCode::kSyntax,
                           name + "the file goes on after its pixels");
   }
   const std::string kind =
@@ -151,8 +150,7 @@ TEST(Npy, ErrorsAreToTheLetter) {
   }
 }
 
-TEST(Npy, ReadsWhatNumPyMayWrite) {
-  const samples::TemporaryFile file("a.npy");
+TEST_F(Npy, ReadsWhatNumPyMayWrite) {
   // Version 2, other blanks and another order.
   std::string bytes("\x93NUMPY\2\0", 8);
   const std::string header =
@@ -162,20 +160,18 @@ TEST(Npy, ReadsWhatNumPyMayWrite) {
   bytes += header;
   samples::append(bytes, 7);
   samples::append(bytes, -1);
-  samples::write(file.path(), bytes);
-  const Result<ItemImage> image = read_npy(file.path());
+  const Result<ItemImage> image = read(bytes);
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->width_px, 2);
   EXPECT_EQ(image->height_px, 1);
   EXPECT_EQ(image->pixels, (std::vector<PolygonId>{7, -1}));
 }
 
-TEST(Npy, HoldsTheLargestImages) {
-  const samples::TemporaryFile file("a.npy");
+TEST_F(Npy, HoldsTheLargestImages) {
   for (const auto& [width, height] : {std::pair{65536, 1}, {1, 65536}}) {
     const ItemImage image(width, height, 3);
-    ASSERT_TRUE(write_npy(file.path(), image));
-    const Result<ItemImage> back = read_npy(file.path());
+    ASSERT_TRUE(write_npy(file_.path(), image));
+    const Result<ItemImage> back = read_npy(file_.path());
     ASSERT_TRUE(back) << back.error().message;
     EXPECT_EQ(*back, image);
   }

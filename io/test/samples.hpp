@@ -167,4 +167,20 @@ void expect_error(const Result<T>& result, ErrorCode code,
   EXPECT_EQ(result.error().index, index) << message;
 }
 
+/// A bad file, and all that is said of it.
+struct Refused {
+  std::string bytes;
+  ErrorCode code;
+  std::string message;
+  std::int64_t index;
+};
+
+inline void expect_refused(const std::vector<Refused>& cases, Format format) {
+  for (const Refused& bad : cases) {
+    SCOPED_TRACE(bad.bytes);
+    expect_error(read_mesh(bad.bytes, format), bad.code, bad.message,
+                 bad.index);
+  }
+}
+
 }  // namespace halfspace::io::samples

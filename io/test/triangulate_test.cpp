@@ -9,23 +9,18 @@
 #include <map>
 #include <random>
 
-#include "chain_boxes.hpp"
 #include "halfspace/int128.hpp"
-#include "halfspace/scene.hpp"
+#include "polygons.hpp"
 
 namespace halfspace::io {
 namespace {
 
-using Polygon = std::vector<GridPoint>;
+using samples::draw;
+using samples::Polygon;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
 Int128 twice_area(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   return Int128{b.x - a.x} * (c.y - a.y) - Int128{b.y - a.y} * (c.x - a.x);
-}
-
-/// A number from 0 to `count` - 1.
-std::int64_t draw(std::mt19937& random, std::int64_t count) {
-  return static_cast<std::int64_t>(random()) % count;
 }
 
 /// How often each directed edge is used more than its reverse.
@@ -229,91 +224,8 @@ TEST(Triangulate, EndsOnWhateverChainOfPoints) {
   }
 }
 
-/// A circle with waves.
-Polygon waves(int count) {
-  Polygon polygon;
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * std::acos(-1.0) * i / count;
-    const double radius = 1e9 * (1 + 0.1 * std::sin(40 * angle));
-    polygon.push_back({std::llround(radius * std::cos(angle)),
-                       std::llround(radius * std::sin(angle)), 0});
-  }
-  return polygon;
-}
-
 TEST(Triangulate, TilesWhatHasAsManyCornersAsMayBe) {
-  expect_tiles(waves(static_cast<int>(kMaxEarCorners)));
-}
-
-bool holds(const std::array<Flat, 3>& triangle, const Flat& p) {
-  return turn(triangle[0], triangle[1], p) >= 0 &&
-         turn(triangle[1], triangle[2], p) >= 0 &&
-         turn(triangle[2], triangle[0], p) >= 0;
-}
-
-TEST(ChainBoxes, FindEveryEdgeWithAPointInTheTriangle) {
-  std::mt19937 random(3);
-  std::size_t inside = 0, found = 0, all = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const std::size_t count = 1 + random() % 40;
-    const auto point = [&] {
-      return Flat{2 * draw(random, 12), 2 * draw(random, 12)};
-    };
-    std::vector<std::pair<Flat, Flat>> edges;
-    ChainBoxes boxes(count);
-    for (std::size_t e = 0; e < count; ++e) {
-      edges.emplace_back(point(), point());
-      boxes.set(e, edges[e].first, edges[e].second);
-    }
-    const std::size_t gone = random() % count;
-    boxes.remove(gone);
-    std::array<Flat, 3> triangle{point(), point(), point()};
-    if (turn(triangle[0], triangle[1], triangle[2]) < 0)
-      std::swap(triangle[1], triangle[2]);
-    if (turn(triangle[0], triangle[1], triangle[2]) == 0) continue;
-    std::vector<bool> told(count);
-    EXPECT_FALSE(boxes.any(triangle, [&](std::size_t e) {
-      EXPECT_FALSE(told[e]);
-      told[e] = true;
-      ++found;
-      return false;
-    }));
-    EXPECT_FALSE(told[gone]);
-    for (std::size_t e = 0; e < count; ++e) {
-      const auto& [p, q] = edges[e];
-      const Flat middle{(p.u + q.u) / 2, (p.v + q.v) / 2};
-      const bool is_inside =
-          holds(triangle, p) || holds(triangle, q) || holds(triangle, middle);
-      if (is_inside && e != gone) ++inside;
-      EXPECT_TRUE(told[e] || !is_inside || e == gone);
-    }
-    all += count;
-  }
-  EXPECT_GT(inside, 1000u);
-  EXPECT_LT(found, all * 3 / 4);
-}
-
-TEST(ChainBoxes, LookAtFewEdgesOfALongChain) {
-  const Polygon polygon = waves(20000);
-  const auto at = [&](std::size_t i) {
-    const GridPoint& p = polygon[i % polygon.size()];
-    return Flat{p.x, p.y};
-  };
-  ChainBoxes boxes(polygon.size());
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    boxes.set(i, at(i), at(i + 1));
-  std::size_t looked = 0, triangles = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const std::array<Flat, 3> ear{at(i), at(i + 1), at(i + 2)};
-    if (turn(ear[0], ear[1], ear[2]) <= 0) continue;
-    ++triangles;
-    boxes.any(ear, [&](std::size_t) {
-      ++looked;
-      return false;
-    });
-  }
-  EXPECT_GT(triangles, 10000u);
-  EXPECT_LT(looked, 8 * triangles);
+  expect_tiles(samples::waves(static_cast<int>(kMaxEarCorners)));
 }
 
 TEST(Triangulate, IsQuadraticOnASpiralAndOnATangle) {
@@ -337,122 +249,6 @@ TEST(Triangulate, IsQuadraticOnASpiralAndOnATangle) {
         std::chrono::steady_clock::now() - start;
     // A cubic algorithm takes hours.
     EXPECT_LT(spent.count(), 60);
-  }
-}
-
-TEST(ShapeOf, TellsWhatAPolygonIs) {
-  using enum Shape;
-  EXPECT_EQ(shape_of(Polygon{{0, 0, 0}, {1, 0, 0}}), kNoArea);
-  EXPECT_EQ(shape_of(Polygon{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 2, 2}}),
-            kNoArea);
-  EXPECT_EQ(shape_of(Polygon{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), kConvex);
-  EXPECT_EQ(
-      shape_of(Polygon{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}),
-      kConvex);
-  EXPECT_EQ(shape_of(Polygon{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}),
-            kOther);
-  EXPECT_EQ(shape_of(Polygon{
-                {0, 10, 0}, {-6, -8, 0}, {10, 3, 0}, {-10, 3, 0}, {6, -8, 0}}),
-            kOther);
-  for (const int bits : {26, 40, 54}) {
-    const std::int64_t a = (std::int64_t{1} << (bits - 1)) - 1;
-    const Polygon square = {{-a, -a, a}, {a, -a, -a}, {a, a, -a}, {-a, a, a}};
-    Polygon bent = square;
-    --bent[3].z;
-    EXPECT_EQ(shape_of(square), kConvex);
-    EXPECT_EQ(shape_of(bent), kOther);
-  }
-}
-
-/// What make_scene() says of the polygon, which is held against S1.3 itself.
-Shape shape_by_scene(const Polygon& polygon) {
-  SceneData data;
-  data.grid_bits = 54;
-  data.vertices = polygon;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    data.corners.push_back(static_cast<VertexId>(i));
-  data.first_corner.push_back(static_cast<std::uint32_t>(polygon.size()));
-  data.colors.push_back({});
-  const Result<Scene> scene = make_scene(std::move(data));
-  if (scene) return Shape::kConvex;
-  return scene.error().code == ErrorCode::kZeroArea ? Shape::kNoArea
-                                                    : Shape::kOther;
-}
-
-TEST(ShapeOf, IsConvexWhereAScenesPolygonsAre) {
-  const std::int64_t a = (std::int64_t{1} << 53) - 1;
-  std::mt19937 random(5);
-  std::array<int, 3> counts{};
-  for (int i = 0; i < 20000; ++i) {
-    // Corners on a square of nine points in some plane, or off it; in a row
-    // that is turned or mixed, at the ends of the largest grid.
-    const auto of_plane = [&](std::int64_t u, std::int64_t v) {
-      switch (i % 6) {
-        case 0:
-          return GridPoint{u, v, a};
-        case 1:
-          return GridPoint{-a, u, v};
-        case 2:
-          return GridPoint{v, 0, u};
-        case 3:
-          return GridPoint{u, v, -u};
-        case 4:
-          return GridPoint{v, -v, u};
-        default:
-          return GridPoint{u, v, v};
-      }
-    };
-    constexpr std::pair<int, int> kRound[] = {
-        {-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}};
-    Polygon polygon;
-    for (const auto& [u, v] : kRound) {
-      if (draw(random, 5) < 3) polygon.push_back(of_plane(u * a, v * a));
-    }
-    if (draw(random, 3) == 0)
-      std::shuffle(polygon.begin(), polygon.end(), random);
-    if (draw(random, 8) == 0) polygon.push_back(of_plane(0, 0));
-    if (polygon.size() > 3 && draw(random, 8) == 0) --polygon[2].x;
-    if (!polygon.empty()) {
-      std::rotate(polygon.begin(),
-                  polygon.begin() + draw(random, std::ssize(polygon)),
-                  polygon.end());
-    }
-    if (draw(random, 2) == 0) std::reverse(polygon.begin(), polygon.end());
-    if (polygon.size() < 3) {
-      ASSERT_EQ(shape_of(polygon), Shape::kNoArea);
-      continue;
-    }
-    const Shape shape = shape_by_scene(polygon);
-    ASSERT_EQ(shape_of(polygon), shape) << i;
-    ++counts[static_cast<std::size_t>(shape)];
-  }
-  EXPECT_GT(counts[0], 100);
-  EXPECT_GT(counts[1], 1500);
-  EXPECT_GT(counts[2], 1500);
-}
-
-TEST(ShapeOf, TellsSpikesWhicheverWayTheyPoint) {
-  for (const std::int64_t length : {1, 3, 7}) {
-    const Polygon spike = {
-        {0, 0, 0}, {4, 4, 4}, {4 - length, 4 - length, 4 - length}, {0, 9, 1}};
-    for (std::size_t first = 0; first < 4; ++first) {
-      for (int axis = 0; axis < 3; ++axis) {
-        for (int signs = 0; signs < 8; ++signs) {
-          Polygon polygon = spike;
-          std::rotate(polygon.begin(),
-                      polygon.begin() + static_cast<std::ptrdiff_t>(first),
-                      polygon.end());
-          for (GridPoint& p : polygon) {
-            if (axis == 1) p = {p.z, p.x, p.y};
-            if (axis == 2) p = {p.y, p.z, p.x};
-            if (signs & 1) p.x = -p.x;
-            if (signs & 2) p.y = -p.y;
-            if (signs & 4) p.z = -p.z;
-          }
-          EXPECT_EQ(shape_of(polygon), Shape::kOther);
-        }
-      }
-    }
   }
 }
 

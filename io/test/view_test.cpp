@@ -1,5 +1,3 @@
-#include "halfspace/io/view.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,48 +5,15 @@
 #include <limits>
 #include <string>
 
+#include "views.hpp"
+
 namespace halfspace::io {
 namespace {
 
 using glm::dvec3;
-
-/// A scene of one triangle that fills a box.
-Scene box_scene(Unit unit, std::int64_t size, int bits,
-                GridPoint at = {0, 0, 0}) {
-  SceneData data;
-  data.unit = unit;
-  data.grid_bits = bits;
-  data.vertices = {{at.x, at.y, at.z},
-                   {at.x + size, at.y, at.z + size},
-                   {at.x, at.y + size, at.z + size}};
-  data.first_corner = {0, 3};
-  data.corners = {0, 1, 2};
-  data.colors = {{}};
-  const Result<Scene> scene = make_scene(data);
-  EXPECT_TRUE(scene) << scene.error().message;
-  return scene ? *scene : Scene{};
-}
-
-dvec3 vector(const LatticeVector& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y),
-          static_cast<double>(v.z)};
-}
-
-/// The image point that sees a point of the lattice; nothing behind the eye.
-dvec3 image_of(const CameraData& camera, const dvec3& point) {
-  // point - origin = a (s0 - origin') + b sx + c sy, by Cramer's rule.
-  const dvec3 sx = vector(camera.sx);
-  const dvec3 sy = vector(camera.sy);
-  const dvec3 eye = vector(camera.eye);
-  const dvec3 s0 = vector(camera.s0);
-  const dvec3 w = camera.perspective ? s0 - eye : eye;
-  const dvec3 p = camera.perspective ? point - eye : point - s0;
-  const double all = glm::dot(w, glm::cross(sx, sy));
-  const double a = glm::dot(p, glm::cross(sx, sy)) / all;
-  const double b = glm::dot(w, glm::cross(p, sy)) / all;
-  const double c = glm::dot(w, glm::cross(sx, p)) / all;
-  return camera.perspective ? dvec3{b / a, c / a, a} : dvec3{b, c, -a};
-}
+using samples::box_scene;
+using samples::corners_of;
+using samples::image_of;
 
 Viewed viewed(const Scene& scene, const ViewOptions& options) {
   const Result<Viewed> view = look_at(scene, options);
@@ -109,15 +74,9 @@ TEST(LookAt, UsesTheRangeOfTheLattice) {
         viewed(scene, options_at({3000, -2000, 1500}, {0, 0, 0})).camera.data();
     const double limit = std::ldexp(1, bits + 13);
     double most = 0;
-    for (const int x : {0, 200}) {
-      for (const int y : {0, 100}) {
-        const dvec3 corner = vector(camera.s0) +
-                             static_cast<double>(x) * vector(camera.sx) +
-                             static_cast<double>(y) * vector(camera.sy);
-        for (int axis = 0; axis < 3; ++axis) {
-          most = std::max(most, std::abs(corner[axis]));
-        }
-      }
+    for (const dvec3& corner : corners_of(camera, 200, 100)) {
+      for (int axis = 0; axis < 3; ++axis)
+        most = std::max(most, std::abs(corner[axis]));
     }
     EXPECT_LT(most, limit);
     EXPECT_GT(most, 0.99 * limit);
@@ -155,7 +114,7 @@ TEST(LookAt, MovesTheEyeByAtMostHalfALatticeStep) {
   const ViewOptions options =
       options_at({1.0 / 3, -1000.0 / 7, 100.1}, {0, 0, 0});
   const Viewed view = viewed(scene, options);
-  const dvec3 eye = vector(view.camera.data().eye) / 256.0;
+  const dvec3 eye = samples::vector(view.camera.data().eye) / 256.0;
   double moved = 0;
   for (int axis = 0; axis < 3; ++axis) {
     moved = std::max(moved, std::abs(eye[axis] - options.eye[axis]));
@@ -292,17 +251,12 @@ TEST(LookAt, KeepsTheImageOnTheLatticeWhereverTheEyeIs) {
         const CameraData camera = viewed(scene, options).camera.data();
         // Of the room between the eye and the nearer end of each axis.
         double used = 0;
-        for (const int x : {0, 200}) {
-          for (const int y : {0, 100}) {
-            const dvec3 corner = vector(camera.s0) +
-                                 static_cast<double>(x) * vector(camera.sx) +
-                                 static_cast<double>(y) * vector(camera.sy);
-            for (int axis = 0; axis < 3; ++axis) {
-              EXPECT_LE(std::abs(corner[axis]), limit);
-              const double from = 256 * eye[axis];
-              used = std::max(used, std::abs(corner[axis] - from) /
-                                        (limit - std::abs(from)));
-            }
+        for (const dvec3& corner : corners_of(camera, 200, 100)) {
+          for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_LE(std::abs(corner[axis]), limit);
+            const double from = 256 * eye[axis];
+            used = std::max(
+                used, std::abs(corner[axis] - from) / (limit - std::abs(from)));
           }
         }
         EXPECT_GT(used, 0.95);
@@ -323,18 +277,14 @@ TEST(LookAt, TellsHowFarTheCornersOfTheImageMoved) {
     const dvec3 forward = glm::normalize(options.target - options.eye);
     const dvec3 right = glm::normalize(glm::cross(forward, options.up));
     const dvec3 down = glm::cross(forward, right);
+    const dvec3 x = height * right, y = height / 2 * down;
+    const dvec3 wanted[] = {options.eye - x - y, options.eye + x - y,
+                            options.eye - x + y, options.eye + x + y};
+    const auto got = corners_of(camera, 200, 100);
     double most = 0;
-    for (const int x : {0, 200}) {
-      for (const int y : {0, 100}) {
-        const dvec3 wanted =
-            options.eye +
-            height / 100 * ((x - 100.0) * right + (y - 50.0) * down);
-        const dvec3 got =
-            (vector(camera.s0) + static_cast<double>(x) * vector(camera.sx) +
-             static_cast<double>(y) * vector(camera.sy)) /
-            256.0;
-        for (int axis = 0; axis < 3; ++axis)
-          most = std::max(most, std::abs(got[axis] - wanted[axis]));
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        most = std::max(most, std::abs(got[i][axis] / 256 - wanted[i][axis]));
       }
     }
     EXPECT_GT(most, 0);
@@ -363,81 +313,6 @@ TEST(LookAt, HasANegativeNearDistanceInOrthographicViewsOnly) {
         1, 1e-6);
     EXPECT_EQ(*camera.near < 0, near < 0);
   }
-}
-
-TEST(AutomaticView, JustHoldsTheScene) {
-  const struct {
-    Unit unit;
-    std::int64_t size;
-    int bits;
-    GridPoint at;
-  } cases[] = {{{10, -3}, 1000, 26, {0, 0, 0}},
-               {{2, 0}, 33554431, 26, {0, 0, 0}},
-               {{2, -30}, 1LL << 40, 54, {-(1LL << 52), 0, 1LL << 52}},
-               {{10, 20}, 3, 26, {5, 5, 5}},
-               {{2, -50}, 1 << 20, 26, {1, 2, 3}}};
-  for (const auto& [unit, size, bits, at] : cases) {
-    const Scene scene = box_scene(unit, size, bits, at);
-    for (const auto& [width, height] : {std::pair{640, 480}, {100, 400}}) {
-      const Result<Viewed> view = automatic_view(scene, width, height);
-      ASSERT_TRUE(view) << view.error().message;
-      double widest = 0;
-      for (const GridPoint& p : scene.data().vertices) {
-        const dvec3 point = dvec3{p.x, p.y, p.z} * 256.0;
-        const dvec3 image = image_of(view->camera.data(), point);
-        EXPECT_GT(image.z, 0);
-        widest = std::max({widest, std::abs(2 * image.x / width - 1),
-                           std::abs(2 * image.y / height - 1)});
-      }
-      EXPECT_LE(widest, 1.001);
-      EXPECT_GE(widest, 0.9);
-    }
-  }
-  EXPECT_EQ(automatic_view(Scene{}, 64, 48).error().code, ErrorCode::kEmpty);
-}
-
-TEST(AutomaticView, LooksFromAboveAtTheMiddle) {
-  SceneData data;
-  data.unit = {10, -1};
-  // The last is no corner.
-  data.vertices = {
-      {-10, 4, 15}, {30, 9, 7}, {5, 24, 9}, {10, 5, 13}, {9000, -9000, 9000}};
-  data.first_corner = {0, 3, 6};
-  data.corners = {0, 1, 2, 3, 0, 2};
-  data.colors = {{}, {}};
-  const Result<Scene> scene = make_scene(data);
-  ASSERT_TRUE(scene) << scene.error().message;
-  for (const auto& [width, height] : {std::pair{640, 480}, {50, 700}}) {
-    const Result<Viewed> view = automatic_view(*scene, width, height);
-    ASSERT_TRUE(view) << view.error().message;
-    const ViewOptions& options = view->options;
-    EXPECT_LT(glm::length(options.target - dvec3{1, 1.4, 1.1}), 1e-12);
-    EXPECT_EQ(options.up, (dvec3{0, 0, 1}));
-    EXPECT_EQ(options.fov_deg, 30);
-    EXPECT_EQ(options.width_px, width);
-    EXPECT_EQ(options.height_px, height);
-    const dvec3 to_eye = glm::normalize(options.eye - options.target);
-    const dvec3 wanted = glm::normalize(dvec3{0.45, -0.78, 0.42});
-    EXPECT_LT(glm::length(to_eye - wanted), 1e-12);
-    // A margin of 4 in a hundred around what is farthest out.
-    const dvec3 right = glm::normalize(dvec3{0.78, 0.45, 0});
-    const dvec3 above = glm::cross(to_eye, right);
-    const double tan_y = std::tan(std::acos(-1) / 12);
-    const double tan_x = tan_y * width / height;
-    double widest = 0;
-    for (std::size_t v = 0; v < 4; ++v) {
-      const GridPoint& p = data.vertices[v];
-      const dvec3 from_eye = dvec3{p.x, p.y, p.z} * 0.1 - options.eye;
-      const double depth = -glm::dot(from_eye, to_eye);
-      widest = std::max(
-          {widest, std::abs(glm::dot(from_eye, right)) / (depth * tan_x),
-           std::abs(glm::dot(from_eye, above)) / (depth * tan_y)});
-    }
-    EXPECT_NEAR(widest, 1 / 1.04, 1e-9);
-  }
-  const Result<Viewed> none = automatic_view(Scene{}, 64, 48);
-  ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().message, "the scene has no polygons to look at");
 }
 
 }  // namespace

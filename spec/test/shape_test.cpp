@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "halfspace/scene.hpp"
+#include "planes.hpp"
 
 namespace halfspace {
 namespace {
@@ -122,29 +123,12 @@ struct Verdicts {
 std::int64_t greatest(int bits) { return (std::int64_t{1} << (bits - 1)) - 1; }
 
 TEST(Shape, IsThatOfEveryPolygonOnASquareOfNinePointsInSpace) {
-  // Planes along and across the axes, with normals of every kind of sign.
-  const auto place = [](int plane, std::int64_t u, std::int64_t v) {
-    switch (plane) {
-      case 0:
-        return GridPoint{u, v, 1};
-      case 1:
-        return GridPoint{-1, u, v};
-      case 2:
-        return GridPoint{v, 0, u};
-      case 3:
-        return GridPoint{u, v, -u};
-      case 4:
-        return GridPoint{v, -v, u};
-      default:
-        return GridPoint{u, v, v};
-    }
-  };
   Verdicts verdicts;
   for (int plane = 0; plane < 6; ++plane) {
     Points points;
     for (const std::int64_t u : {-1, 0, 1}) {
       for (const std::int64_t v : {-1, 0, 1}) {
-        points.push_back(place(plane, u, v));
+        points.push_back(in_plane(plane, u, v));
       }
     }
     // The square's symmetries take every first corner to one of these.

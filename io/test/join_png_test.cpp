@@ -1,38 +1,17 @@
-#include "halfspace/io/join.hpp"
-
 #include <gtest/gtest.h>
 #include <png.h>
 #include <zlib.h>
 
 #include "halfspace/io/picture.hpp"
-#include "npy.hpp"
+#include "join_parts.hpp"
 #include "png_rows.hpp"
-#include "samples.hpp"
 
 namespace halfspace::io {
 namespace {
 
 using samples::expect_error;
+using samples::Paths;
 using samples::raw_bytes;
-using Paths = std::vector<std::filesystem::path>;
-
-/// A folder for the parts and the whole of an image.
-class JoinTest : public ::testing::Test {
- protected:
-  std::filesystem::path at(const std::string& name) const {
-    return folder_.path().parent_path() / name;
-  }
-  std::filesystem::path path() const { return folder_.path(); }
-
-  /// The whole's name in front of the message.
-  std::string told(const std::filesystem::path& path,
-                   const std::string& what) const {
-    return path.string() + ": " + what;
-  }
-
- private:
-  samples::TemporaryFile folder_{"whole"};
-};
 
 std::uint8_t noise(std::uint32_t i) {
   i = (i ^ (i >> 15)) * 0x2c1b3c6du;
@@ -57,7 +36,7 @@ ColorImage rows_of(const ColorImage& whole, std::int32_t first,
   return rows;
 }
 
-using PngParts = JoinTest;
+using PngParts = samples::JoinTest;
 
 TEST_F(PngParts, MakeTheWholePicture) {
   const ColorImage whole = picture(5, 7);
@@ -74,11 +53,7 @@ TEST_F(PngParts, MakeTheWholePicture) {
       first += count;
     }
     std::filesystem::remove(path());
-    const Result<JoinedSize> size = join_png(parts, path());
-    ASSERT_TRUE(size) << size.error().message;
-    EXPECT_EQ(size->width_px, 5);
-    EXPECT_EQ(size->height_px, 7);
-    EXPECT_EQ(raw_bytes(path()), raw_bytes(at("want.png")));
+    expect_whole(join_png(parts, path()), 5, 7, raw_bytes(at("want.png")));
   }
 }
 
@@ -315,121 +290,6 @@ TEST_F(PngParts, SayWhatWentWrongFirst) {
   int written = 0;
   while (written < 1000 && writer.write_row(&much.at(0, 0).r)) ++written;
   EXPECT_LT(written, 1000);
-}
-
-using NpyParts = JoinTest;
-
-ItemImage items(std::int32_t width_px, std::int32_t height_px,
-                PolygonId first) {
-  ItemImage image(width_px, height_px, kBackground);
-  for (PolygonId& id : image.pixels) id = 7919 * first++;
-  return image;
-}
-
-TEST_F(NpyParts, MakeTheWholeImage) {
-  // Some are more than is copied at once.
-  const std::int32_t rows[] = {1, 300, 2, 64, 256};
-  Paths parts;
-  std::int32_t first = 0;
-  for (const std::int32_t count : rows) {
-    parts.push_back(at(std::to_string(first) + ".npy"));
-    ASSERT_TRUE(write_npy(parts.back(), items(101, count, 101 * first)));
-    first += count;
-  }
-  ASSERT_TRUE(write_npy(at("want.npy"), items(101, first, 0)));
-  const Result<JoinedSize> size = join_npy(parts, path());
-  ASSERT_TRUE(size) << size.error().message;
-  EXPECT_EQ(size->width_px, 101);
-  EXPECT_EQ(size->height_px, 623);
-  EXPECT_EQ(raw_bytes(path()), raw_bytes(at("want.npy")));
-}
-
-TEST_F(NpyParts, FitTogether) {
-  ASSERT_TRUE(write_npy(at("a.npy"), items(1, 65535, 0)));
-  ASSERT_TRUE(write_npy(at("b.npy"), items(1, 1, 0)));
-  ASSERT_TRUE(write_npy(at("c.npy"), items(2, 1, 0)));
-  const Result<JoinedSize> size = join_npy({at("a.npy"), at("b.npy")}, path());
-  ASSERT_TRUE(size) << size.error().message;
-  EXPECT_EQ(size->height_px, 65536);
-  std::filesystem::remove(path());
-  expect_error(
-      join_npy({at("a.npy"), at("b.npy"), at("b.npy")}, path()),
-      ErrorCode::kOutOfRange,
-      told(at("b.npy"), "with this the image has more than 65536 rows"), 2);
-  expect_error(join_npy({at("b.npy"), at("c.npy")}, path()),
-               ErrorCode::kOutOfRange,
-               told(at("c.npy"), "has 2 columns, the parts before it 1"), 1);
-  EXPECT_FALSE(std::filesystem::exists(path()));
-}
-
-TEST_F(NpyParts, HaveTheSizeThatTheySay) {
-  ASSERT_TRUE(write_npy(at("good.npy"), items(3, 5, 0)));
-  const std::string good = *raw_bytes(at("good.npy"));
-  ASSERT_EQ(good.size(), 188u);
-  const auto join = [&](const std::string& bytes) {
-    samples::write(at("a.npy"), bytes);
-    return join_npy({at("good.npy"), at("a.npy")}, path());
-  };
-  expect_error(join(good + "x"), ErrorCode::kSyntax,
-               told(at("a.npy"), "has 189 bytes, not 188"), 1);
-  expect_error(join(good.substr(0, 187)), ErrorCode::kSyntax,
-               told(at("a.npy"), "has 187 bytes, not 188"), 1);
-  expect_error(join(good.substr(0, 127)), ErrorCode::kTruncated,
-               told(at("a.npy"), "the file ends in its header"), 1);
-  expect_error(join("PK"), ErrorCode::kUnknownFormat,
-               told(at("a.npy"), "this is no NumPy array"), 1);
-  expect_error(join(""), ErrorCode::kUnreadable,
-               told(at("a.npy"), "cannot be read"), 1);
-  std::filesystem::remove(at("a.npy"));
-  std::filesystem::create_directory(at("a.npy"));
-  expect_error(join_npy({at("a.npy")}, path()), ErrorCode::kUnreadable,
-               told(at("a.npy"), "cannot be read"), 0);
-  expect_error(join_npy({at("none.npy")}, path()), ErrorCode::kUnreadable,
-               told(at("none.npy"), "cannot be read"), 0);
-  EXPECT_FALSE(std::filesystem::exists(path()));
-}
-
-TEST_F(NpyParts, HaveHeadersOfAPage) {
-  for (const std::size_t size : {4096u, 4097u}) {
-    std::string header =
-        "{'descr': '<i4', 'fortran_order': False, 'shape': (1, 1), }";
-    header.resize(size - 10, ' ');
-    std::string bytes = "\x93NUMPY\x01";
-    bytes += '\0';
-    samples::append(bytes, static_cast<std::uint16_t>(header.size()));
-    bytes += header;
-    samples::append(bytes, 5);
-    samples::write(at("a.npy"), bytes);
-    const Result<JoinedSize> joined = join_npy({at("a.npy")}, path());
-    if (size == 4097) {
-      expect_error(joined, ErrorCode::kTruncated,
-                   told(at("a.npy"), "the file ends in its header"), 0);
-      continue;
-    }
-    ASSERT_TRUE(joined) << joined.error().message;
-    EXPECT_EQ(raw_bytes(path()), npy_header(1, 1) + std::string("\5\0\0", 4));
-  }
-}
-
-TEST_F(NpyParts, LeaveNothingWhereTheWholeCannotBeWritten) {
-  ASSERT_TRUE(write_npy(at("few.npy"), items(3, 2, 0)));
-  ASSERT_TRUE(write_npy(at("many.npy"), items(300, 200, 0)));
-  expect_error(join_npy({at("few.npy")}, "/nowhere/at/all.npy"),
-               ErrorCode::kUnwritable,
-               "/nowhere/at/all.npy: cannot be written");
-  for (const char* part : {"few.npy", "many.npy"}) {
-    const Result<JoinedSize> joined = [&] {
-      const samples::SmallFiles small(140);
-      return join_npy({at(part)}, path());
-    }();
-    expect_error(joined, ErrorCode::kUnwritable,
-                 told(path(), "cannot be written"));
-    EXPECT_FALSE(std::filesystem::exists(path()));
-  }
-  std::filesystem::create_symlink("/dev/full", path());
-  expect_error(join_npy({at("few.npy")}, path()), ErrorCode::kUnwritable,
-               told(path(), "cannot be written"));
-  EXPECT_TRUE(std::filesystem::is_symlink(path()));
 }
 
 }  // namespace
