@@ -55,7 +55,7 @@ FILES = [
     "fast/src/edge_blocks.cpp", "fast/src/locator.cpp",
     "spec/src/boolean.cpp", "spec/src/camera.cpp", "spec/src/int128.cpp",
     "spec/src/polygon.cpp", "spec/src/scene.cpp", "spec/src/scene_file.cpp",
-    "spec/src/scene_file_write.cpp",
+    "spec/src/scene_file_write.cpp", "spec/src/token_lines.cpp",
     "io/src/automatic_view.cpp", "io/src/encode.cpp", "io/src/file.cpp",
     "io/src/grid.cpp", "io/src/import.cpp", "io/src/join.cpp",
     "io/src/mesh_builder.cpp", "io/src/npy.cpp", "io/src/number.cpp",

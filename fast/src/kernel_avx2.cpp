@@ -21,14 +21,6 @@ namespace {
 //
 #include "kernel_avx2_levels.inc"
 //
-#include "kernel_shade.inc"
-//
-#include "kernel_edges.inc"
-//
-#include "kernel_paint.inc"
-//
-#include "kernel_merge.inc"
-//
 #include "kernel.inc"
 //
 #include "kernel_avx2_boxes.inc"

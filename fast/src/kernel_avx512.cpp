@@ -28,14 +28,6 @@ namespace {
 //
 #include "kernel_avx512_levels.inc"
 //
-#include "kernel_shade.inc"
-//
-#include "kernel_edges.inc"
-//
-#include "kernel_paint.inc"
-//
-#include "kernel_merge.inc"
-//
 #include "kernel.inc"
 //
 #include "kernel_avx2_boxes.inc"

@@ -275,14 +275,6 @@ inline std::uint32_t shade_pixels(const Target& target, const ShadedLine& line,
   return left;
 }
 
-#include "kernel_shade.inc"
-//
-#include "kernel_edges.inc"
-//
-#include "kernel_paint.inc"
-//
-#include "kernel_merge.inc"
-//
 #include "kernel.inc"
 
 Sight see_box(const Canvas&, const BoxView&, const Box&) {

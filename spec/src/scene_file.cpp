@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "token_lines.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -10,38 +12,13 @@ constexpr std::string_view kMagic = "halfspace-scene";
 constexpr std::string_view kVersion = "1";
 constexpr std::size_t kMaxCount = std::numeric_limits<std::int32_t>::max();
 
-/// A token as it may stand in a message: short, and printable ASCII only.
-std::string quoted(std::string_view token) {
-  constexpr std::size_t kLongest = 40;
-  std::string text = "'";
-  for (const char c : token.substr(0, kLongest)) {
-    text.push_back(c >= ' ' && c <= '~' ? c : '?');
-  }
-  return text + (token.size() > kLongest ? "...'" : "'");
-}
-
-bool is_integer(std::string_view token) {
-  if (!token.empty() && (token[0] == '-' || token[0] == '+')) {
-    token.remove_prefix(1);
-  }
-  return !token.empty() && std::all_of(token.begin(), token.end(), [](char c) {
-    return c >= '0' && c <= '9';
-  });
-}
-
 /// Reads one file: a line at a time, into what will become its parts.
-class Reader {
+class Reader : private TokenLines {
  public:
-  explicit Reader(std::string_view text) : rest_(text) {}
+  using TokenLines::TokenLines;
   Result<SceneFile> read();
 
  private:
-  bool next_line();
-  bool fail(ErrorCode code, const std::string& what);
-  bool integer(std::size_t token, Int128 least, Int128 most, Int128& value);
-  template <class Int>
-  bool integer(std::size_t token, Int128 least, Int128 most, Int& value);
-  bool count_is(std::size_t values);
   bool once(bool& seen);
   bool header();
   bool header_line(std::string_view keyword, std::size_t values);
@@ -56,12 +33,6 @@ class Reader {
   bool check_camera();
   Result<SceneFile> finish();
 
-  std::string_view rest_;
-  std::vector<std::string_view> tokens_;  // of the current line
-  std::int64_t line_ = 0;
-  bool line_ended_ = true;  // the current line has its line feed
-  std::optional<Error> error_;
-
   SceneData scene_;
   std::vector<std::int64_t> polygon_lines_;
   CameraData camera_;
@@ -71,71 +42,6 @@ class Reader {
          size = false, cull = false, shade = false, background = false;
   } seen_;
 };
-
-/// Makes `tokens_` those of the next line that has any; false at the end.
-bool Reader::next_line() {
-  tokens_.clear();
-  while (tokens_.empty()) {
-    if (rest_.empty()) return false;
-    ++line_;
-    const std::size_t feed = rest_.find('\n');
-    line_ended_ = feed != std::string_view::npos;
-    std::string_view line = rest_.substr(0, feed);
-    rest_.remove_prefix(line_ended_ ? feed + 1 : rest_.size());
-    line = line.substr(0, line.find('#'));
-    constexpr std::string_view kBlank = " \t\r";
-    for (std::size_t at = line.find_first_not_of(kBlank);
-         at != std::string_view::npos; at = line.find_first_not_of(kBlank)) {
-      line.remove_prefix(at);
-      const std::string_view token = line.substr(0, line.find_first_of(kBlank));
-      tokens_.push_back(token);
-      line.remove_prefix(token.size());
-    }
-  }
-  return true;
-}
-
-/// Notes the error; returns false. A bad line without a line feed is not 'end',
-/// so the file is cut off there, whatever else is wrong with it.
-bool Reader::fail(ErrorCode code, const std::string& what) {
-  const bool cut = !line_ended_;
-  error_ = Error{cut ? ErrorCode::kTruncated : code,
-                 "line " + std::to_string(line_) + ": " + what +
-                     (cut ? ", where the file ends" : ""),
-                 line_};
-  return false;
-}
-
-bool Reader::integer(std::size_t token, Int128 least, Int128 most,
-                     Int128& value) {
-  const std::string_view text = tokens_[token];
-  if (!is_integer(text)) {
-    return fail(ErrorCode::kSyntax, quoted(text) + " is not an integer");
-  }
-  if (!parse_int128(text, value) || value < least || value > most) {
-    return fail(ErrorCode::kOutOfRange, quoted(text) + " is not from " +
-                                            to_string(least) + " to " +
-                                            to_string(most));
-  }
-  return true;
-}
-
-template <class Int>
-bool Reader::integer(std::size_t token, Int128 least, Int128 most, Int& value) {
-  Int128 wide = 0;
-  if (!integer(token, least, most, wide)) return false;
-  value = static_cast<Int>(wide);
-  return true;
-}
-
-bool Reader::count_is(std::size_t values) {
-  if (tokens_.size() == values + 1) return true;
-  return fail(ErrorCode::kSyntax, quoted(tokens_[0]) + " is followed by " +
-                                      std::to_string(values) +
-                                      (values == 1 ? " value" : " values") +
-                                      ", not " +
-                                      std::to_string(tokens_.size() - 1));
-}
 
 bool Reader::once(bool& seen) {
   if (seen) {
