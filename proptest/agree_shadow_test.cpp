@@ -109,6 +109,61 @@ TEST(AgreeShadow, EveryWrongPixelIsFound) {
   EXPECT_GT(planted.size(), 8u);
 }
 
+/// A rectangle at a height, seen from above by pixels of 4 by 4 grid steps.
+void add_rectangle(SceneData& data, std::int64_t left, std::int64_t top,
+                   std::int64_t right, std::int64_t bottom, std::int64_t z) {
+  const auto first = static_cast<VertexId>(data.vertices.size());
+  data.vertices.insert(
+      data.vertices.end(),
+      {{left, top, z}, {right, top, z}, {right, bottom, z}, {left, bottom, z}});
+  for (VertexId k = 0; k < 4; ++k) data.corners.push_back(first + k);
+  data.first_corner.push_back(static_cast<std::uint32_t>(data.corners.size()));
+  data.colors.push_back({});
+}
+
+TEST(AgreeShadow, WhatIsLeftOutIsFoundWhereverItIs) {
+  CameraData from_above;
+  from_above.perspective = false;
+  from_above.eye = {0, 0, 256};
+  from_above.sx = {4 * 256, 0, 0};
+  from_above.sy = {0, 4 * 256, 0};
+  from_above.width_px = 24;
+  from_above.height_px = 16;
+  const Camera camera = *make_camera(from_above, 26);
+  std::size_t all = 0;
+  for (const std::int64_t size : {4, 8, 20, 60}) {
+    for (std::int64_t x = 0; x < 96; x += 4) {
+      for (std::int64_t y = 0; y < 64; y += 12) {
+        // The ground, what was left out, and what is nearer on its left.
+        SceneData data;
+        add_rectangle(data, 0, 0, 96, 64, 0);
+        add_rectangle(data, x, y, x + size, y + size, 1);
+        add_rectangle(data, -4, 0, x + size - 4, 64, 2);
+        const Scene scene = *make_scene(std::move(data));
+        // One column of the second is seen, and shows the ground.
+        const auto column = static_cast<std::int32_t>((x + size) / 4 - 1);
+        ItemImage items(24, 16, 0);
+        for (std::int32_t j = 0; j < 16; ++j) {
+          for (std::int32_t i = 0; i < std::min(column, 24); ++i)
+            items.at(i, j) = 2;
+        }
+        const std::int64_t rows =
+            std::min(y + size, std::int64_t{64}) / 4 - y / 4;
+        const auto wrong = static_cast<std::size_t>(column < 24 ? rows : 0);
+        const shadow::Report found = shadow::check(
+            scene, camera, {}, {items, ColorImage()}, {1, 1, 1000});
+        ASSERT_EQ(found.mismatches, wrong) << x << " " << y << " " << size;
+        for (const shadow::Mismatch& m : found.first) {
+          EXPECT_EQ(m.i, column);
+          EXPECT_EQ(m.expected, 1);
+        }
+        all += wrong;
+      }
+    }
+  }
+  EXPECT_GT(all, 1000u);
+}
+
 TEST(AgreeShadow, AShareIsSpreadEvenlyOverThePartThatIsShown) {
   Draws draws(3);
   const View view = random_view(Kind::kSmall, 26, draws);

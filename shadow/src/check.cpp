@@ -69,11 +69,14 @@ class Samples {
     for (const Sample& sample : all_) ++begin_[tile_of(sample) + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     places_.resize(all_.size());
+    nearness_.assign(begin_.size() - 1, HUGE_VAL);
     std::vector<std::uint32_t> free(begin_.begin(), begin_.end() - 1);
     for (std::size_t n = 0; n < all_.size(); ++n) {
       const Sample& sample = all_[n];
-      places_[free[tile_of(sample)]++] = {sample.nearness, sample.i, sample.j,
-                                          static_cast<std::uint32_t>(n)};
+      const std::size_t tile = tile_of(sample);
+      places_[free[tile]++] = {sample.nearness, sample.i, sample.j,
+                               static_cast<std::uint32_t>(n)};
+      nearness_[tile] = std::min(nearness_[tile], sample.nearness);
     }
   }
 
@@ -86,20 +89,33 @@ class Samples {
     const std::int32_t top = std::max(bounds.top, top_);
     const std::int32_t bottom = std::min(bounds.bottom, bottom_);
     if (left > right || top > bottom) return;
-    const std::int32_t first_tile = tile(left - left_);
-    const std::int32_t last_tile = tile(right - left_);
+    const auto first_tile = static_cast<std::size_t>(tile(left - left_));
+    const auto last_tile = static_cast<std::size_t>(tile(right - left_));
     for (std::int32_t row = tile(top - top_); row <= tile(bottom - top_);
          ++row) {
       const auto at =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(across_);
-      const auto end = begin_[at + static_cast<std::size_t>(last_tile) + 1];
-      for (auto n = begin_[at + static_cast<std::size_t>(first_tile)]; n < end;
-           ++n) {
-        const Place& place = places_[n];
-        if (place.i >= left && place.i <= right && place.j >= top &&
-            place.j <= bottom && !(nearness < place.nearness)) {
-          visit(all_[place.sample]);
+      // What is behind all that a row of tiles shows is looked at no closer.
+      double least = HUGE_VAL;
+      for (std::size_t t = first_tile; t <= last_tile; ++t)
+        least = std::min(least, nearness_[at + t]);
+      if (nearness < least) continue;
+      const std::uint32_t end = begin_[at + last_tile + 1];
+      for (std::uint32_t n = begin_[at + first_tile]; n < end;) {
+        // Most are outside, in no order that a processor could foresee: so
+        // those within are put aside without a branch.
+        std::uint32_t found[kAtOnce];
+        std::size_t count = 0;
+        for (const std::uint32_t stop = std::min(end, n + kAtOnce); n < stop;
+             ++n) {
+          const Place& place = places_[n];
+          found[count] = place.sample;
+          count += static_cast<std::size_t>(
+              int{place.i >= left} & int{place.i <= right} &
+              int{place.j >= top} & int{place.j <= bottom} &
+              int{!(nearness < place.nearness)});
         }
+        for (std::size_t k = 0; k < count; ++k) visit(all_[found[k]]);
       }
     }
   }
@@ -111,6 +127,8 @@ class Samples {
     std::int32_t i, j;
     std::uint32_t sample;
   };
+
+  static constexpr std::uint32_t kAtOnce = 64;
 
   /// The generator splitmix64.
   static std::uint64_t next(std::uint64_t& state) {
@@ -131,6 +149,7 @@ class Samples {
   std::int32_t across_;
   std::vector<Sample> all_;
   std::vector<std::uint32_t> begin_;  ///< of each tile in places_
+  std::vector<double> nearness_;      ///< of each tile the least
   std::vector<Place> places_;
 };
 

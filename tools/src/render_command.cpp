@@ -200,7 +200,7 @@ void add_render(CLI::App& program, Status& status) {
   add_film_options(*app, *arguments);
   add_tree_options(*app, *arguments);
   add_parsed(*app, "--repeat", "N", arguments->repeat, parse_count,
-             "Make the image N times; frame_ms is the median")
+             "Make the image, and check it, N times; times are medians")
       ->group("Measurement");
   add_shadow_options(*app, *arguments);
   app->footer(

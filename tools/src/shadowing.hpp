@@ -37,7 +37,7 @@ class Shadow {
   const RenderArguments& arguments_;
   shadow::Report report_;
   std::uint64_t images_ = 0;
-  double check_ms_ = 0;
+  double check_ms_ = 0;  ///< of each image the median of the repeats
 };
 
 }  // namespace halfspace::tools
