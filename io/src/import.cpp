@@ -68,6 +68,7 @@ class Importer {
   std::vector<VertexId> scene_id_;  // by vertex of the mesh
   std::vector<Direction> normals_;  // by vertex of the scene
   SceneData data_;
+  std::vector<PolygonId> faces_;  // by polygon of the scene
   ImportReport report_;
   std::optional<Error> error_;
 
@@ -205,6 +206,7 @@ void Importer::add_polygon(std::size_t face,
   data_.first_corner.push_back(
       static_cast<std::uint32_t>(data_.corners.size()));
   data_.colors.push_back(color_of_face(face));
+  faces_.push_back(static_cast<PolygonId>(face));
 }
 
 bool Importer::add_face(std::size_t face) {
@@ -251,7 +253,7 @@ Result<Imported> Importer::import() {
   }
   Result<Scene> scene = make_scene(std::move(data_));
   if (!scene) return scene.error();
-  return Imported{*std::move(scene), report_};
+  return Imported{*std::move(scene), std::move(faces_), report_};
 }
 
 }  // namespace

@@ -185,6 +185,7 @@ TEST(ImportScene, DropsAndCountsWhatHasNoArea) {
   EXPECT_EQ(result.report.polygons, 8u);
   EXPECT_EQ(result.report.triangulated, 0u);
   EXPECT_EQ(result.scene.polygon_count(), 2u);
+  EXPECT_EQ(result.faces, (std::vector<PolygonId>{6, 7}));
 }
 
 TEST(ImportScene, KeepsConvexPlanarPolygonsWithStraightCorners) {
@@ -203,6 +204,7 @@ TEST(ImportScene, CutsWhatIsNotPlanarOrNotConvex) {
                           Format::kObj));
   EXPECT_EQ(result.report.triangulated, 2u);
   EXPECT_EQ(result.scene.polygon_count(), 4u);
+  EXPECT_EQ(result.faces, (std::vector<PolygonId>{0, 0, 1, 1}));
 }
 
 TEST(ImportScene, KeepsASolidClosed) {

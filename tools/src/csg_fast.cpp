@@ -41,7 +41,8 @@ class FastAlgebra {
   Result<Value> leaf(std::int32_t id) {
     const Result<Solid> solid = operands_.leaf(id);
     if (!solid) return solid.error();
-    Value value = fast::to_solid(*solid, nothing_, id);
+    Value value = numbered(fast::to_solid(*solid, nothing_, id),
+                           operands_.polygons_of(id));
     if (!operands_.to_repair(id)) return value;
     fast::Repaired repaired = fast::repair(value);
     if (repaired.solid.faces.empty()) {

@@ -29,7 +29,7 @@ Result<io::ExportReport> write_result(const std::string& path,
 /// Writes the origin of each polygon of the result as text. A line
 /// `solid I NAME PATH` for each solid, as it was moved at a place in the
 /// script; then, for each polygon in order, `I J`: it is a part of polygon `J`
-/// of solid `I`.
+/// of solid `I`, as its file counts them, from 0.
 /// Errors: kUnwritable.
 Result<Done> write_origins(const std::string& path, const CsgContext& context);
 

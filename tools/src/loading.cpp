@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cstdio>
+#include <numeric>
 #include <utility>
 
 #include "halfspace/io/read_mesh.hpp"
@@ -31,8 +32,10 @@ Result<Loaded> load_scene_file(const std::string& path,
                  path + ": the scene has its own grid of " +
                      std::to_string(bits) + " bits; --grid is for meshes only"};
   }
+  std::vector<PolygonId> polygons(file->scene.polygon_count());
+  std::iota(polygons.begin(), polygons.end(), PolygonId{0});
   io::ImportReport report = unchanged(file->scene);
-  return Loaded{std::move(*file), report, true};
+  return Loaded{std::move(*file), std::move(polygons), report, true};
 }
 
 }  // namespace
@@ -65,8 +68,10 @@ Result<Loaded> load(const std::string& path, const io::ImportOptions& options) {
   if (!mesh) return about(path, mesh.error());
   Result<io::Imported> imported = io::import_scene(*mesh, options);
   if (!imported) return about(path, imported.error());
-  return Loaded{
-      {std::move(imported->scene), std::nullopt, {}}, imported->report, false};
+  return Loaded{{std::move(imported->scene), std::nullopt, {}},
+                std::move(imported->faces),
+                imported->report,
+                false};
 }
 
 std::string to_string(const Unit& unit) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
@@ -18,6 +19,8 @@ namespace halfspace::tools {
 /// A file that was read: a mesh that was imported, or a scene.
 struct Loaded {
   SceneFile file;
+  /// Of each polygon the one in the file that it is, or is a part of.
+  std::vector<PolygonId> polygons;
   io::ImportReport report;  ///< of a scene: that nothing was changed
   bool is_scene_file = false;
 };

@@ -49,8 +49,16 @@ Result<io::Imported> imported_again(const SceneData& data) {
 
 }  // namespace
 
+fast::Solid numbered(fast::Solid solid,
+                     const std::vector<PolygonId>& polygons) {
+  for (fast::Face& face : solid.faces)
+    face.polygon = polygons[static_cast<std::size_t>(face.polygon)];
+  return solid;
+}
+
 /// Whether the surface must be repaired; an error if that is not wanted.
-Result<bool> Operands::needs_repair(const Solid& solid) const {
+Result<bool> Operands::needs_repair(
+    const Solid& solid, const std::vector<PolygonId>& polygons) const {
   if (solid.scene().polygon_count() == 0) return false;
   if (!options_.find_crossings) {
     // What is found without a search.
@@ -61,7 +69,8 @@ Result<bool> Operands::needs_repair(const Solid& solid) const {
                      ? "the surface holds nothing: its volume is 0"
                      : "the surface is inside out: its volume is " + volume};
   }
-  const Result<Done> fine = fast::check_operand(fast::to_solid(solid));
+  const Result<Done> fine =
+      fast::check_operand(numbered(fast::to_solid(solid), polygons));
   if (fine || options_.repair) return !fine;
   Error error = fine.error();
   error.message += " (--repair keeps what it winds round)";
@@ -86,7 +95,7 @@ Result<Done> Operands::read_files() {
     *scene = closed(*std::move(scene));
     const Result<Solid> solid = make_solid(*scene);
     if (!solid) return about(path, solid.error());
-    const Result<bool> repairs = needs_repair(*solid);
+    const Result<bool> repairs = needs_repair(*solid, loaded->polygons);
     if (!repairs) return about(path, repairs.error());
     const io::ImportReport& report = loaded->report;
     report_.vertices += report.vertices;
@@ -95,7 +104,8 @@ Result<Done> Operands::read_files() {
     report_.max_move = std::max(report_.max_move, report.max_move);
     report_.triangulated += report.triangulated;
     report_.dropped += report.dropped;
-    sources_.push_back({std::move(path), *std::move(scene), *repairs});
+    sources_.push_back({std::move(path), *std::move(scene),
+                        std::move(loaded->polygons), *repairs});
   }
   return Done{};
 }
@@ -160,8 +170,12 @@ std::string Operands::name_of(std::int32_t leaf) const {
   return file.name.empty() ? file.path : file.name;
 }
 
-Result<Scene> Operands::moved_scene(const CsgLeaf& leaf) {
-  const Scene& scene = sources_[static_cast<std::size_t>(leaf.file)].scene;
+/// Makes `polygons` those in the file that the scene's are parts of.
+Result<Scene> Operands::moved_scene(const CsgLeaf& leaf,
+                                    std::vector<PolygonId>& polygons) {
+  const Source& source = sources_[static_cast<std::size_t>(leaf.file)];
+  const Scene& scene = source.scene;
+  polygons = source.polygons;
   const Matrix& matrix = plan_->matrices[static_cast<std::size_t>(leaf.matrix)];
   PlacedPoints moved = placed(step_map(matrix, scene.unit()),
                               scene.data().vertices, report_.unit);
@@ -188,6 +202,9 @@ Result<Scene> Operands::moved_scene(const CsgLeaf& leaf) {
   }
   report_.triangulated += again->report.triangulated;
   report_.dropped += again->report.dropped;
+  polygons = std::move(again->faces);
+  for (PolygonId& p : polygons)
+    p = source.polygons[static_cast<std::size_t>(p)];
   data = again->scene.data();
   data.unit = report_.unit;
   data.grid_bits = report_.grid_bits;
@@ -203,14 +220,15 @@ Result<Solid> Operands::leaf(std::int32_t id) {
     return about(path_of(id), std::move(error));
   };
   const std::size_t moved_before = report_.moved;
-  Result<Scene> scene = moved_scene(leaf);
+  std::vector<PolygonId>& polygons = polygons_[static_cast<std::size_t>(id)];
+  Result<Scene> scene = moved_scene(leaf, polygons);
   if (!scene) return located(scene.error());
   Result<Solid> solid = make_solid(closed(*std::move(scene)));
   if (!solid) return located(solid.error());
   // An exact map makes no new crossings.
   bool repairs = source_of(id).to_repair;
   if (report_.moved != moved_before) {
-    const Result<bool> found = needs_repair(*solid);
+    const Result<bool> found = needs_repair(*solid, polygons);
     if (!found) return located(found.error());
     repairs = *found;
   }

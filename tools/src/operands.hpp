@@ -8,6 +8,7 @@
 
 #include "csg_plan.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/fast/solid.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
 
@@ -24,6 +25,10 @@ struct OperandOptions {
   bool repair = false;
 };
 
+/// The solid, its faces noting the polygons of a file that they are parts of.
+/// Requires: none of them has been made from others.
+fast::Solid numbered(fast::Solid solid, const std::vector<PolygonId>& polygons);
+
 /// The solids of a plan, all on the grid that holds them: whatever units they
 /// came in, and however they were moved, exact wherever one grid can hold them.
 class Operands {
@@ -37,13 +42,17 @@ class Operands {
   static Result<Operands> load(const CsgScript& script, const CsgPlan& plan,
                                const OperandOptions& options);
 
-  /// The solid of a leaf, mirrored ones turned outwards again. Its polygons are
-  /// those of the scene in its file, unless it had to be rounded and some had
-  /// to be cut into triangles.
+  /// The solid of a leaf, mirrored ones turned outwards again.
   /// Errors: those of importing; kNotClosed; kOutOfRange (it is less than a
   ///         step of the grid). The message names the file, and where in the
   ///         script it is moved.
   Result<Solid> leaf(std::int32_t id);
+
+  /// Of each polygon of a leaf that was asked for the one in its file that it
+  /// is, or is a part of.
+  const std::vector<PolygonId>& polygons_of(std::int32_t leaf) const {
+    return polygons_[static_cast<std::size_t>(leaf)];
+  }
 
   /// Three points of a plane.
   /// Errors: kZeroArea (rounding put them on a line).
@@ -79,6 +88,7 @@ class Operands {
   struct Source {
     std::string path;
     Scene scene;
+    std::vector<PolygonId> polygons;  ///< as Loaded::polygons
     bool to_repair = false;
   };
 
@@ -87,19 +97,23 @@ class Operands {
       : script_(&script),
         plan_(&plan),
         options_(options),
-        repair_(plan.leaves.size()) {}
+        repair_(plan.leaves.size()),
+        polygons_(plan.leaves.size()) {}
   Scene closed(Scene scene);
-  Result<bool> needs_repair(const Solid& solid) const;
+  Result<bool> needs_repair(const Solid& solid,
+                            const std::vector<PolygonId>& polygons) const;
   Result<Done> read_files();
   Result<Done> choose_grid();
   const Source& source_of(std::int32_t leaf) const;
-  Result<Scene> moved_scene(const CsgLeaf& leaf);
+  Result<Scene> moved_scene(const CsgLeaf& leaf,
+                            std::vector<PolygonId>& polygons);
 
   const CsgScript* script_;
   const CsgPlan* plan_;
   OperandOptions options_;
-  std::vector<Source> sources_;  // by file of the script
-  std::vector<bool> repair_;     // by leaf
+  std::vector<Source> sources_;                   // by file of the script
+  std::vector<bool> repair_;                      // by leaf
+  std::vector<std::vector<PolygonId>> polygons_;  // by leaf
   io::ImportReport report_;
   std::size_t corners_added_ = 0;
 };

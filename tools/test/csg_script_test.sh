@@ -156,6 +156,38 @@ expect 0 'closed' csg 'A & half(z < 2)' A=a.off -o out.off --origin origin.txt
 [ "$(grep -c ' 170 170 170$' out.off)" = 1 ] || wrong "the cut in out.off"
 expect 0 'closed' csg difference a.off b.off -o out.off --origin origin.txt
 expect 2 'origin' csg difference a.off b.off -o o.off --origin o --impl ref
+# Polygons count as in the file, where one has no area and two are no convex
+# polygons; also when they have been bent by rounding, and cut once more.
+cat >angle.off <<EOF
+OFF
+12 9 0
+0 0 0
+4 0 0
+4 2 0
+2 2 0
+2 4 0
+0 4 0
+0 0 3
+4 0 3
+4 2 3
+2 2 3
+2 4 3
+0 4 3
+3 0 1 0
+6 5 4 3 2 1 0
+6 6 7 8 9 10 11
+4 0 1 7 6
+4 1 2 8 7
+4 2 3 9 8
+4 3 4 10 9
+4 4 5 11 10
+4 5 0 6 11
+EOF
+for moved in 'A - A | translate(A, 9, 0, 0)' 'rotate(A, 1, 2, 3, 25)'; do
+  expect 0 'closed' csg "$moved" A=angle.off -o moved.off --origin angle.txt
+  grep -v solid angle.txt | cut -d' ' -f2 | sort -u | tr '\n' ' ' >origins
+  [ "$(cat origins)" = '1 2 3 4 5 6 7 8 ' ] || wrong "$moved: $(cat origins)"
+done
 sed '11,$s/$/ 10 20 30/' a.off >red.off
 sed '11,$s/$/ 40 50 60/' b.off >green.off
 expect 0 'result' csg difference red.off green.off -o out.off
@@ -226,6 +258,9 @@ shell_of() { # NAME FACES-WITHIN
 shell_of twice.off "$inner_faces"
 expect 2 'twice.off.*winds round a place twice: polygon 6 .* near 1, 1, 1' \
   csg X X=twice.off -o out.off
+sed '2s/12/13/; 18a 3 0 1 0' twice.off >flat.off
+expect 2 'flat.off.*winds round a place twice: polygon 7 .* near 1, 1, 1' \
+  csg X X=flat.off -o out.off
 expect 0 'volume 64,' csg X X=twice.off --repair -o out.off
 shell_of hollow.off "$(awk '{ print $1, $5, $4, $3, $2 }' <<<"$inner_faces")"
 expect 0 'volume 63,' csg X X=hollow.off -o out.off --stats stats.json

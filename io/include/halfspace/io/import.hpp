@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "halfspace/io/mesh.hpp"
 #include "halfspace/result.hpp"
@@ -36,6 +37,8 @@ struct ImportReport {
 /// The scene that a mesh became, and what was done to it.
 struct Imported {
   Scene scene;
+  /// Of each polygon of the scene the mesh's face that it is, or is a part of.
+  std::vector<PolygonId> faces;
   ImportReport report;
 };
 
@@ -61,7 +64,8 @@ struct Imported {
 /// Errors: kEmpty (vertices, but no faces); kOutOfRange (a polygon to be cut
 ///         into triangles with over 20,000 corners; a grid of other than 26,
 ///         40, 54 bits; coordinates that no unit reaches); kBadIndex.
-/// Cost:   linear, but for polygons to be cut: n log n in their corners, mostly,
+/// Cost:   linear, but for polygons to be cut: n log n in their corners,
+/// mostly,
 ///         and quadratic at worst.
 Result<Imported> import_scene(const Mesh& mesh, const ImportOptions& options);
 
