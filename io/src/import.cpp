@@ -75,6 +75,7 @@ class Importer {
   // The face being imported, without its repeated corners.
   std::vector<VertexId> face_;  // vertices of the mesh
   std::vector<GridPoint> points_;
+  Rgb color_;
   std::vector<Rgb> corner_colors_;
 };
 
@@ -205,7 +206,7 @@ void Importer::add_polygon(std::size_t face,
   }
   data_.first_corner.push_back(
       static_cast<std::uint32_t>(data_.corners.size()));
-  data_.colors.push_back(color_of_face(face));
+  data_.colors.push_back(color_);
   faces_.push_back(static_cast<PolygonId>(face));
 }
 
@@ -215,6 +216,7 @@ bool Importer::add_face(std::size_t face) {
     ++report_.dropped;
     return true;
   }
+  color_ = color_of_face(face);
   if (options_.gouraud) color_corners(face);
   const bool whole =
       shape == Shape::kConvex && (!options_.gouraud || points_.size() == 3);

@@ -22,7 +22,7 @@ enum class Shape : std::uint8_t {
 Shape shape_of(std::span<const GridPoint> corners);
 
 /// The most corners of a polygon that is cut into triangles.
-constexpr std::size_t kMaxEarCorners = 20000;
+constexpr std::size_t kMaxEarCorners = 100000;
 
 /// Cuts a polygon into triangles, given as indices of its corners.
 ///

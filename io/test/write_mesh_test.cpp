@@ -219,7 +219,7 @@ TEST(WriteSceneMesh, PlyIsOfBytesWhereDoublesAreExact) {
 }
 
 TEST(WriteSceneMesh, RefusesPolygonsOfTooManyCornersInAnStl) {
-  for (const std::size_t count : {20000u, 20001u}) {
+  for (const std::size_t count : {100000u, 100001u}) {
     SceneData data;
     data.grid_bits = 54;
     // On a parabola, so that every corner turns.
@@ -233,15 +233,15 @@ TEST(WriteSceneMesh, RefusesPolygonsOfTooManyCornersInAnStl) {
     const samples::TemporaryFile file("a.stl");
     const Result<ExportReport> report =
         write_scene_mesh(file.path(), scene_of(data));
-    if (count == 20000) {
+    if (count == 100000) {
       ASSERT_TRUE(report) << report.error().message;
       EXPECT_EQ(report->triangulated, 1u);
-      EXPECT_EQ(samples::raw_bytes(file.path())->size(), 84u + 50 * 19998);
+      EXPECT_EQ(samples::raw_bytes(file.path())->size(), 84u + 50 * 99998);
       continue;
     }
     samples::expect_error(report, ErrorCode::kOutOfRange,
                           file.path().string() +
-                              ": polygon 0 has 20001 corners, too many to cut "
+                              ": polygon 0 has 100001 corners, too many to cut "
                               "into triangles",
                           0);
   }

@@ -52,7 +52,7 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
 /// unit's base is 2 and doubles are exact. STL is as for a mesh, but polygons
 /// are cut so that straight corners make no triangle without area.
 ///
-/// Errors: as for a mesh; kOutOfRange, too, for a polygon of over 20,000
+/// Errors: as for a mesh; kOutOfRange, too, for a polygon of over 100,000
 ///         corners in an STL.
 Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene);
