@@ -12,8 +12,9 @@ namespace {
 
 using Int256 = boost::multiprecision::int256_t;
 
-/// A difference of grid points has 55 bits, so a product of two has 110, and a
-/// component of a cross product 111; a sum of 2^15 such has 126.
+/// A difference of grid points is at most 2^54, and a component of a cross
+/// product of two, twice the area of a triangle in a square of that side, at
+/// most 2^108; so a sum of 2^17 such, of all corners, is at most 2^125.
 struct Vector {
   Int128 x = 0;
   Int128 y = 0;
@@ -39,16 +40,11 @@ bool is_on_plane(const Vector& normal, const Vector& from_plane) {
          0;
 }
 
-bool visits_twice(std::span<const GridPoint> corners) {
-  std::vector<GridPoint> sorted(corners.begin(), corners.end());
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-}
-
-/// Whether every corner turns the way of `normal` or goes straight on, and all
-/// turns together make one.
+/// Whether no corner turns against `normal`, and all turns together make one.
+/// Then no point is visited twice, nor does any corner turn straight back: that
+/// is half a turn, and the other half only leads back along the same line.
 ///
-/// Requires: the corners lie in one plane with that normal.
+/// Requires: the corners lie in one plane with that normal, not on one line.
 bool turns_once(std::span<const GridPoint> corners, const Vector& normal) {
   const std::size_t count = corners.size();
   int changes = 0;  // of the edges' lexicographic direction
@@ -57,9 +53,7 @@ bool turns_once(std::span<const GridPoint> corners, const Vector& normal) {
     const GridPoint& p = corners[i];
     const GridPoint& q = corners[(i + 1) % count];
     const GridPoint& r = corners[(i + 2) % count];
-    const Vector in = difference(q, p);
-    const Vector out = difference(r, q);
-    const Vector turn = cross(in, out);
+    const Vector turn = cross(difference(q, p), difference(r, q));
     // The turn is a multiple of the normal: one component tells which.
     const Int128 turned = normal.x != 0   ? turn.x
                           : normal.y != 0 ? turn.y
@@ -68,9 +62,6 @@ bool turns_once(std::span<const GridPoint> corners, const Vector& normal) {
                          : normal.y != 0 ? normal.y
                                          : normal.z;
     if (turned != 0 && (turned < 0) != (along < 0)) return false;
-    if (turned == 0 && in.x * out.x + in.y * out.y + in.z * out.z < 0) {
-      return false;
-    }
     const bool up = p < q;
     changes += up != was_up ? 1 : 0;
     was_up = up;
@@ -337,8 +328,7 @@ Shape shape_of(std::span<const GridPoint> corners) {
       return Shape::kOther;
     }
   }
-  return turns_once(corners, normal) && !visits_twice(corners) ? Shape::kConvex
-                                                               : Shape::kOther;
+  return turns_once(corners, normal) ? Shape::kConvex : Shape::kOther;
 }
 
 std::vector<std::array<std::size_t, 3>> triangulate(

@@ -50,6 +50,7 @@ TEST(ParseNumber, KeepsHoweverManyDigits) {
   EXPECT_EQ(number.mantissa, Integer(digits));
   EXPECT_EQ(number.two, -1000);
   EXPECT_EQ(number.five, -1000);
+  EXPECT_EQ(parsed("-0." + digits), (Number{-number.mantissa, -1000, -1000}));
   // The exact decimal of the double next to a tenth.
   EXPECT_EQ(parsed("0.1000000000000000055511151231257827021181583404541015625"),
             number_of(0.1));
@@ -61,14 +62,16 @@ TEST(ParseNumber, RefusesWhatIsNoNumber) {
         "1,5", "1 ", "--1", "1f", "1e5.5", "one"}) {
     EXPECT_EQ(code_of(text), ErrorCode::kSyntax) << text;
   }
-  for (const char* text : {"nan", "NaN", "-nan", "inf", "Infinity", "-INF",
-                           "1.#QNAN", "-1.#IND", "nan(ind)"}) {
+  for (const char* text :
+       {"nan", "NaN", "NAN", "-nan", "+nan", "inf", "+inf", "Infinity", "-INF",
+        "1.#QNAN", "-1.#IND", "nan(ind)"}) {
     EXPECT_EQ(code_of(text), ErrorCode::kNotFinite) << text;
   }
 }
 
 TEST(ParseNumber, BoundsExponents) {
   EXPECT_TRUE(parse_number("1e1199"));
+  EXPECT_TRUE(parse_number("0001e1199"));
   EXPECT_TRUE(parse_number("9e-1200"));
   EXPECT_TRUE(parse_number("0." + std::string(1199, '0') + "1"));
   for (const char* text : {"1e1200", "10e1199", "1e-1201", "1e999999999999",
