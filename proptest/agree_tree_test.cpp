@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -134,6 +135,28 @@ TEST(AgreeTree, PlanesAreTheReferences) {
   }
 }
 
+TEST(AgreeTree, SidesOfTheEyeAreTheReferences) {
+  std::size_t sides[3] = {0, 0, 0};
+  for_scenes(12, 2, [&](const Scene& scene, Draws& draws) {
+    const auto planes = ref::planes_of(scene);
+    const auto count = static_cast<PolygonId>(scene.polygon_count());
+    for (const Kind kind : kKinds) {
+      const Camera camera = random_camera(kind, scene, 8, 6, draws);
+      for (PolygonId p = 0; p < count; ++p) {
+        fast::FilterStats stats;
+        const Side side = fast::side_of_eye(scene, p, camera, stats);
+        ASSERT_EQ(side, ref::side_of_eye(planes[static_cast<std::size_t>(p)],
+                                         camera));
+        // There is no filter.
+        const fast::FilterStats one = {0, 1, side == Side::kOn ? 1u : 0u};
+        ASSERT_EQ(stats, one);
+        ++sides[static_cast<int>(side) + 1];
+      }
+    }
+  });
+  for (const std::size_t count : sides) EXPECT_GT(count, 100u);
+}
+
 /// Both orders, up to the fragment at which the display wants no more.
 TEST(AgreeTree, AWalkStopsWhereTheDisplayDoes) {
   std::size_t stopped = 0;
@@ -182,7 +205,15 @@ TEST(AgreeTree, SplitRelationAndRootOfFragments) {
       for (PolygonId s = 0; s < count; ++s) {
         const ref::Plane& plane = planes[static_cast<std::size_t>(s)];
         const Relation relation = ref::relation(f, plane);
-        ASSERT_EQ(fast::relation(scene, g, s, stats), relation);
+        fast::FilterStats counted;
+        ASSERT_EQ(fast::relation(scene, g, s, counted), relation);
+        // Each vertex counts once, and is exactly on the plane or is not.
+        ASSERT_EQ(counted.filtered + counted.exact, f.vertices.size());
+        ASSERT_EQ(std::count_if(f.vertices.begin(), f.vertices.end(),
+                                [&](const ref::Point& v) {
+                                  return ref::side_of(plane, v) == Side::kOn;
+                                }),
+                  counted.zero);
         if (relation != Relation::kSpanning) continue;
         ++spanning;
         const auto parts = ref::split(f, plane, s);

@@ -47,9 +47,18 @@ FILES = [
     "ref/src/splitter.cpp", "ref/src/build.cpp", "ref/src/traverse.cpp",
     "ref/src/projection.cpp", "ref/src/scan.cpp", "ref/src/render.cpp",
     "ref/src/shade.cpp", "ref/src/classify.cpp", "ref/src/boolean.cpp",
+    "ref/src/rational.cpp", "ref/src/painter.cpp", "ref/src/zbuffer.cpp",
+    "ref/src/raycast.cpp",
     "fast/src/merge.cpp", "fast/src/split.cpp", "fast/src/geometry.cpp",
     "fast/src/predicate.cpp", "fast/src/splitter.cpp",
     "fast/src/traverse.cpp", "fast/src/insert.cpp", "fast/src/screen.cpp",
+    "fast/src/scan.cpp", "fast/src/crossings.cpp", "fast/src/view.cpp",
+    "fast/src/culler.cpp", "fast/src/shader.cpp", "fast/src/drawer.cpp",
+    "fast/src/display_worker.cpp", "fast/src/display_axis.cpp",
+    "fast/src/display_plane.cpp", "fast/src/display_tree.cpp",
+    "fast/src/render.cpp", "fast/src/depth.cpp", "fast/src/build.cpp",
+    "fast/src/tree_file.cpp", "fast/src/tree_builder.cpp",
+    "fast/src/near_cells.cpp",
     "fast/src/boolean_parts.cpp", "fast/src/boolean_emit.cpp",
     "fast/src/boolean_faces.cpp", "fast/src/boolean_hits.cpp",
     "fast/src/edge_blocks.cpp", "fast/src/locator.cpp",
@@ -81,6 +90,7 @@ QUICK = [("spec_test", "*"), ("io_test", "*"), ("faults_test", "*"),
          ("vectors_test", "*Implementations*"), ("ref_test", "*"),
          ("fast_test", "*")]
 LAWS = [("exhaustive_test", "*Word*"), ("agree_tree_test", "*"),
+        ("agree_display_tree_test", "*"), ("agree_blend_test", "*"),
         ("agree_image_test", "*"), ("agree_boolean_test", "*"),
         ("proptest", "S*/*")]
 
@@ -90,6 +100,15 @@ REF_BOOLEAN = "Faces*:Keep*:Classify*:Boolean*:BadEdges*:Rounded*"
 FAST_BOOLEAN = ("FastBooleanFaces*:FastOperand* "
                 "FastBoolean.*:FastChain*:FastRepair*")
 
+# The slow ones stand apart, and come last.
+REF_RENDER = ("RefScan*:RefPainter*:RefRaycast*:RefRender*-*Algorithms* "
+              "RefRender*Limits* RefRender*Hurts*")
+REF_TREE = "Build*:Insert*:ChooseRoot*:Split*:Predicate*-*Deep*:*Chain*"
+
+FAST_TREE = "Build*:Insert*:Heur*:TreeFile*"
+FAST_IMAGE = "ViewBounds*:Near*:FastRender* DisplayTree*-*Threads*"
+AGREE_IMAGE = ("*Words*:*Fragments* *ManyTiles* *Hurt* *Leaves*")
+
 # The tests that look at these files, where not all do. Filters apart are tried
 # in turn.
 TESTS_OF = {
@@ -97,6 +116,38 @@ TESTS_OF = {
                          "ref_test": REF_BOOLEAN, "proptest": ""},
     "ref/src/boolean": {"vectors_test": "*Implementations*",
                         "ref_test": REF_BOOLEAN, "proptest": ""},
+    **{f"ref/src/{stem}": {"vectors_test": "*Implementations*",
+                           "ref_test": REF_RENDER, "proptest": ""}
+       for stem in ("scan", "projection", "shade", "render", "painter",
+                    "zbuffer", "raycast")},
+    "ref/src/rational": {"ref_test": "Rational*", "proptest": "S1*"},
+    **{f"ref/src/{stem}": {"vectors_test": "*Implementations*",
+                           "ref_test": REF_TREE, "proptest": ""}
+       for stem in ("build", "splitter")},
+    **{f"fast/src/{stem}": {"vectors_test": "*Implementations*",
+                            "fast_test": FAST_TREE, "agree_tree_test": "*",
+                            "proptest": ""}
+       for stem in ("build", "insert", "tree_builder", "tree_file",
+                    "splitter")},
+    **{f"fast/src/{stem}": {"vectors_test": "*Implementations*",
+                            "fast_test": "DisplayTree*-*Threads*",
+                            "agree_display_tree_test": "*"}
+       for stem in ("display_", "near_cells")},
+    "fast/src/predicate": {"agree_tree_test": "*Planes*:*Sides*:*Split*",
+                           "proptest": "S1*"},
+    "fast/src/scan": {"agree_image_test": "*Cover*", "proptest": ""},
+    "fast/src/crossings": {"fast_test": "FastRepair*"},
+    **{f"fast/src/{stem}": {"vectors_test": "*Implementations*",
+                            "fast_test": FAST_IMAGE,
+                            "agree_image_test": AGREE_IMAGE,
+                            "agree_blend_test": "*", "proptest": ""}
+       for stem in ("view", "drawer", "render", "depth")},
+    "fast/src/culler": {"fast_test": "Culler*", "agree_image_test": "*",
+                        "proptest": ""},
+    "fast/src/shader": {"vectors_test": "*Implementations*",
+                        "fast_test": "ShadeBounds*",
+                        "agree_image_test": AGREE_IMAGE,
+                        "agree_blend_test": "*", "proptest": ""},
     "fast/src/boolean": {"agree_boolean_test": "*",
                          "fast_test": FAST_BOOLEAN},
     "fast/src/edge_blocks": {"agree_boolean_test": "*",
@@ -104,8 +155,8 @@ TESTS_OF = {
     "fast/src/locator": {"agree_boolean_test": "*",
                          "fast_test": FAST_BOOLEAN},
     "fast/src/screen": {"vectors_test": "*Implementations*",
-                        "fast_test": "DisplayTree*:Near*",
-                        "agree_image_test": "*"},
+                        "fast_test": FAST_IMAGE,
+                        "agree_image_test": AGREE_IMAGE},
     "io/src/triangulate": {"io_test": "Triangulate*:ShapeOf*:ImportScene*"},
     "io/src/number": {"io_test": "ParseNumber*:NumberOf*:ToDouble*:Import*"},
     "io/src/view": {"io_test": "LookAt*:AutomaticView*"},
@@ -130,7 +181,8 @@ TESTS_OF = {
 }
 
 # What runs only for the files that name it, or for those of its own room.
-CHOSEN = {"agree_boolean_test", "faults_test"}
+CHOSEN = {"agree_blend_test", "agree_boolean_test", "agree_display_tree_test",
+          "faults_test"}
 ROOMS = {"spec_test", "io_test", "ref_test", "fast_test"}
 
 # The laws that look at a file, where not all do.
@@ -472,9 +524,10 @@ def plan_for(path, programs):
         elif target in CHOSEN or f"{room}_test" != target in ROOMS:
             continue
         if target == "proptest":
-            laws = LAWS_OF.get(pathlib.Path(path).stem, "S*").split(":")
+            laws = (chosen or {}).get("proptest") or LAWS_OF.get(
+                pathlib.Path(path).stem, "S*")
             number = 0 if room == "ref" else 1
-            filter_ = ":".join(f"{law}/{number}.*" for law in laws)
+            filter_ = ":".join(f"{law}/{number}.*" for law in laws.split(":"))
         steps += [(programs[target], part) for part in filter_.split()]
     return steps
 

@@ -111,6 +111,30 @@ TEST(FastRender, PixelsAreCountedWithoutImages) {
   }
 }
 
+// The centre sees 1/2 - start / (2^38 + 2^8) of the second corner's colour.
+TEST(FastRender, AColorIsNotRoundedUpAHairBelowAHalf) {
+  SceneData data;
+  data.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  data.corners = {0, 1, 2};
+  data.first_corner.push_back(3);
+  data.colors.push_back({});
+  data.corner_colors = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+  const Scene scene = *make_scene(std::move(data));
+  for (const int start : {-1, 0, 1}) {
+    CameraData camera;
+    camera.perspective = false;
+    camera.eye = {1, 0, (1 << 30) + 1};
+    camera.s0 = {0, 0, start};
+    camera.sx = {256, 0, 0};
+    camera.sy = {0, 128, 0};
+    camera.width_px = camera.height_px = 1;
+    const Rendering image =
+        render(scene, build(scene, {}), *make_camera(camera, 26),
+               {.shading = Shading::kGouraud}, {});
+    EXPECT_EQ(image.colors.at(0, 0).r, start > 0 ? 0 : 1) << start;
+  }
+}
+
 // What its screen takes is given back, and not kept for the next image.
 TEST(FastRender, AnImageAfterAVeryLargeOneIsTheSame) {
   const Scene scene = side_by_side();

@@ -64,10 +64,9 @@ struct Eye {
 
 /// A polygon prepared for its pixels.
 struct Covering {
-  PolygonId id = 0;
   /// The sample is covered where all of these are positive (S4.5).
   std::vector<Affine> insides;
-  /// The greater, the nearer: 1/t in perspective, else -t (S5.3).
+  /// The greater, the nearer: 1/t less 1 in perspective, else -t (S5.3).
   Affine nearness;
 };
 
@@ -126,15 +125,15 @@ Affine beyond_near(const Rational& plane_at_eye, const Affine& plane_at_image,
 /// The polygon as its pixels need it; nothing if it covers none: its plane
 /// contains the eye, or it is seen from behind and culled.
 std::optional<Covering> covering_of(const std::vector<Vector>& corners,
-                                    PolygonId id, const Plane& plane,
-                                    const Eye& eye, bool cull) {
+                                    const Plane& plane, const Eye& eye,
+                                    bool cull) {
   const Support support{corners[0], {plane.a, plane.b, plane.c}};
   const Rational plane_at_eye =
       eye.perspective ? support.at(eye.eye) : support.along(eye.eye);
   const int sigma = sign(plane_at_eye);
   if (sigma == 0 || (cull && sigma < 0)) return std::nullopt;
 
-  Covering covering{id, {}, {}};
+  Covering covering;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vector& next = corners[(k + 1) % corners.size()];
     covering.insides.push_back(Rational(sigma) *
@@ -146,9 +145,8 @@ std::optional<Covering> covering_of(const std::vector<Vector>& corners,
     covering.insides.push_back(Rational(sigma) *
                                beyond_near(plane_at_eye, plane_at_image, eye));
   }
-  // 1/t = 1 - P(s) / P(e) in perspective, else -t = -P(s) / (n . eye).
+  // 1/t - 1 = -P(s) / P(e) in perspective, else -t = -P(s) / (n . eye).
   covering.nearness = Rational(-1) / plane_at_eye * plane_at_image;
-  if (eye.perspective) covering.nearness.value += 1;
   return covering;
 }
 
@@ -220,7 +218,7 @@ Rendering zbuffer(const Scene& scene, const Camera& camera,
       const Rational scale = 1 << kLatticeBits;
       corners.push_back({scale * p.x, scale * p.y, scale * p.z});
     }
-    auto covering = covering_of(corners, id, planes[index], eye, options.cull);
+    auto covering = covering_of(corners, planes[index], eye, options.cull);
     if (!covering) continue;
     polygons[index] = *std::move(covering);
     ++image.fragments_displayed;

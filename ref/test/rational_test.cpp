@@ -73,6 +73,11 @@ TEST(Rational, AValueHasOneFormHoweverItIsReached) {
     b *= 3;
     EXPECT_TRUE(b / 3 == a) << p;
   }
+  // The ends of the integers that need no BigRational.
+  const Int128 greatest = ~(Int128{1} << 127);
+  EXPECT_TRUE(Rational(BigRational(power_of_2(127) - 1)) == Rational(greatest));
+  EXPECT_TRUE(Rational(BigRational(-power_of_2(127))) ==
+              Rational(-greatest - 1));
 }
 
 TEST(Rational, CopiesAreOfTheirOwn) {
@@ -140,7 +145,7 @@ TEST(Rational, TheNearestDoubleHasNoDoubleNearer) {
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<BigRational> values = border_values();
   // Ties and their neighbours: normal, on the border of subnormals, least.
-  for (const int exponent : {0, 1, 500, -969, -1021, -1022}) {
+  for (const int exponent : {0, 1, 53, 500, -969, -1021, -1022}) {
     for (const int odd : {0, 1}) {
       const BigRational half = power_of_2(exponent - 53);
       const BigRational tie = power_of_2(exponent) + (2 * odd + 1) * half;

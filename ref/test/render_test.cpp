@@ -111,6 +111,12 @@ TEST(RefRender, PaintingStopsWhenTheScreenIsFull) {
   const Rendering painted = paint(scene, build(scene, {}), camera, {});
   EXPECT_EQ(4u, painted.fragments_displayed);
   EXPECT_EQ(56u, painted.pixels_painted);
+  // In id order, where nothing nearer was painted before.
+  for (const Rendering& other :
+       {zbuffer(scene, camera, {}), raycast(scene, camera, {})}) {
+    EXPECT_EQ(4u, other.fragments_displayed);
+    EXPECT_EQ(40u, other.pixels_painted);
+  }
 }
 
 TEST(RefRender, AnEmptySceneIsBackground) {
@@ -132,6 +138,21 @@ TEST(RefRender, GouraudIsRoundedHalfUp) {
       image.colors.pixels);
   const Rendering flat = render_alone(scene, from_above(4, 1));
   EXPECT_EQ(std::vector<Rgb>(4, Rgb{0, 10, 20}), flat.colors.pixels);
+}
+
+TEST(RefRender, GouraudIsNotRoundedUpAHairBelowAHalf) {
+  const Scene scene = scene_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                               {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}});
+  // Red is x; the centre sees 1/2 - start / (2^38 + 2^8).
+  for (const int start : {-1, 0, 1}) {
+    CameraData camera = from_above(1, 1);
+    camera.eye = {1, 0, (1 << 30) + 1};
+    camera.s0 = {0, 0, start};
+    camera.sy = {0, 128, 0};
+    const Rendering image =
+        render_alone(scene, camera, {.shading = Shading::kGouraud});
+    EXPECT_EQ(start > 0 ? 0 : 1, image.colors.at(0, 0).r) << start;
+  }
 }
 
 TEST(RefRender, GouraudIsAffineInSpaceAndNotInTheImage) {
