@@ -20,9 +20,9 @@ void HashIndex::grow(std::size_t size) {
   }
 }
 
-void HashIndex::reserve(std::size_t count) {
-  const std::size_t size = std::bit_ceil(std::max<std::size_t>(16, 2 * count));
-  if (size > slots_.size()) grow(size);
+void HashIndex::reserve(std::size_t count, std::size_t more) {
+  if (2 * count > slots_.size())
+    grow(std::bit_ceil(std::max<std::size_t>(16, 2 * (count + more))));
 }
 
 void HashIndex::enter(std::uint64_t hash, std::int32_t index) {

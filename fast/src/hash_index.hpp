@@ -31,8 +31,8 @@ class HashIndex {
     if (!slots_.empty())
       __builtin_prefetch(&slots_[mark_of(hash) & (slots_.size() - 1)]);
   }
-  /// Makes room for so many in all.
-  void reserve(std::size_t count);
+  /// Makes room for so many in all; and for `more`, if there was too little.
+  void reserve(std::size_t count, std::size_t more);
 
  private:
   /// A part of the hash is enough to tell nearly all that are not equal.

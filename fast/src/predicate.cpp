@@ -42,14 +42,16 @@ std::array<GridPoint, 3> plane_corners(const Scene& scene, PolygonId id) {
   const auto at = [&](std::size_t i) -> const GridPoint& {
     return scene.point(corners[i % count]);
   };
+  // A triangle has an area, so all its corners turn.
+  if (count == 3) {
+    return {scene.point(corners[0]), scene.point(corners[1]),
+            scene.point(corners[2])};
+  }
   // Never false: some corner turns, since a polygon has an area.
   for (std::size_t i = 0; i < count; ++i) {
-    // A triangle has an area, so all its corners turn.
-    if (count == 3 ||
-        cross<54>(difference(at(i), at(i + 1)), difference(at(i), at(i + 2))) !=
-            Vector3<Int128>{}) {
+    if (cross<54>(difference(at(i), at(i + 1)), difference(at(i), at(i + 2))) !=
+        Vector3<Int128>{})
       return {at(i), at(i + 1), at(i + 2)};
-    }
   }
   HALFSPACE_ASSERT(false && "a polygon has an area");
   return {};

@@ -25,12 +25,25 @@ Box polygon_box(const Scene& scene, std::span<const VertexId> corners) {
   return bounds.box();
 }
 
+/// The corners that define the polygon's plane. A triangle's are all: they are
+/// copied right where they are wanted.
+void set_plane_corners(const Scene& scene, PolygonId id,
+                       std::array<GridPoint, 3>& corners) {
+  const auto ids = scene.corners(id);
+  if (ids.size() != 3) {
+    corners = plane_corners(scene, id);
+    return;
+  }
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = scene.point(ids[i]);
+}
+
 /// Adds the face that polygon `id` is. `ids`: the points of its vertices.
 void add_face(const Scene& scene, PolygonId id, std::int32_t part,
               OrientedPlane plane, const std::vector<std::int32_t>& ids,
               Solid& solid) {
   const auto corners = scene.corners(id);
-  Face face;
+  // In its place: a copy would wait for what was just written.
+  Face& face = solid.faces.emplace_back();
   face.plane = plane.plane;
   face.turned = plane.turned;
   face.color = scene.color(id);
@@ -39,6 +52,7 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
   face.polygon = id;
   face.first_edge = static_cast<std::uint32_t>(solid.edges.size());
   face.edge_count = static_cast<std::uint32_t>(corners.size());
+  face.box = polygon_box(scene, corners);
   std::int32_t from = ids[static_cast<std::size_t>(corners[0])];
   const std::int32_t first = from;
   for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -47,8 +61,6 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
     from = to;
   }
   solid.edges.push_back({from, first});
-  face.box = polygon_box(scene, corners);
-  solid.faces.push_back(face);
 }
 
 Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
@@ -63,13 +75,12 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
   std::vector<std::int32_t> ids;
   ids.reserve(scene.data().vertices.size());
   result.space->add_points(scene.data().vertices, ids);
-  std::vector<std::array<GridPoint, 3>> corners;
+  std::array<std::array<GridPoint, 3>, kFacesAtOnce> corners;
   std::vector<OrientedPlane> planes;
   for (std::size_t first = 0; first < scene.polygon_count();
        first += kFacesAtOnce) {
     const std::size_t last =
         std::min(first + kFacesAtOnce, scene.polygon_count());
-    corners.clear();
     planes.clear();
     for (std::size_t p = first; p < last; ++p) {
       // The next polygons' points are fetched meanwhile.
@@ -81,9 +92,9 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
         for (std::size_t k = 0; k < 3; ++k)
           __builtin_prefetch(&scene.point(far[k]));
       }
-      corners.push_back(plane_corners(scene, static_cast<PolygonId>(p)));
+      set_plane_corners(scene, static_cast<PolygonId>(p), corners[p - first]);
     }
-    result.space->add_planes(corners, planes);
+    result.space->add_planes(std::span(corners).first(last - first), planes);
     for (std::size_t p = first; p < last; ++p) {
       add_face(scene, static_cast<PolygonId>(p), part, planes[p - first], ids,
                result);

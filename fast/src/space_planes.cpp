@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 #include "cell.hpp"
 #include "divisor.hpp"
@@ -46,50 +47,75 @@ std::uint64_t low_word_of(Int128 value) {
 }
 std::uint64_t low_word_of(const Wide<3>& value) { return value.words[0]; }
 
+/// The number of the cell that holds a plane's offset in units of its normal's
+/// largest component: in cells of 2^-16, the one whose middle is nearest, the
+/// upper one of two. `near` is what doubles make of offset / by.
+///
+/// Requires: the quotient is less than 2^27 in size, and the offset than 2^82.
+std::int64_t cell_of_offset(Int128 offset, std::int64_t by, double near) {
+  constexpr int kDigits = 16;
+  const double at = near * (1 << kDigits) + 0.5;
+  // One too low if it is negative and whole: then it is in doubt.
+  const std::int64_t cell = static_cast<std::int64_t>(at) - (at < 0 ? 1 : 0);
+  const double rest = at - static_cast<double>(cell);
+  // Off by three roundings: of the offset, of the quotient and of the sum.
+  const double doubt = (std::abs(at) + 1) * 0x1p-50;
+  if (rest > doubt && 1 - rest > doubt) return cell;
+  const Int128 value = (offset << (kDigits + 1)) + by;
+  const Int128 step = Int128{2} * by;
+  return static_cast<std::int64_t>(value / step) - (value % step < 0 ? 1 : 0);
+}
+
 /// A hash that all positive multiples of a plane's normal and offset share.
 ///
 /// They share the quotients by the size of the largest component, and so what
-/// doubles round those to, for both numbers have 53 bits; and the offset's
-/// quotient rounded down, and what is left of it.
+/// doubles round those to, for both numbers have 53 bits; and the cell of the
+/// offset's quotient.
 /// Requires: the plane holds a point of the grid of 26 bits; `near` is the
 ///           offset as a double.
 std::uint64_t hash_of_ray(const Vector3<std::int64_t>& n, Int128 offset,
                           double near) {
   const auto by = static_cast<std::int64_t>(
       std::max({size_of(n.x), size_of(n.y), size_of(n.z)}));
-  const auto divisor = static_cast<double>(by);
-  const auto quotient = [divisor](std::int64_t value) {
-    return std::bit_cast<std::uint64_t>(static_cast<double>(value) / divisor);
+  std::array<double, 4> quotients{static_cast<double>(n.x),
+                                  static_cast<double>(n.y),
+                                  static_cast<double>(n.z), near};
+  for (double& quotient : quotients) quotient /= static_cast<double>(by);
+  const auto bits = [&](std::size_t i) {
+    return std::bit_cast<std::uint64_t>(quotients[i]);
   };
-  // Less than 2^27 in size, so the double is off by less than one.
-  auto whole = static_cast<std::int64_t>(near / divisor) - (near < 0 ? 1 : 0);
-  Int128 rest = offset - Int128{whole} * by;
-  for (; rest < 0; --whole) rest += by;
-  for (; rest >= by; ++whole) rest -= by;
-  return mixed(quotient(n.x) * 0x9e3779b97f4a7c15u +
-               quotient(n.y) * 0xbf58476d1ce4e5b9u +
-               quotient(n.z) * 0x94d049bb133111ebu +
-               quotient(static_cast<std::int64_t>(rest)) * 0xd6e8feb86659fd93u +
-               static_cast<std::uint64_t>(whole) * 0xa0761d6478bd642fu);
+  const std::int64_t cell = cell_of_offset(offset, by, quotients[3]);
+  return mixed(bits(0) * 0x9e3779b97f4a7c15u + bits(1) * 0xbf58476d1ce4e5b9u +
+               bits(2) * 0x94d049bb133111ebu +
+               static_cast<std::uint64_t>(cell) * 0xa0761d6478bd642fu);
+}
+
+/// Fills in an entry, in its place: a copy would wait for what was just
+/// written.
+template <int kBits>
+inline void set_entry(const ExactPlane<kBits>& exact,
+                      PlaneEntry<kBits>& entry) {
+  auto n = exact.normal;
+  entry.turned = turn_normal(n);
+  if constexpr (kBits != 26) reduce_normal(n);
+  const auto offset = value_at(ExactPlane<kBits>{n, exact.origin}, GridPoint{});
+  entry.offset = to_double(offset);
+  if constexpr (kBits == 26) {
+    entry.hash = hash_of_ray(n, offset, entry.offset);
+  } else {
+    entry.hash =
+        mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
+              low_word_of(offset));
+  }
+  entry.exact.normal = n;
+  entry.exact.origin = exact.origin;
 }
 
 template <int kBits>
 PlaneEntry<kBits> plane_entry(const ExactPlane<kBits>& exact) {
-  PlaneEntry<kBits> result;
-  result.exact = exact;
-  auto& n = result.exact.normal;
-  result.turned = turn_normal(n);
-  if constexpr (kBits != 26) reduce_normal(n);
-  const auto offset = value_at(result.exact, GridPoint{});
-  result.offset = to_double(offset);
-  if constexpr (kBits == 26) {
-    result.hash = hash_of_ray(n, offset, result.offset);
-  } else {
-    result.hash =
-        mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
-              low_word_of(offset));
-  }
-  return result;
+  PlaneEntry<kBits> entry;
+  set_entry(exact, entry);
+  return entry;
 }
 
 /// Whether two normals turned alike are multiples of each other.
@@ -114,15 +140,16 @@ Vector3<Int128> Space::reduced_normal(std::int32_t plane) const {
 }
 
 void Space::reserve(std::size_t points, std::size_t planes) {
-  // Places in an index are not copied: for another operand like this one, too.
+  // For another operand like this one, too: then nothing is copied, and what is
+  // not used is not touched.
   const auto grow = [](auto& list, std::size_t more) {
     const std::size_t size = list.size() + more;
     if (size > list.capacity())
-      list.reserve(std::max(size, 2 * list.capacity()));
-    return size + more;
+      list.reserve(std::max(size + more, 2 * list.capacity()));
+    return list.size() + more;
   };
-  vertex_index_.reserve(grow(vertices_, points));
-  plane_index_.reserve(grow(planes_, planes));
+  vertex_index_.reserve(grow(vertices_, points), points);
+  plane_index_.reserve(grow(planes_, planes), planes);
   if (grid_bits_ > 26) grow(normals_, planes);
 }
 
@@ -153,7 +180,7 @@ void Space::add_planes(std::span<const std::array<GridPoint, 3>> corners,
     for (std::size_t i = 0; i < corners.size(); i += kBlock) {
       const std::size_t count = std::min(kBlock, corners.size() - i);
       for (std::size_t k = 0; k < count; ++k) {
-        block[k] = plane_entry(exact_plane<bits()>(corners[i + k]));
+        set_entry(exact_plane<bits()>(corners[i + k]), block[k]);
         plane_index_.prefetch(block[k].hash);
       }
       for (std::size_t k = 0; k < count; ++k) planes.push_back(enter(block[k]));
@@ -171,9 +198,10 @@ OrientedPlane Space::enter(const PlaneEntry<kBits>& entry) {
   });
   if (known >= 0) return {known, entry.turned};
   const auto id = static_cast<std::int32_t>(planes_.size());
-  planes_.push_back({filter_plane({to_double(n.x), to_double(n.y),
-                                   to_double(n.z), entry.offset}),
-                     origin});
+  SpacePlane& plane = planes_.emplace_back();
+  plane.filter = filter_plane(
+      {to_double(n.x), to_double(n.y), to_double(n.z), entry.offset});
+  plane.origin = origin;
   if constexpr (kBits != 26) normals_.push_back(n);
   plane_index_.enter(entry.hash, id);
   return {id, entry.turned};

@@ -274,6 +274,34 @@ TEST(Space, PlanesThatAreEqualAreOne) {
   }
 }
 
+/// Offsets right between two cells of the table, which doubles take to either
+/// side: with the normal (2^17, 1, 0), those that are odd.
+TEST(Space, PlanesAtTheBordersOfCellsAreOne) {
+  std::mt19937_64 random(12);
+  const auto number = [&](std::int64_t most) {
+    return static_cast<std::int64_t>(random() %
+                                     static_cast<std::uint64_t>(2 * most + 1)) -
+           most;
+  };
+  const GridPoint u{1, -(1 << 17), 0}, v{0, 0, 1};
+  Space space(26);
+  for (int round = 0; round < 100; ++round) {
+    const GridPoint o{number(100), 2 * number(1 << 22) + 1, number(1 << 23)};
+    const std::int32_t plane =
+        space.add_plane({o, point_at(o, u, v, 1, 0), point_at(o, u, v, 0, 1)})
+            .plane;
+    for (int k = 0; k < 20; ++k) {
+      const std::int64_t a = number(100), b = number(1 << 24), c = number(100),
+                         d = number(1 << 24);
+      if (a * d == b * c) continue;
+      ASSERT_EQ(
+          space.add_plane({o, point_at(o, u, v, a, b), point_at(o, u, v, c, d)})
+              .plane,
+          plane);
+    }
+  }
+}
+
 TEST(Wide, DoublesAreTheNearest) {
   std::mt19937_64 random(8);
   for (int i = 0; i < 20000; ++i) {
