@@ -103,16 +103,16 @@ Box face_box(const Solid& solid, const Face& face) {
   return bounds.box();
 }
 
-void Hubs::begin(std::int32_t hub, Ends& ends, bool is_pinned) {
+void Hubs::begin(std::int32_t hub, std::size_t at, bool is_pinned) {
   if (is_pinned) {
-    ends.state = kMore;
+    states_[at] = kMore;
     return;
   }
-  const Spoke none{hub, -1, -1, -1};
-  Pair pair{{none, none}};
-  for (std::size_t k = 0; k < 2; ++k) pair.spokes[k].end = ends.end[k];
-  ends.end[0] = static_cast<std::int32_t>(pairs_.size());
-  ends.state = kAsked;
+  Ends& ends = ends_[at];
+  const Pair pair{
+      {Spoke{hub, ends.least, -1, -1}, Spoke{hub, ends.greatest, -1, -1}}};
+  ends.least = static_cast<std::int32_t>(pairs_.size());
+  states_[at] = kAsked;
   pairs_.push_back(pair);
 }
 
@@ -124,7 +124,7 @@ void Hubs::put(Pair& pair, const Spoke& spoke) {
 void Hubs::decide(const Space& space) {
   for (const Pair& pair : pairs_) {
     if (!in_line(pair.spokes[0], pair.spokes[1], space)) continue;
-    ends_[places_.find(pair.spokes[0].hub)].state = kStraight;
+    states_[places_.find(pair.spokes[0].hub)] = kStraight;
     any_ = true;
   }
 }
@@ -176,13 +176,24 @@ void walk_loops(List<Piece>& pieces, const Hubs& hubs) {
 void straighten(List<Piece>& pieces,
                 const std::function<bool(std::int32_t)>& is_pinned,
                 const Space& space) {
+  Extent extent;
+  for (const Piece& p : pieces) {
+    extent.add(p.from);
+    extent.add(p.to);
+  }
+  const auto for_ends = [&](const auto& visit) {
+    for (const Piece& p : pieces) {
+      visit(p.from, p.to);
+      visit(p.to, p.from);
+    }
+  };
   const auto for_spokes = [&](const auto& visit) {
     for (const Piece& p : pieces) {
       visit(Spoke{p.from, p.to, p.plane, p.other});
       visit(Spoke{p.to, p.from, p.plane, p.other});
     }
   };
-  walk_loops(pieces, Hubs(for_spokes, is_pinned, space));
+  walk_loops(pieces, Hubs(extent, for_ends, for_spokes, is_pinned, space));
 }
 
 }  // namespace halfspace::fast

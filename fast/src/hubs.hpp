@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "boolean_result.hpp"
@@ -22,20 +23,20 @@ struct Spoke {
 /// one line, and none ends there.
 class Hubs {
  public:
-  /// `for_spokes(visit)` visits every edge's two spokes. What is pinned is
-  /// never straight.
-  template <class ForSpokes, class IsPinned>
-  Hubs(const ForSpokes& for_spokes, const IsPinned& is_pinned,
+  /// `for_ends(visit)` visits both ends of every edge, each with the other one,
+  /// and `for_spokes(visit)` its two spokes. What is pinned is never straight.
+  /// Requires: all ends are in the extent.
+  template <class ForEnds, class ForSpokes, class IsPinned>
+  Hubs(const Extent& extent, const ForEnds& for_ends,
+       const ForSpokes& for_spokes, const IsPinned& is_pinned,
        const Space& space)
-      : places_(extent_of(for_spokes)), ends_(places_.size()) {
-    for_spokes([this](const Spoke& spoke) { count(spoke); });
-    if (std::none_of(ends_.begin(), ends_.end(),
-                     [](const Ends& ends) { return ends.state == kTwo; }))
-      return;
+      : places_(extent), ends_(places_.size()), states_(places_.size()) {
+    places_.with_places([&](const auto& place) { count(for_ends, place); });
+    if (!any_two()) return;
     for_spokes([&](const Spoke& spoke) {
-      Ends& ends = ends_[places_(spoke.hub)];
-      if (ends.state == kTwo) begin(spoke.hub, ends, is_pinned(spoke.hub));
-      if (ends.state == kAsked) put(pairs_[ends.pair()], spoke);
+      const std::size_t at = places_.find(spoke.hub);
+      if (is_two(at)) begin(spoke.hub, at, is_pinned(spoke.hub));
+      if (states_[at] == kAsked) put(pairs_[ends_[at].pair()], spoke);
     });
     decide(space);
   }
@@ -44,17 +45,17 @@ class Hubs {
   bool any_straight() const { return any_; }
   /// Requires: one of the edges ends at the vertex.
   bool is_straight(std::int32_t v) const {
-    return any_ && ends_[places_.find(v)].state == kStraight;
+    return any_ && states_[places_.find(v)] == kStraight;
   }
 
  private:
-  enum State : std::int32_t { kNone, kOne, kTwo, kMore, kAsked, kStraight };
-  /// The ends of the spokes from a vertex, as long as they are no more than
-  /// two; then, of two of them, where their pair is.
+  enum State : std::uint8_t { kFew, kMore, kAsked, kStraight };
+  /// The least and the greatest of the ends of the spokes from a vertex; then,
+  /// where they are all, and so two, where their pair is.
   struct Ends {
-    std::array<std::int32_t, 2> end{};
-    State state = kNone;
-    std::size_t pair() const { return static_cast<std::size_t>(end[0]); }
+    std::int32_t least = std::numeric_limits<std::int32_t>::max();
+    std::int32_t greatest = -1;
+    std::size_t pair() const { return static_cast<std::size_t>(least); }
   };
   /// The two spokes of a vertex, of each end one whose two planes are known,
   /// if there is one.
@@ -62,27 +63,40 @@ class Hubs {
     std::array<Spoke, 2> spokes;
   };
 
-  template <class ForSpokes>
-  static Extent extent_of(const ForSpokes& for_spokes) {
-    Extent extent;
-    for_spokes([&](const Spoke& spoke) { extent.add(spoke.hub); });
-    return extent;
+  /// Finds the least and the greatest end of each hub, and who has another.
+  /// Nothing foretells how many a hub has: there are no branches.
+  template <class ForEnds, class Place>
+  void count(const ForEnds& for_ends, const Place& place) {
+    Ends* const all = ends_.data();
+    std::uint8_t* const states = states_.data();
+    for_ends([&](std::int32_t hub, std::int32_t end) {
+      Ends& ends = all[place(hub)];
+      ends.least = std::min(ends.least, end);
+      ends.greatest = std::max(ends.greatest, end);
+    });
+    for_ends([&](std::int32_t hub, std::int32_t end) {
+      const std::size_t at = place(hub);
+      const Ends& ends = all[at];
+      const bool is_third = (end != ends.least) & (end != ends.greatest);
+      states[at] = static_cast<std::uint8_t>(states[at] | (is_third ? 1 : 0));
+    });
   }
-  void count(const Spoke& spoke) {
-    Ends& ends = ends_[places_(spoke.hub)];
-    if (ends.state >= kMore) return;
-    if (ends.state >= kOne && ends.end[0] == spoke.end) return;
-    if (ends.state == kTwo && ends.end[1] == spoke.end) return;
-    if (ends.state != kTwo)
-      ends.end[static_cast<std::size_t>(ends.state)] = spoke.end;
-    ends.state = static_cast<State>(ends.state + 1);
+  bool is_two(std::size_t at) const {
+    return states_[at] == kFew && ends_[at].least < ends_[at].greatest;
   }
-  void begin(std::int32_t hub, Ends& ends, bool is_pinned);
+  bool any_two() const {
+    for (std::size_t at = 0; at < states_.size(); ++at) {
+      if (is_two(at)) return true;
+    }
+    return false;
+  }
+  void begin(std::int32_t hub, std::size_t at, bool is_pinned);
   static void put(Pair& pair, const Spoke& spoke);
   void decide(const Space& space);
 
   Places places_;
-  std::vector<Ends> ends_;  ///< by place
+  std::vector<Ends> ends_;            ///< by place
+  std::vector<std::uint8_t> states_;  ///< likewise
   std::vector<Pair> pairs_;
   bool any_ = false;
 };

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "boolean_result.hpp"
@@ -43,6 +45,12 @@ void sort_by_low(std::vector<Entry>& entries, std::size_t count) {
   entries.swap(sorted);
 }
 
+/// Whether three edges go round.
+bool is_triangle(const SolidEdge* edges) {
+  return edges[0].to == edges[1].from && edges[1].to == edges[2].from &&
+         edges[2].to == edges[0].from;
+}
+
 /// Merges the faces of a solid. Most have no other beside them in their plane,
 /// and no vertex at which nothing turns: those are passed on as they are.
 class Merger {
@@ -59,15 +67,7 @@ class Merger {
   /// The result; nothing if just the first edges of faces differ.
   std::optional<Solid> run() {
     drop_edges(entries());
-    // A closed surface has every edge in either direction: there is a spoke
-    // from each end to each other one without looking back along edges.
-    const auto for_spokes = [this](const auto& visit) {
-      for_edges([&](std::int32_t, const Face& face, const SolidEdge& edge) {
-        visit(Spoke{edge.from, edge.to, face.plane, edge.other});
-      });
-    };
-    const Hubs hubs(
-        for_spokes, [](std::int32_t) { return false; }, *solid_.space);
+    const Hubs hubs = hubs_of_edges();
     staying_.resize(solid_.faces.size());
     bool all_stay = true;
     for (std::size_t f = 0; f < staying_.size(); ++f) {
@@ -79,10 +79,12 @@ class Merger {
   }
 
  private:
-  /// Calls `visit(face's number, face, edge)` for the edges not dropped.
-  template <class Visit>
-  void for_edges(const Visit& visit) const {
+  /// Calls `visit(face's number, face, edge)` for the edges not dropped, of
+  /// faces that are not to be left out.
+  template <class LeftOut, class Visit>
+  void for_edges(const LeftOut& is_left_out, const Visit& visit) const {
     for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
+      if (is_left_out(f)) continue;
       const Face& face = solid_.faces[f];
       const std::uint32_t last = face.first_edge + face.edge_count;
       for (std::uint32_t at = face.first_edge; at < last; ++at) {
@@ -95,6 +97,7 @@ class Merger {
   std::vector<std::uint8_t> company() const;
   std::vector<Entry> entries() const;
   void drop_edges(const std::vector<Entry>& entries);
+  Hubs hubs_of_edges() const;
   std::int32_t root(std::int32_t f);
   bool stays(std::size_t f, const Hubs& hubs) const;
   void pass_on(const Face& face, Solid& result) const;
@@ -110,21 +113,22 @@ class Merger {
 
 /// By face, whether another may be in its plane and face the same way.
 std::vector<std::uint8_t> Merger::company() const {
-  const auto number = [](const Face& face) {
-    return 2 * face.plane + (face.turned ? 1 : 0);
-  };
+  List<std::int32_t> numbers;
+  numbers.reserve(solid_.faces.size());
   Extent extent;
-  for (const Face& face : solid_.faces) extent.add(number(face));
+  for (const Face& face : solid_.faces) {
+    numbers.push_back(2 * face.plane + (face.turned ? 1 : 0));
+    extent.add(numbers.back());
+  }
   Places places(extent);
   std::vector<std::uint8_t> count(places.size());
-  for (const Face& face : solid_.faces) {
-    std::uint8_t& of = count[places(number(face))];
+  for (const std::int32_t number : numbers) {
+    std::uint8_t& of = count[places(number)];
     of = static_cast<std::uint8_t>(std::min(of + 1, 2));
   }
-  std::vector<std::uint8_t> result;
-  result.reserve(solid_.faces.size());
-  for (const Face& face : solid_.faces)
-    result.push_back(count[places(number(face))] > 1 ? 1 : 0);
+  std::vector<std::uint8_t> result(numbers.size());
+  for (std::size_t f = 0; f < result.size(); ++f)
+    result[f] = count[places.find(numbers[f])] > 1 ? 1 : 0;
   return result;
 }
 
@@ -154,15 +158,33 @@ std::vector<Entry> Merger::entries() const {
   const auto ends_there = [&](std::int32_t v) {
     return v >= extent.low && v <= extent.high && is_end[places.find(v)] != 0;
   };
+  // Most are told by the last digits of their numbers.
+  const std::size_t digits = std::bit_ceil(8 * extent.uses) - 1;
+  std::vector<std::uint8_t> may_end(digits + 1);
+  for_company([&](const SolidEdge& edge) {
+    may_end[static_cast<std::size_t>(edge.from) & digits] = 1;
+    may_end[static_cast<std::size_t>(edge.to) & digits] = 1;
+  });
   std::vector<Entry> entries;
-  for_edges([&](std::int32_t f, const Face&, const SolidEdge& edge) {
+  const auto add = [&](std::int32_t f, std::uint32_t at) {
+    const SolidEdge& edge = solid_.edges[at];
     if (!ends_there(edge.from) || !ends_there(edge.to)) return;
     const auto [low, high] =
         std::minmax({static_cast<std::int32_t>(places.find(edge.from)),
                      static_cast<std::int32_t>(places.find(edge.to))});
-    const auto at = &edge - solid_.edges.data();
-    entries.push_back({low, high, f, static_cast<std::uint32_t>(at)});
-  });
+    entries.push_back({low, high, f, at});
+  };
+  const SolidEdge* const edges = solid_.edges.data();
+  const std::uint8_t* const may = may_end.data();
+  for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
+    const Face& face = solid_.faces[f];
+    const std::uint32_t last = face.first_edge + face.edge_count;
+    for (std::uint32_t at = face.first_edge; at < last; ++at) {
+      if ((may[static_cast<std::size_t>(edges[at].from) & digits] &
+           may[static_cast<std::size_t>(edges[at].to) & digits]) != 0)
+        add(static_cast<std::int32_t>(f), at);
+    }
+  }
   sort_by_low(entries, places.size());
   for (auto i = entries.begin(); i != entries.end();) {
     const auto j = std::find_if(
@@ -207,6 +229,28 @@ void Merger::drop_edges(const std::vector<Entry>& entries) {
   }
 }
 
+/// A closed surface has every edge in either direction: there is a spoke from
+/// each end to each other one without looking back along edges.
+Hubs Merger::hubs_of_edges() const {
+  Extent extent;
+  for (const SolidEdge& edge : solid_.edges) extent.add(edge.from);
+  const auto for_ends = [edges = std::span(solid_.edges),
+                         dropped = dropped_.data()](const auto& visit) {
+    for (std::size_t at = 0; at < edges.size(); ++at) {
+      if (dropped[at] == 0) visit(edges[at].from, edges[at].to);
+    }
+  };
+  const auto for_spokes = [this](const auto& visit) {
+    const auto none = [](std::size_t) { return false; };
+    for_edges(none, [&](std::int32_t, const Face& face, const SolidEdge& edge) {
+      visit(Spoke{edge.from, edge.to, face.plane, edge.other});
+    });
+  };
+  return Hubs(
+      extent, for_ends, for_spokes, [](std::int32_t) { return false; },
+      *solid_.space);
+}
+
 /// Whether walk_loops() would leave the face as it is, but for the edge that it
 /// begins with if it is one loop: small loops that visit nothing twice.
 bool Merger::stays(std::size_t f, const Hubs& hubs) const {
@@ -215,6 +259,11 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   if (merges_[f] != 0 || face.edge_count == 0 || face.edge_count > kFew)
     return false;
   const SolidEdge* edges = solid_.edges.data() + face.first_edge;
+  // Most are triangles.
+  if (face.edge_count == 3 && is_triangle(edges)) {
+    return !hubs.is_straight(edges[0].from) &&
+           !hubs.is_straight(edges[1].from) && !hubs.is_straight(edges[2].from);
+  }
   std::uint32_t first = 0;  // of this loop
   bool is_in_order = true;
   for (std::uint32_t i = 0; i < face.edge_count; ++i) {
@@ -236,31 +285,39 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
 }
 
 /// The edge with which walk_loops() begins: that of the least vertex.
-template <class Edge>
-Edge* first_of_loop(Edge* first, Edge* last) {
-  return std::min_element(
-      first, last,
-      [](const SolidEdge& x, const SolidEdge& y) { return x.from < y.from; });
+std::uint32_t first_of_loop(const SolidEdge* edges, std::uint32_t count) {
+  if (count == 3) {
+    const std::uint32_t least = edges[1].from < edges[0].from ? 1 : 0;
+    return edges[2].from < edges[least].from ? 2 : least;
+  }
+  return static_cast<std::uint32_t>(
+      std::min_element(edges, edges + count,
+                       [](const SolidEdge& x, const SolidEdge& y) {
+                         return x.from < y.from;
+                       }) -
+      edges);
 }
 
 void Merger::pass_on(const Face& face, Solid& result) const {
-  const SolidEdge* first = solid_.edges.data() + face.first_edge;
-  const SolidEdge* last = first + face.edge_count;
-  const SolidEdge* least = first_of_loop(first, last);
+  const SolidEdge* edges = solid_.edges.data() + face.first_edge;
+  const auto first_edge = static_cast<std::uint32_t>(result.edges.size());
   result.faces.push_back(face);
-  result.faces.back().first_edge =
-      static_cast<std::uint32_t>(result.edges.size());
-  result.edges.insert(result.edges.end(), least, last);
-  result.edges.insert(result.edges.end(), first, least);
+  result.faces.back().first_edge = first_edge;
+  std::uint32_t at = first_of_loop(edges, face.edge_count);
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    result.edges.push_back(edges[at]);
+    at = at + 1 < face.edge_count ? at + 1 : 0;
+  }
 }
 
 Solid Merger::result(const Hubs& hubs) {
   // What is left of the others, by the first of the faces that are one.
   List<Piece> pieces;
-  for_edges([&](std::int32_t f, const Face& face, const SolidEdge& edge) {
-    if (staying_[static_cast<std::size_t>(f)] == 0)
-      pieces.push_back({root(f), face.plane, edge.from, edge.to, edge.other});
-  });
+  const auto stays_on = [this](std::size_t f) { return staying_[f] != 0; };
+  for_edges(
+      stays_on, [&](std::int32_t f, const Face& face, const SolidEdge& edge) {
+        pieces.push_back({root(f), face.plane, edge.from, edge.to, edge.other});
+      });
   walk_loops(pieces, hubs);
   Solid result{{}, {}, solid_.unbounded, solid_.unit, solid_.space};
   result.faces.reserve(solid_.faces.size());
@@ -295,9 +352,9 @@ namespace {
 /// The solid with each face's first edge as walk_loops() has it.
 Solid turned_loops(Solid solid) {
   for (const Face& face : solid.faces) {
-    SolidEdge* first = solid.edges.data() + face.first_edge;
-    SolidEdge* last = first + face.edge_count;
-    std::rotate(first, first_of_loop(first, last), last);
+    SolidEdge* edges = solid.edges.data() + face.first_edge;
+    std::rotate(edges, edges + first_of_loop(edges, face.edge_count),
+                edges + face.edge_count);
   }
   return solid;
 }

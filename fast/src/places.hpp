@@ -39,6 +39,18 @@ class Places {
     }
   }
   std::size_t size() const { return size_; }
+  /// Calls `work` with what gives numbers their places, for work that asks for
+  /// so many that it should not ask each time which kind of list this is.
+  template <class Work>
+  void with_places(const Work& work) {
+    if (keys_.empty()) {
+      work([low = low_](std::int32_t number) {
+        return static_cast<std::size_t>(number - low);
+      });
+    } else {
+      work([this](std::int32_t number) { return (*this)(number); });
+    }
+  }
 
   /// The place of one of the numbers that make up the extent.
   std::size_t operator()(std::int32_t number) {
