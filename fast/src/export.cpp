@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "digits.hpp"
+#include "mesh_order.hpp"
 #include "parallel.hpp"
 #include "places.hpp"
 #include "space.hpp"
@@ -41,6 +41,10 @@ struct Polygons {
   }
   void add(std::span<const std::int32_t> polygon, std::int32_t face) {
     corners.insert(corners.end(), polygon.begin(), polygon.end());
+    end_polygon(face);
+  }
+  /// Its corners are the last ones.
+  void end_polygon(std::int32_t face) {
     first_corner.push_back(static_cast<std::uint32_t>(corners.size()));
     faces.push_back(face);
   }
@@ -54,8 +58,8 @@ bool add_triangle(const Solid& solid, std::size_t f, Polygons& polygons) {
   // Three edges in a row are a loop round what they bound.
   if (e[0].to != e[1].from || e[1].to != e[2].from || e[2].to != e[0].from)
     return false;
-  polygons.add(std::array{e[0].from, e[1].from, e[2].from},
-               static_cast<std::int32_t>(f));
+  for (std::size_t i = 0; i < 3; ++i) polygons.corners.push_back(e[i].from);
+  polygons.end_polygon(static_cast<std::int32_t>(f));
   return true;
 }
 
@@ -112,65 +116,6 @@ Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
   return all;
 }
 
-/// A vertex at hand: comparing is mostly of what is here.
-struct MeshCorner {
-  Vertex approximate;
-  std::int32_t id;
-};
-
-/// Whether a vertex comes before another, by their coordinates.
-bool is_before(const MeshCorner& a, const MeshCorner& b, const Space& space) {
-  const double p[3] = {a.approximate.x, a.approximate.y, a.approximate.z};
-  const double q[3] = {b.approximate.x, b.approximate.y, b.approximate.z};
-  const bool exact = a.approximate.error == 0 && b.approximate.error == 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double d = p[axis] - q[axis];
-    if (exact && d == 0) continue;
-    const int order =
-        exact ? (d < 0 ? -1 : 1) : space.compare(axis, a.id, b.id);
-    if (order != 0) return order < 0;
-  }
-  return false;
-}
-
-/// The vertices of the polygons, in the order of their coordinates.
-std::vector<std::int32_t> vertices_in_order(
-    const std::vector<std::int32_t>& used, const Space& space) {
-  List<MeshCorner> corners;
-  List<Keyed> keyed;
-  corners.reserve(used.size());
-  keyed.reserve(used.size());
-  double error = 0;
-  for (const std::int32_t v : used) {
-    const Vertex& at = space.vertex(v).approximate;
-    error = std::max(error, at.error);
-    keyed.push_back({key_of(at.x), static_cast<std::uint32_t>(corners.size())});
-    corners.push_back({at, v});
-  }
-  sort_by_key(keyed);
-  // What is nearly level along the first axis is sorted anew.
-  const auto corner = [&](const Keyed& k) -> const MeshCorner& {
-    return corners[k.item];
-  };
-  for (auto i = keyed.begin(); i != keyed.end();) {
-    auto j = i + 1;
-    while (j != keyed.end() &&
-           corner(*j).approximate.x - corner(*(j - 1)).approximate.x <=
-               3 * error)
-      ++j;
-    if (j - i > 1) {
-      std::sort(i, j, [&](const Keyed& a, const Keyed& b) {
-        return is_before(corner(a), corner(b), space);
-      });
-    }
-    i = j;
-  }
-  std::vector<std::int32_t> order;
-  order.reserve(used.size());
-  for (const Keyed& k : keyed) order.push_back(corner(k).id);
-  return order;
-}
-
 /// Puts the vertices that the polygons have in the mesh, in the order of their
 /// coordinates, and their numbers there in place of the points' ids.
 void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
@@ -185,10 +130,13 @@ void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
     if (number < 0) used.push_back(v);
     number = 0;
   }
-  const std::vector<std::int32_t> order = vertices_in_order(used, space);
+  const List<std::int32_t> order = vertices_in_order(used, space);
   mesh.vertices.reserve(order.size());
-  for (const std::int32_t v : order) {
-    numbers[places(v)] = static_cast<std::int32_t>(mesh.vertices.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    constexpr std::size_t kAhead = 16;
+    if (i + kAhead < order.size()) space.prefetch_vertex(order[i + kAhead]);
+    const std::int32_t v = order[i];
+    numbers[places.find(v)] = static_cast<std::int32_t>(i);
     bool rounded = false;
     std::array<double, 3> at = space.nearest(v, rounded);
     for (double& coordinate : at) coordinate = scaled(coordinate, solid.unit);
@@ -202,9 +150,9 @@ void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
     mesh.max_move = std::max(mesh.max_move,
                              size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
   }
-  for (std::int32_t& v : polygons.corners) v = numbers[places(v)];
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     const auto corners = polygons.at(p);
+    for (std::int32_t& v : corners) v = numbers[places.find(v)];
     std::rotate(corners.begin(),
                 std::min_element(corners.begin(), corners.end()),
                 corners.end());
@@ -242,28 +190,42 @@ std::vector<std::uint32_t> polygons_in_order(Polygons& polygons,
   return order;
 }
 
-/// Whether a corner surely turns to the left as seen from outside.
-bool surely_turns(const ExportedMesh& mesh,
-                  std::span<const std::int32_t> polygon, std::size_t i,
-                  const Plane& normal, double sign) {
-  const auto at = [&](std::size_t k) -> const std::array<double, 3>& {
-    return mesh
-        .vertices[static_cast<std::size_t>(polygon[(i + k) % polygon.size()])];
-  };
+/// Whether three points, corners in a row, surely turn to the left as seen from
+/// outside.
+bool surely_turn(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                 const std::array<double, 3>& r, const Plane& normal,
+                 double sign) {
   std::array<double, 3> u, v;
-  double size = 0, length = 0;
+  double size = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    u[k] = at(1)[k] - at(0)[k];
-    v[k] = at(2)[k] - at(0)[k];
+    u[k] = q[k] - p[k];
+    v[k] = r[k] - p[k];
     size = std::max({size, std::abs(u[k]), std::abs(v[k])});
-    length = std::max(
-        {length, std::abs(normal.a), std::abs(normal.b), std::abs(normal.c)});
   }
+  const double length =
+      std::max({std::abs(normal.a), std::abs(normal.b), std::abs(normal.c)});
   const double value = normal.a * (u[1] * v[2] - u[2] * v[1]) +
                        normal.b * (u[2] * v[0] - u[0] * v[2]) +
                        normal.c * (u[0] * v[1] - u[1] * v[0]);
   // Six products of three factors, each with five roundings or fewer.
   return sign * value > 64 * kRounding * length * size * size;
+}
+
+/// Whether a corner surely turns so. A convex polygon may have straight ones:
+/// one sure corner is enough to tell where it faces.
+bool surely_faces_out(const ExportedMesh& mesh,
+                      std::span<const std::int32_t> polygon,
+                      const Plane& normal, double sign) {
+  const auto at = [&](std::size_t i) -> const std::array<double, 3>& {
+    return mesh.vertices[static_cast<std::size_t>(polygon[i])];
+  };
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t j = i + 1 < count ? i + 1 : 0;
+    const std::size_t k = j + 1 < count ? j + 1 : 0;
+    if (surely_turn(at(i), at(j), at(k), normal, sign)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -303,14 +265,9 @@ ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
     const std::int32_t f = polygons.faces[p];
     const Face& face = solid.faces[static_cast<std::size_t>(f)];
     const Plane& normal = solid.space->plane(face.plane).filter.plane;
-    // A convex polygon may have straight corners: one sure corner is enough to
-    // tell where it faces.
-    bool turned = true;
-    for (std::size_t i = 0; i < corners.size() && turned; ++i)
-      turned = !surely_turns(mesh, corners, i, normal, face.turned ? -1 : 1);
-    if (turned)
+    if (!surely_faces_out(mesh, corners, normal, face.turned ? -1 : 1))
       mesh.turned.push_back(static_cast<std::int32_t>(mesh.faces.size()));
-    mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
+    for (const std::int32_t v : corners) mesh.corners.push_back(v);
     mesh.first_corner.push_back(
         static_cast<std::uint32_t>(mesh.corners.size()));
     mesh.faces.push_back(f);

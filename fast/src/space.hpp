@@ -78,6 +78,8 @@ class Space {
   const SpaceVertex& vertex(std::int32_t v) const {
     return vertices_[static_cast<std::size_t>(v)];
   }
+  /// Begins to fetch what vertex() will give.
+  void prefetch_vertex(std::int32_t v) const { __builtin_prefetch(&vertex(v)); }
   /// The plane's normal, exactly: its first component that is not zero is
   /// positive. Its components may have a common divisor.
   Vector3<Int128> normal(std::int32_t plane) const;
