@@ -148,14 +148,24 @@ std::int32_t Engine::root(std::size_t o, std::int32_t vertex) {
   if (up < 0) {
     up = is_beyond_other(o, vertex) ? 0 : v;
     parent.set(v, up);
+    return up;
   }
-  while (up != v) {
+  while (true) {
     const std::int32_t next = parent.get(up, up);
+    if (next == up) return up;
     parent.set(v, next);
     v = up;
     up = next;
   }
-  return v;
+}
+
+/// Whether a triangle's vertices are known to be joined: most are, by the
+/// triangles beside it.
+bool Engine::is_joined(std::size_t o, const SolidEdge* edges) const {
+  const Stamped<std::int32_t>& parent = notes_.parent[o];
+  const std::int32_t up = parent.get(edges[0].from + 1, -1);
+  return up >= 0 && up == parent.get(edges[1].from + 1, -1) &&
+         up == parent.get(edges[2].from + 1, -1);
 }
 
 void Engine::join(std::size_t o, std::int32_t u, std::int32_t v) {
@@ -181,6 +191,7 @@ void Engine::join_vertices(std::size_t o) {
     const Face& face = operand.solid->faces[f];
     if (operand.touched[f] != 0 || !overlap(face.box, operand.reach)) continue;
     const SolidEdge* edges = operand.solid->edges.data() + face.first_edge;
+    if (face.edge_count == 3 && is_joined(o, edges)) continue;
     // Loop by loop: the face need not be connected, and where the other
     // operand holds a part of it whole, nothing touches that. The last edge of
     // a loop joins nothing more.

@@ -112,6 +112,7 @@ class Engine {
     return is_beyond(operands_[o].reach, space_.vertex(vertex).approximate);
   }
   std::int32_t root(std::size_t o, std::int32_t vertex);
+  bool is_joined(std::size_t o, const SolidEdge* edges) const;
   void join(std::size_t o, std::int32_t u, std::int32_t v);
   std::int32_t join_root(std::size_t o, std::int32_t r, std::int32_t v);
   void touch_faces_at(std::size_t o, const LineEdge& edge);
