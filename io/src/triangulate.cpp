@@ -295,7 +295,6 @@ std::vector<std::array<std::size_t, 3>> EarClipper::clip() {
   for (std::size_t i = 0; i < corners_.size() && left_ >= 3; ++i) {
     if (next_[previous_[i]] == i) remove_spikes(i);
   }
-  if (left_ >= 3) scan(Demand::kEar);
   while (left_ >= 3) {
     if (find_ear()) {
       clip_at(current_);

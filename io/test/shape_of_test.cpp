@@ -29,6 +29,8 @@ TEST(ShapeOf, TellsWhatAPolygonIs) {
   EXPECT_EQ(shape_of(Polygon{
                 {0, 10, 0}, {-6, -8, 0}, {10, 3, 0}, {-10, 3, 0}, {6, -8, 0}}),
             kOther);
+  EXPECT_EQ(shape_of(Polygon{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}}),
+            kOther);
   for (const int bits : {26, 40, 54}) {
     const std::int64_t a = (std::int64_t{1} << (bits - 1)) - 1;
     const Polygon square = {{-a, -a, a}, {a, -a, -a}, {a, a, -a}, {-a, a, a}};

@@ -107,6 +107,11 @@ TEST(Triangulate, TilesAHoleThatTouchesTheRim) {
                        {0, 4, 0}});
 }
 
+TEST(Triangulate, TilesAPolygonWithTheLeastDent) {
+  // The last corner is a step of the grid inside of the others' triangle.
+  expect_tiles_anyhow({{0, 3, 0}, {0, 0, 0}, {3, 1, 0}, {1, 2, 0}});
+}
+
 TEST(Triangulate, ClipsTheFirstEarInTheCornersOrder) {
   EXPECT_EQ(triangulate(Polygon{{4, 0, 0}, {1, 1, 0}, {0, 4, 0}, {0, 0, 0}}),
             (Triangles{{3, 0, 1}, {1, 2, 3}}));

@@ -145,7 +145,13 @@ TEST(LookAt, NamesWhatIsWrong) {
   EXPECT_EQ(code_of([](O& o) { o.width_px = 0; }), ErrorCode::kOutOfRange);
   EXPECT_EQ(code_of([](O& o) { o.height_px = 65537; }), ErrorCode::kOutOfRange);
   EXPECT_EQ(code_of([](O& o) { o.eye.x = 1e12; }), ErrorCode::kOutOfRange);
+  EXPECT_EQ(code_of([](O& o) { o.near = -0.5; }), ErrorCode::kOutOfRange);
   EXPECT_EQ(code_of([](O& o) { o.near = 1e30; }), ErrorCode::kOutOfRange);
+  EXPECT_EQ(code_of([](O& o) {
+              o.orthographic = true;
+              o.near = 1e30;
+            }),
+            ErrorCode::kOutOfRange);
   for (const double height : {0.0, -1.0}) {
     EXPECT_EQ(code_of([height](O& o) {
                 o.orthographic = true;
