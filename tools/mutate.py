@@ -67,7 +67,7 @@ FILES = [
     "fast/src/chain.cpp", "fast/src/convex_parts.cpp",
     "fast/src/edge_blocks.cpp", "fast/src/export.cpp",
     "fast/src/face_index.cpp", "fast/src/list.cpp", "fast/src/locator.cpp",
-    "fast/src/merged.cpp", "fast/src/operand.cpp",
+    "fast/src/merged.cpp", "fast/src/mesh_order.cpp", "fast/src/operand.cpp",
     "fast/src/plane_table.cpp", "fast/src/repair.cpp",
     "fast/src/self_wings.cpp", "fast/src/solid.cpp", "fast/src/space.cpp",
     "fast/src/space_planes.cpp", "fast/src/space_points.cpp",
@@ -167,6 +167,7 @@ TESTS_OF = {
                              "fast_test": FAST_BOOLEAN},
     "fast/src/locator": {"agree_boolean_test": "*",
                          "fast_test": FAST_BOOLEAN},
+    "fast/src/mesh_order": {"fast_test": "MeshOrder*"},
     "fast/src/list": {"fast_test": "List* " + FAST_BOOLEAN},
     **{f"fast/src/{stem}": {"agree_boolean_test": "*",
                             "fast_test": FAST_SPACE} for stem in (
