@@ -1,12 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "kernel.hpp"
 #include "screen.hpp"
+#include "shader.hpp"
+#include "view.hpp"
 
 /// Colours that the kernels do not ask about are the right ones, however their
 /// gradients are off within their doubt.
@@ -149,6 +153,108 @@ TEST(ShadeBounds, ColorsAskWhereRoundingMatters) {
     EXPECT_GT(told, 2'000'000u);
     EXPECT_EQ(doubtful, 0u);
   }
+}
+
+/// Gradients of triangles anywhere, against ones in long doubles.
+TEST(ShadeBounds, OfGradients) {
+  using Long = long double;
+  using Vector = std::array<Long, 3>;
+  Random random;
+  double largest = 0;
+  std::size_t told = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const auto point = [&](double size) {
+      const auto one = [&] {
+        return static_cast<std::int64_t>(random.from_to(-size, size));
+      };
+      return std::array<std::int64_t, 3>{one(), one(), one()};
+    };
+    const auto lattice = [](const std::array<std::int64_t, 3>& v) {
+      return LatticeVector{v[0], v[1], v[2]};
+    };
+    SceneData data;
+    for (int k = 0; k < 3; ++k) {
+      const auto p = point(0x1p24);
+      data.vertices.push_back({p[0], p[1], p[2]});
+      data.corners.push_back(static_cast<VertexId>(k));
+    }
+    data.first_corner.push_back(3);
+    data.colors.push_back({});
+    data.corner_colors = {{255, 0, 0}, {0, 255, 0}, {100, 0, 255}};
+    const Result<Scene> scene = make_scene(std::move(data));
+    CameraData camera_data;
+    camera_data.perspective = round % 2 == 0;
+    camera_data.eye = lattice(point(0x1p32));
+    camera_data.s0 = lattice(point(0x1p32));
+    camera_data.sx = lattice(point(0x1p26));
+    camera_data.sy = lattice(point(0x1p26));
+    camera_data.width_px = camera_data.height_px = 64;
+    const Result<Camera> camera = make_camera(camera_data, 26);
+    if (!scene || !camera) continue;
+    const View view = make_view(*camera, 26);
+    Shader shader(*scene, camera->data(), view);
+    shader.start(0, 1);
+    const Gradient& found = shader.gradient();
+
+    // Twice the volumes, with the eye, of a pixel's centre and each edge.
+    const auto steps = [](const LatticeVector& v, Long unit) {
+      return Vector{static_cast<Long>(v.x) / unit,
+                    static_cast<Long>(v.y) / unit,
+                    static_cast<Long>(v.z) / unit};
+    };
+    const auto minus = [](const Vector& u, const Vector& v) {
+      return Vector{u[0] - v[0], u[1] - v[1], u[2] - v[2]};
+    };
+    const auto volume = [](const Vector& u, const Vector& v, const Vector& w) {
+      return u[0] * (v[1] * w[2] - v[2] * w[1]) +
+             u[1] * (v[2] * w[0] - v[0] * w[2]) +
+             u[2] * (v[0] * w[1] - v[1] * w[0]);
+    };
+    const bool perspective = camera_data.perspective;
+    const Vector eye = steps(camera_data.eye, perspective ? 256 : 1);
+    const Vector sx = steps(camera_data.sx, 256);
+    const Vector sy = steps(camera_data.sy, 256);
+    const Vector s0 = steps(camera_data.s0, 256);
+    for (const int i : {0, 63}) {
+      const int j = 63 - i;
+      Vector s;
+      for (std::size_t a = 0; a < 3; ++a) {
+        s[a] = s0[a] + (i + 0.5L) * sx[a] + (j + 0.5L) * sy[a];
+      }
+      Long sums[4] = {0, 0, 0, 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto corner = [&](std::size_t c) {
+          const GridPoint& p = scene->point(scene->corners(0)[c % 3]);
+          return Vector{Long(p.x), Long(p.y), Long(p.z)};
+        };
+        const Vector p = corner(k + 1);
+        const Vector q = corner(k + 2);
+        const Long weight =
+            perspective ? volume(minus(q, eye), minus(p, q), minus(s, eye))
+                        : volume(eye, minus(q, p), minus(s, p));
+        const Rgb color = scene->corner_colors(0)[k];
+        const Long levels[4] = {Long(color.r), Long(color.g), Long(color.b), 1};
+        for (std::size_t f = 0; f < 4; ++f) sums[f] += levels[f] * weight;
+      }
+      const auto at = [&](std::size_t f) {
+        return found.a[f] * i + (found.b[f] * j + found.c[f]);
+      };
+      const double doubt = found.doubt / std::abs(at(3));
+      if (!(doubt < 0.25)) continue;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double level = at(c) / at(3);
+        // Outside the triangle a level may be any number.
+        if (!(std::abs(level) <= 256)) continue;
+        ++told;
+        const auto off = static_cast<double>(
+            std::abs(static_cast<Long>(level) - sums[c] / sums[3]));
+        ASSERT_LE(off, doubt);
+        largest = std::max(largest, off / doubt);
+      }
+    }
+  }
+  EXPECT_GT(told, 3000u);
+  EXPECT_GT(largest, 0x1p-16);
 }
 
 }  // namespace
