@@ -63,22 +63,22 @@ class Hubs {
     std::array<Spoke, 2> spokes;
   };
 
-  /// Finds the least and the greatest end of each hub, and who has another.
-  /// Nothing foretells how many a hub has: there are no branches.
+  /// Finds the least and the greatest end of each hub, and who has another: one
+  /// that is neither when two are known, which are all so far. Nothing
+  /// foretells how many a hub has: there are no branches.
   template <class ForEnds, class Place>
   void count(const ForEnds& for_ends, const Place& place) {
     Ends* const all = ends_.data();
     std::uint8_t* const states = states_.data();
     for_ends([&](std::int32_t hub, std::int32_t end) {
-      Ends& ends = all[place(hub)];
-      ends.least = std::min(ends.least, end);
-      ends.greatest = std::max(ends.greatest, end);
-    });
-    for_ends([&](std::int32_t hub, std::int32_t end) {
       const std::size_t at = place(hub);
-      const Ends& ends = all[at];
-      const bool is_third = (end != ends.least) & (end != ends.greatest);
+      const std::int32_t least = all[at].least;
+      const std::int32_t greatest = all[at].greatest;
+      const bool is_third =
+          (least < greatest) & (end != least) & (end != greatest);
       states[at] = static_cast<std::uint8_t>(states[at] | (is_third ? 1 : 0));
+      all[at].least = std::min(least, end);
+      all[at].greatest = std::max(greatest, end);
     });
   }
   bool is_two(std::size_t at) const {
