@@ -155,105 +155,142 @@ TEST(ShadeBounds, ColorsAskWhereRoundingMatters) {
   }
 }
 
-/// Gradients of triangles anywhere, against ones in long doubles.
-TEST(ShadeBounds, OfGradients) {
-  using Long = long double;
-  using Vector = std::array<Long, 3>;
-  Random random;
-  double largest = 0;
-  std::size_t told = 0;
-  for (int round = 0; round < 4000; ++round) {
-    const auto point = [&](double size) {
+using Long = long double;
+using Vector = std::array<Long, 3>;
+
+Vector minus(const Vector& u, const Vector& v) {
+  return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
+}
+
+Long volume(const Vector& u, const Vector& v, const Vector& w) {
+  return u[0] * (v[1] * w[2] - v[2] * w[1]) +
+         u[1] * (v[2] * w[0] - v[0] * w[2]) +
+         u[2] * (v[0] * w[1] - v[1] * w[0]);
+}
+
+Vector in_steps(const LatticeVector& v, Long unit) {
+  return {static_cast<Long>(v.x) / unit, static_cast<Long>(v.y) / unit,
+          static_cast<Long>(v.z) / unit};
+}
+
+/// The channels that the centre of pixel (i, j) sees of the only triangle: its
+/// weights are twice the volumes of that point, the eye and each edge.
+Vector levels_at(const Scene& scene, const CameraData& camera, int i, int j) {
+  const Vector eye = in_steps(camera.eye, camera.perspective ? 256 : 1);
+  Vector s = in_steps(camera.s0, 256);
+  const Vector sx = in_steps(camera.sx, 256);
+  const Vector sy = in_steps(camera.sy, 256);
+  for (std::size_t a = 0; a < 3; ++a) {
+    s[a] += (i + 0.5L) * sx[a] + (j + 0.5L) * sy[a];
+  }
+  const auto corner = [&](std::size_t c) {
+    const GridPoint& p = scene.point(scene.corners(0)[c % 3]);
+    return Vector{Long(p.x), Long(p.y), Long(p.z)};
+  };
+  Vector sums{};
+  Long total = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector p = corner(k + 1);
+    const Vector q = corner(k + 2);
+    const Long weight = camera.perspective
+                            ? volume(minus(q, eye), minus(p, q), minus(s, eye))
+                            : volume(eye, minus(q, p), minus(s, p));
+    const Rgb color = scene.corner_colors(0)[k];
+    sums[0] += weight * color.r;
+    sums[1] += weight * color.g;
+    sums[2] += weight * color.b;
+    total += weight;
+  }
+  return {sums[0] / total, sums[1] / total, sums[2] / total};
+}
+
+/// A triangle and a camera anywhere on the grid, if they are valid.
+struct Shot {
+  explicit Shot(Random& random) {
+    const auto point = [&](double size) -> GridPoint {
       const auto one = [&] {
         return static_cast<std::int64_t>(random.from_to(-size, size));
       };
-      return std::array<std::int64_t, 3>{one(), one(), one()};
+      return {one(), one(), one()};
     };
-    const auto lattice = [](const std::array<std::int64_t, 3>& v) {
-      return LatticeVector{v[0], v[1], v[2]};
+    const auto lattice = [&](double size) {
+      const GridPoint p = point(size);
+      return LatticeVector{p.x, p.y, p.z};
     };
     SceneData data;
-    for (int k = 0; k < 3; ++k) {
-      const auto p = point(0x1p24);
-      data.vertices.push_back({p[0], p[1], p[2]});
-      data.corners.push_back(static_cast<VertexId>(k));
-    }
+    data.vertices = {point(0x1p24), point(0x1p24), point(0x1p24)};
+    data.corners = {0, 1, 2};
     data.first_corner.push_back(3);
     data.colors.push_back({});
     data.corner_colors = {{255, 0, 0}, {0, 255, 0}, {100, 0, 255}};
-    const Result<Scene> scene = make_scene(std::move(data));
-    CameraData camera_data;
-    camera_data.perspective = round % 2 == 0;
-    camera_data.eye = lattice(point(0x1p32));
-    camera_data.s0 = lattice(point(0x1p32));
-    camera_data.sx = lattice(point(0x1p26));
-    camera_data.sy = lattice(point(0x1p26));
-    camera_data.width_px = camera_data.height_px = 64;
-    const Result<Camera> camera = make_camera(camera_data, 26);
-    if (!scene || !camera) continue;
-    const View view = make_view(*camera, 26);
-    Shader shader(*scene, camera->data(), view);
-    shader.start(0, 1);
-    const Gradient& found = shader.gradient();
+    scene = make_scene(std::move(data));
+    CameraData seen;
+    seen.perspective = random.from_to(0, 1) < 0.5;
+    seen.eye = lattice(0x1p32);
+    seen.s0 = lattice(0x1p32);
+    seen.sx = lattice(0x1p26);
+    seen.sy = lattice(0x1p26);
+    seen.width_px = seen.height_px = 64;
+    camera = make_camera(seen, 26);
+  }
+  Result<Scene> scene = Scene();
+  Result<Camera> camera = Error{};
+};
 
-    // Twice the volumes, with the eye, of a pixel's centre and each edge.
-    const auto steps = [](const LatticeVector& v, Long unit) {
-      return Vector{static_cast<Long>(v.x) / unit,
-                    static_cast<Long>(v.y) / unit,
-                    static_cast<Long>(v.z) / unit};
-    };
-    const auto minus = [](const Vector& u, const Vector& v) {
-      return Vector{u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-    };
-    const auto volume = [](const Vector& u, const Vector& v, const Vector& w) {
-      return u[0] * (v[1] * w[2] - v[2] * w[1]) +
-             u[1] * (v[2] * w[0] - v[0] * w[2]) +
-             u[2] * (v[0] * w[1] - v[1] * w[0]);
-    };
-    const bool perspective = camera_data.perspective;
-    const Vector eye = steps(camera_data.eye, perspective ? 256 : 1);
-    const Vector sx = steps(camera_data.sx, 256);
-    const Vector sy = steps(camera_data.sy, 256);
-    const Vector s0 = steps(camera_data.s0, 256);
-    for (const int i : {0, 63}) {
+TEST(ShadeBounds, OfGradients) {
+  Random random;
+  double largest = 0;
+  std::size_t told = 0;
+  std::size_t shaded = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const Shot shot(random);
+    if (!shot.scene || !shot.camera) continue;
+    const View view = make_view(*shot.camera, 26);
+    Shader shader(*shot.scene, shot.camera->data(), view);
+    for (const int i : {0, 31, 63}) {
       const int j = 63 - i;
-      Vector s;
-      for (std::size_t a = 0; a < 3; ++a) {
-        s[a] = s0[a] + (i + 0.5L) * sx[a] + (j + 0.5L) * sy[a];
-      }
-      Long sums[4] = {0, 0, 0, 0};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto corner = [&](std::size_t c) {
-          const GridPoint& p = scene->point(scene->corners(0)[c % 3]);
-          return Vector{Long(p.x), Long(p.y), Long(p.z)};
-        };
-        const Vector p = corner(k + 1);
-        const Vector q = corner(k + 2);
-        const Long weight =
-            perspective ? volume(minus(q, eye), minus(p, q), minus(s, eye))
-                        : volume(eye, minus(q, p), minus(s, p));
-        const Rgb color = scene->corner_colors(0)[k];
-        const Long levels[4] = {Long(color.r), Long(color.g), Long(color.b), 1};
-        for (std::size_t f = 0; f < 4; ++f) sums[f] += levels[f] * weight;
-      }
+      const Vector exact = levels_at(*shot.scene, shot.camera->data(), i, j);
       const auto at = [&](std::size_t f) {
-        return found.a[f] * i + (found.b[f] * j + found.c[f]);
+        const Gradient& g = shader.gradient();
+        return g.a[f] * i + (g.b[f] * j + g.c[f]);
       };
-      const double doubt = found.doubt / std::abs(at(3));
+      // The eye is on the side from which the total is positive.
+      shader.start(0, 1);
+      if (at(3) < 0) shader.start(0, -1);
+      // In the triangle, and away from where rounding takes a step.
+      bool is_inside = true;
+      for (const Long level : exact) {
+        const Long above = level + 0.5L - std::floor(level + 0.5L);
+        is_inside = is_inside && level > 0 && level < 255 && above > 1e-5L &&
+                    above < 1 - 1e-5L;
+      }
+      if (is_inside) {
+        std::uint8_t colors[3];
+        const int asked = shader.shade(i, j, 1, colors, 0);
+        for (std::size_t c = 0; c < 3; ++c) {
+          ASSERT_EQ(colors[c], std::floor(exact[c] + 0.5L));
+        }
+        // Integers are asked where that matters, and seldom else.
+        if (shader.gradient().doubt < 1e-5 * at(3)) {
+          ASSERT_EQ(asked, 0);
+        }
+        ++shaded;
+      }
+      const double doubt = shader.gradient().doubt / at(3);
       if (!(doubt < 0.25)) continue;
       for (std::size_t c = 0; c < 3; ++c) {
         const double level = at(c) / at(3);
         // Outside the triangle a level may be any number.
         if (!(std::abs(level) <= 256)) continue;
         ++told;
-        const auto off = static_cast<double>(
-            std::abs(static_cast<Long>(level) - sums[c] / sums[3]));
+        const auto off = static_cast<double>(std::abs(level - exact[c]));
         ASSERT_LE(off, doubt);
         largest = std::max(largest, off / doubt);
       }
     }
   }
   EXPECT_GT(told, 3000u);
+  EXPECT_GT(shaded, 100u);
   EXPECT_GT(largest, 0x1p-16);
 }
 
