@@ -149,9 +149,9 @@ void Contact::meet_across() {
   order_marks();
   report_cuts();
   for (std::size_t i = 0; i + 1 < marks_.size(); ++i) {
+    // Where no edge is along the line, both of its sides are alike.
     const Mark& m = marks_[i];
-    if (m.after[0][0] && m.after[0][1] && m.after[1][0] && m.after[1][1] &&
-        !m.along[0] && !m.along[1]) {
+    if (m.after[0][0] && m.after[1][0] && !m.along[0] && !m.along[1]) {
       traces_.push_back(
           {faces_[0], faces_[1], m.vertex, marks_[i + 1].vertex, axis_});
     }
@@ -206,13 +206,11 @@ void Contact::meet_edge(std::size_t o, std::int32_t id) {
   axis_ = edge.axis;
   if (!find_hits(p, across, near)) return;
   measure(p, across);
-  before_[o] = {};
   low_[o] = coordinate(low, edge.axis) - low.error;
   high_[o] = coordinate(high, edge.axis) + high.error;
   if (low_[0] > high_[1] || low_[1] > high_[0]) return;
   begin_line();
   add_marks(p, across);
-  along_[o].push_back(id);
   for (const std::int32_t end : {edge.low, edge.high}) {
     Mark mark;
     mark.vertex = end;
@@ -262,10 +260,9 @@ void Contact::report_along(std::size_t o, std::int32_t id,
     cover.left = mark.after[p][positive_is_left ? 0 : 1];
     cover.right = mark.after[p][positive_is_left ? 1 : 0];
     cover.on_edge = mark.along[p];
+    // The faces are touched: this one has the edge's end, or a cut, at the mark
+    // where the cover begins, and the other one is there.
     operands_[o]->covers.push_back(cover);
-    // Its ends are met by what is around the marks.
-    operands_[0]->touched[static_cast<std::size_t>(faces_[0])] = 1;
-    operands_[1]->touched[static_cast<std::size_t>(faces_[1])] = 1;
   }
 }
 
