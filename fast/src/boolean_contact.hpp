@@ -10,10 +10,6 @@
 
 namespace halfspace::fast {
 
-inline double coordinate(const Vertex& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 /// What an edge from one side of a line to another changes: whether the face is
 /// there right beside the line, on either side of it.
 inline void toggle(std::array<bool, 2>& on, int from, int to) {

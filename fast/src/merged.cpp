@@ -100,7 +100,7 @@ class Merger {
   Hubs hubs_of_edges() const;
   std::int32_t root(std::int32_t f);
   bool stays(std::size_t f, const Hubs& hubs) const;
-  void pass_on(const Face& face, Solid& result) const;
+  std::size_t pass_on(std::size_t first, Solid& result) const;
   Solid result(const Hubs& hubs);
 
   const Solid& solid_;
@@ -298,16 +298,38 @@ std::uint32_t first_of_loop(const SolidEdge* edges, std::uint32_t count) {
       edges);
 }
 
-void Merger::pass_on(const Face& face, Solid& result) const {
-  const SolidEdge* edges = solid_.edges.data() + face.first_edge;
-  const auto first_edge = static_cast<std::uint32_t>(result.edges.size());
-  result.faces.push_back(face);
-  result.faces.back().first_edge = first_edge;
-  std::uint32_t at = first_of_loop(edges, face.edge_count);
-  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-    result.edges.push_back(edges[at]);
-    at = at + 1 < face.edge_count ? at + 1 : 0;
+/// Makes each face's loop begin with the edge that walk_loops() has first.
+void turn_loops(std::span<const Face> faces, List<SolidEdge>& list) {
+  for (const Face& face : faces) {
+    SolidEdge* edges = list.data() + face.first_edge;
+    const std::uint32_t first = first_of_loop(edges, face.edge_count);
+    // Of most it does already.
+    if (first != 0)
+      std::rotate(edges, edges + first, edges + face.edge_count);
   }
+}
+
+/// Passes on the faces that stay, from number `first` to before one that does
+/// not or whose edges lie elsewhere. That one's number.
+std::size_t Merger::pass_on(std::size_t first, Solid& result) const {
+  const std::uint32_t first_edge = solid_.faces[first].first_edge;
+  std::uint32_t last_edge = first_edge;
+  std::size_t last = first;
+  for (; last < staying_.size() && staying_[last] != 0 &&
+         solid_.faces[last].first_edge == last_edge;
+       ++last)
+    last_edge += solid_.faces[last].edge_count;
+  const auto edges = std::span(solid_.edges);
+  const auto faces = std::span(solid_.faces).subspan(first, last - first);
+  const auto moved = static_cast<std::uint32_t>(result.edges.size());
+  const auto row = edges.subspan(first_edge, last_edge - first_edge);
+  result.edges.insert(result.edges.end(), row.begin(), row.end());
+  const std::size_t before = result.faces.size();
+  result.faces.insert(result.faces.end(), faces.begin(), faces.end());
+  const auto added = std::span(result.faces).subspan(before);
+  for (Face& face : added) face.first_edge += moved - first_edge;
+  turn_loops(added, result.edges);
+  return last;
 }
 
 Solid Merger::result(const Hubs& hubs) {
@@ -323,19 +345,17 @@ Solid Merger::result(const Hubs& hubs) {
   result.faces.reserve(solid_.faces.size());
   result.edges.reserve(solid_.edges.size());
   auto piece = pieces.begin();
-  for (std::size_t f = 0; f < staying_.size(); ++f) {
-    const Face& face = solid_.faces[f];
+  for (std::size_t f = 0; f < staying_.size();) {
     if (staying_[f] != 0) {
-      pass_on(face, result);
+      f = pass_on(f, result);
       continue;
     }
-    if (piece == pieces.end() || piece->bucket != static_cast<std::int64_t>(f))
-      continue;
+    const Face& face = solid_.faces[f];
+    const auto bucket = static_cast<std::int64_t>(f++);
+    if (piece == pieces.end() || piece->bucket != bucket) continue;
     Face whole = face;
     whole.first_edge = static_cast<std::uint32_t>(result.edges.size());
-    for (;
-         piece != pieces.end() && piece->bucket == static_cast<std::int64_t>(f);
-         ++piece)
+    for (; piece != pieces.end() && piece->bucket == bucket; ++piece)
       result.edges.push_back({piece->from, piece->to, piece->other});
     whole.edge_count =
         static_cast<std::uint32_t>(result.edges.size()) - whole.first_edge;
@@ -345,17 +365,8 @@ Solid Merger::result(const Hubs& hubs) {
   return result;
 }
 
-}  // namespace
-
-namespace {
-
-/// The solid with each face's first edge as walk_loops() has it.
 Solid turned_loops(Solid solid) {
-  for (const Face& face : solid.faces) {
-    SolidEdge* edges = solid.edges.data() + face.first_edge;
-    std::rotate(edges, edges + first_of_loop(edges, face.edge_count),
-                edges + face.edge_count);
-  }
+  turn_loops(solid.faces, solid.edges);
   return solid;
 }
 

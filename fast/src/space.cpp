@@ -6,22 +6,12 @@
 #include "space_exact.hpp"
 
 namespace halfspace::fast {
-namespace {
 
-double coordinate(const Vertex& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-}  // namespace
-
-int Space::side(std::int32_t plane_id, std::int32_t vertex_id) const {
-  const SpacePlane& p = plane(plane_id);
+int Space::side_exactly(std::int32_t plane_id, std::int32_t vertex_id) const {
   const SpaceVertex& v = vertex(vertex_id);
   if (v.planes[0] == plane_id || v.planes[1] == plane_id ||
       v.planes[2] == plane_id)
     return 0;
-  const int known = known_sign(value_at(p.filter, v.approximate, rounding_));
-  if (known != 0) return known;
   return with_grid(grid_bits_, [&](auto bits) {
     const ExactPlane<bits()> e = exact_at<bits()>(plane_id);
     if (v.is_grid()) return sign(value_at(e, v.point()));
@@ -34,15 +24,7 @@ int Space::side(std::int32_t plane_id, std::int32_t vertex_id) const {
   });
 }
 
-int Space::compare(int axis, std::int32_t u, std::int32_t v) const {
-  if (u == v) return 0;
-  const Vertex& a = vertex(u).approximate;
-  const Vertex& b = vertex(v).approximate;
-  const double d = coordinate(a, axis) - coordinate(b, axis);
-  const double error = (a.error + b.error) * (1 + 0x1p-50);
-  if (d > error) return 1;
-  if (d < -error) return -1;
-  if (error == 0) return 0;
+int Space::compare_exactly(int axis, std::int32_t u, std::int32_t v) const {
   return with_grid(grid_bits_, [&](auto bits) {
     constexpr std::size_t kWords = 2 * Grid<bits()>::kWords;
     const auto k = static_cast<std::size_t>(axis);

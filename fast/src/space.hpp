@@ -15,6 +15,10 @@
 
 namespace halfspace::fast {
 
+inline double coordinate(const Vertex& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
 /// A plane as a point set, in doubles, and a grid point on it.
 struct SpacePlane {
   FilterPlane filter;
@@ -109,10 +113,22 @@ class Space {
 
   /// -1, 0, 1: the side of the plane, as it stands in the table, that holds
   /// the point.
-  int side(std::int32_t plane, std::int32_t vertex) const;
+  int side(std::int32_t plane_id, std::int32_t vertex_id) const {
+    const int known = known_sign(value_at(
+        plane(plane_id).filter, vertex(vertex_id).approximate, rounding_));
+    return known != 0 ? known : side_exactly(plane_id, vertex_id);
+  }
   /// -1, 0, 1 as the first point's coordinate is less than, equal to or
   /// greater than the second's.
-  int compare(int axis, std::int32_t u, std::int32_t v) const;
+  int compare(int axis, std::int32_t u, std::int32_t v) const {
+    const Vertex& a = vertex(u).approximate;
+    const Vertex& b = vertex(v).approximate;
+    const double d = coordinate(a, axis) - coordinate(b, axis);
+    const double error = (a.error + b.error) * (1 + 0x1p-50);
+    if (d > error) return 1;
+    if (d < -error) return -1;
+    return u == v || error == 0 ? 0 : compare_exactly(axis, u, v);
+  }
   /// The sign of the determinant of q - p and r - p, in the coordinates `axis`
   /// + 1 and `axis` + 2 (cyclically): their turn as seen against the axis.
   int turn(int axis, std::int32_t p, std::int32_t q, std::int32_t r) const;
@@ -140,6 +156,8 @@ class Space {
     std::int32_t vertex;
   };
 
+  int side_exactly(std::int32_t plane, std::int32_t vertex) const;
+  int compare_exactly(int axis, std::int32_t u, std::int32_t v) const;
   std::int32_t enter_point(const GridPoint& point, std::uint64_t hash);
   template <int kBits>
   OrientedPlane enter(const PlaneEntry<kBits>& reduced);
