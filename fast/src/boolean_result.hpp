@@ -29,6 +29,9 @@ inline std::int64_t bucket_of(std::size_t o, std::int32_t face, bool flipped) {
          (flipped ? 1 : 0);
 }
 
+/// Puts the edges in the order of the faces, if they are not.
+void line_up(Solid& solid);
+
 /// The box of a face, rounded outwards.
 Box face_box(const Solid& solid, const Face& face);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boolean_engine.hpp"
+#include "boolean_result.hpp"
 #include "face_index.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/boolean.hpp"
@@ -47,7 +48,10 @@ Solid with_faces(const Solid& solid, const std::vector<std::int32_t>& faces) {
 /// Faces that have gone stay where they are until they are half of all, and
 /// their edges until those are.
 struct Chain::State {
-  explicit State(Solid first) : solid(std::move(first)) { restart(); }
+  explicit State(Solid first) : solid(std::move(first)) {
+    line_up(solid);
+    restart();
+  }
 
   /// With another solid.
   void restart() {
@@ -182,8 +186,9 @@ void Chain::State::exchange(const std::vector<std::int32_t>& near,
   }
 }
 
-/// The faces' edges stand in the order of the faces. All that stays is moved
-/// within its memory: new memory takes longer to be had than to be filled.
+/// The faces' edges stand in the order of the faces, as booleans leave them.
+/// All that stays is moved within its memory: new memory takes longer to be had
+/// than to be filled.
 void Chain::State::drop_gone_edges() {
   std::uint32_t kept = 0;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <tuple>
 
@@ -51,11 +50,47 @@ bool is_triangle(const SolidEdge* edges) {
          edges[2].to == edges[0].from;
 }
 
-/// Merges the faces of a solid. Most have no other beside them in their plane,
-/// and no vertex at which nothing turns: those are passed on as they are.
+/// The edge with which walk_loops() begins: that of the least vertex.
+std::uint32_t first_of_loop(const SolidEdge* edges, std::uint32_t count) {
+  if (count == 3) {
+    const std::uint32_t least = edges[1].from < edges[0].from ? 1 : 0;
+    return edges[2].from < edges[least].from ? 2 : least;
+  }
+  return static_cast<std::uint32_t>(
+      std::min_element(edges, edges + count,
+                       [](const SolidEdge& x, const SolidEdge& y) {
+                         return x.from < y.from;
+                       }) -
+      edges);
+}
+
+/// Makes each face's loop begin with the edge that walk_loops() has first.
+void turn_loops(std::span<const Face> faces, List<SolidEdge>& list) {
+  for (const Face& face : faces) {
+    SolidEdge* edges = list.data() + face.first_edge;
+    const std::uint32_t first = first_of_loop(edges, face.edge_count);
+    // Of most it does already.
+    if (first != 0) std::rotate(edges, edges + first, edges + face.edge_count);
+  }
+}
+
+/// Moves what stands from `first` to before `last` down the list.
+template <class T>
+void move_down(List<T>& list, std::size_t first, std::size_t last,
+               std::size_t to) {
+  if (first == to) return;
+  const auto at = [&](std::size_t i) {
+    return list.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  std::copy(at(first), at(last), at(to));
+}
+
+/// Merges the faces of a solid, whose edges are in line, in their place. Most
+/// have no other beside them in their plane, and no vertex at which nothing
+/// turns: those are passed on as they are.
 class Merger {
  public:
-  Merger(const Solid& solid, Merge rule)
+  Merger(Solid& solid, Merge rule)
       : solid_(solid),
         rule_(rule),
         parent_(solid.faces.size()),
@@ -64,8 +99,7 @@ class Merger {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
-  /// The result; nothing if just the first edges of faces differ.
-  std::optional<Solid> run() {
+  void run() {
     drop_edges(entries());
     const Hubs hubs = hubs_of_edges();
     staying_.resize(solid_.faces.size());
@@ -74,8 +108,11 @@ class Merger {
       staying_[f] = stays(f, hubs);
       all_stay = all_stay && staying_[f] != 0;
     }
-    if (all_stay) return std::nullopt;
-    return result(hubs);
+    if (all_stay) {
+      turn_loops(solid_.faces, solid_.edges);
+    } else {
+      put_together(hubs);
+    }
   }
 
  private:
@@ -100,15 +137,17 @@ class Merger {
   Hubs hubs_of_edges() const;
   std::int32_t root(std::int32_t f);
   bool stays(std::size_t f, const Hubs& hubs) const;
-  std::size_t pass_on(std::size_t first, Solid& result) const;
-  Solid result(const Hubs& hubs);
+  std::size_t pass_on(std::size_t first);
+  void put_together(const Hubs& hubs);
 
-  const Solid& solid_;
+  Solid& solid_;
   Merge rule_;
   std::vector<std::int32_t> parent_;   ///< by face
   std::vector<std::uint8_t> merges_;   ///< by face: it has dropped edges
   std::vector<std::uint8_t> dropped_;  ///< by edge
   std::vector<std::uint8_t> staying_;  ///< by face: as stays() says
+  std::size_t face_count_ = 0;         ///< passed on
+  std::size_t edge_count_ = 0;
 };
 
 /// By face, whether another may be in its plane and face the same way.
@@ -284,55 +323,29 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   return is_in_order || edges[face.edge_count - 1].to == edges[0].from;
 }
 
-/// The edge with which walk_loops() begins: that of the least vertex.
-std::uint32_t first_of_loop(const SolidEdge* edges, std::uint32_t count) {
-  if (count == 3) {
-    const std::uint32_t least = edges[1].from < edges[0].from ? 1 : 0;
-    return edges[2].from < edges[least].from ? 2 : least;
-  }
-  return static_cast<std::uint32_t>(
-      std::min_element(edges, edges + count,
-                       [](const SolidEdge& x, const SolidEdge& y) {
-                         return x.from < y.from;
-                       }) -
-      edges);
-}
-
-/// Makes each face's loop begin with the edge that walk_loops() has first.
-void turn_loops(std::span<const Face> faces, List<SolidEdge>& list) {
-  for (const Face& face : faces) {
-    SolidEdge* edges = list.data() + face.first_edge;
-    const std::uint32_t first = first_of_loop(edges, face.edge_count);
-    // Of most it does already.
-    if (first != 0)
-      std::rotate(edges, edges + first, edges + face.edge_count);
-  }
-}
-
-/// Passes on the faces that stay, from number `first` to before one that does
-/// not or whose edges lie elsewhere. That one's number.
-std::size_t Merger::pass_on(std::size_t first, Solid& result) const {
-  const std::uint32_t first_edge = solid_.faces[first].first_edge;
-  std::uint32_t last_edge = first_edge;
+/// Passes on the faces that stay, from number `first` on. The number of the
+/// next one that does not.
+std::size_t Merger::pass_on(std::size_t first) {
   std::size_t last = first;
-  for (; last < staying_.size() && staying_[last] != 0 &&
-         solid_.faces[last].first_edge == last_edge;
-       ++last)
-    last_edge += solid_.faces[last].edge_count;
-  const auto edges = std::span(solid_.edges);
-  const auto faces = std::span(solid_.faces).subspan(first, last - first);
-  const auto moved = static_cast<std::uint32_t>(result.edges.size());
-  const auto row = edges.subspan(first_edge, last_edge - first_edge);
-  result.edges.insert(result.edges.end(), row.begin(), row.end());
-  const std::size_t before = result.faces.size();
-  result.faces.insert(result.faces.end(), faces.begin(), faces.end());
-  const auto added = std::span(result.faces).subspan(before);
-  for (Face& face : added) face.first_edge += moved - first_edge;
-  turn_loops(added, result.edges);
+  while (last < staying_.size() && staying_[last] != 0) ++last;
+  const std::uint32_t first_edge = solid_.faces[first].first_edge;
+  const std::uint32_t last_edge =
+      solid_.faces[last - 1].first_edge + solid_.faces[last - 1].edge_count;
+  move_down(solid_.edges, first_edge, last_edge, edge_count_);
+  move_down(solid_.faces, first, last, face_count_);
+  const auto faces = std::span(solid_.faces).subspan(face_count_, last - first);
+  const auto moved = static_cast<std::uint32_t>(first_edge - edge_count_);
+  for (Face& face : faces) face.first_edge -= moved;
+  turn_loops(faces, solid_.edges);
+  face_count_ += faces.size();
+  edge_count_ += last_edge - first_edge;
   return last;
 }
 
-Solid Merger::result(const Hubs& hubs) {
+/// The faces that stay move together, and their edges do; those that are
+/// merged stand among them, and their edges, of which there are no more than
+/// there were, after all others.
+void Merger::put_together(const Hubs& hubs) {
   // What is left of the others, by the first of the faces that are one.
   List<Piece> pieces;
   const auto stays_on = [this](std::size_t f) { return staying_[f] != 0; };
@@ -341,45 +354,60 @@ Solid Merger::result(const Hubs& hubs) {
         pieces.push_back({root(f), face.plane, edge.from, edge.to, edge.other});
       });
   walk_loops(pieces, hubs);
-  Solid result{{}, {}, solid_.unbounded, solid_.unit, solid_.space};
-  result.faces.reserve(solid_.faces.size());
-  result.edges.reserve(solid_.edges.size());
+  std::vector<std::size_t> wholes;  // where those stand that are merged
   auto piece = pieces.begin();
   for (std::size_t f = 0; f < staying_.size();) {
     if (staying_[f] != 0) {
-      f = pass_on(f, result);
+      f = pass_on(f);
       continue;
     }
-    const Face& face = solid_.faces[f];
-    const auto bucket = static_cast<std::int64_t>(f++);
-    if (piece == pieces.end() || piece->bucket != bucket) continue;
-    Face whole = face;
-    whole.first_edge = static_cast<std::uint32_t>(result.edges.size());
-    for (; piece != pieces.end() && piece->bucket == bucket; ++piece)
-      result.edges.push_back({piece->from, piece->to, piece->other});
-    whole.edge_count =
-        static_cast<std::uint32_t>(result.edges.size()) - whole.first_edge;
-    whole.box = face_box(result, whole);
-    result.faces.push_back(whole);
+    const std::size_t whole = f++;
+    const auto first = piece;
+    while (piece != pieces.end() &&
+           piece->bucket == static_cast<std::int64_t>(whole))
+      ++piece;
+    if (piece == first) continue;
+    wholes.push_back(face_count_);
+    Face& face = solid_.faces[face_count_++] = solid_.faces[whole];
+    face.edge_count = static_cast<std::uint32_t>(piece - first);
   }
-  return result;
-}
-
-Solid turned_loops(Solid solid) {
-  turn_loops(solid.faces, solid.edges);
-  return solid;
+  solid_.faces.resize(face_count_);
+  solid_.edges.resize(edge_count_);
+  piece = pieces.begin();
+  for (const std::size_t at : wholes) {
+    Face& face = solid_.faces[at];
+    face.first_edge = static_cast<std::uint32_t>(solid_.edges.size());
+    for (std::uint32_t i = 0; i < face.edge_count; ++i, ++piece)
+      solid_.edges.push_back({piece->from, piece->to, piece->other});
+    face.box = face_box(solid_, face);
+  }
 }
 
 }  // namespace
 
-Solid merged(const Solid& solid, Merge rule) {
-  std::optional<Solid> result = Merger(solid, rule).run();
-  return result ? *std::move(result) : turned_loops(solid);
+void line_up(Solid& solid) {
+  std::uint32_t next = 0;
+  bool in_line = true;
+  for (const Face& face : solid.faces) {
+    in_line = in_line && face.first_edge == next;
+    next += face.edge_count;
+  }
+  if (in_line && next == solid.edges.size()) return;
+  List<SolidEdge> row;
+  row.reserve(next);
+  for (Face& face : solid.faces) {
+    const auto edges =
+        std::span(solid.edges).subspan(face.first_edge, face.edge_count);
+    face.first_edge = static_cast<std::uint32_t>(row.size());
+    row.insert(row.end(), edges.begin(), edges.end());
+  }
+  solid.edges.swap(row);
 }
 
-Solid merged(Solid&& solid, Merge rule) {
-  std::optional<Solid> result = Merger(solid, rule).run();
-  return result ? *std::move(result) : turned_loops(std::move(solid));
+Solid merged(Solid solid, Merge rule) {
+  line_up(solid);
+  Merger(solid, rule).run();
+  return solid;
 }
 
 }  // namespace halfspace::fast

@@ -123,8 +123,8 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
     }
     result.space->add_planes(std::span(corners).first(last - first), planes);
     for (std::size_t p = first; p < last; ++p) {
-      add_face(scene, static_cast<PolygonId>(p), part, planes[p - first], points,
-               result);
+      add_face(scene, static_cast<PolygonId>(p), part, planes[p - first],
+               points, result);
     }
   }
   return result;

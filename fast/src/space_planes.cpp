@@ -140,12 +140,12 @@ Vector3<Int128> Space::reduced_normal(std::int32_t plane) const {
 }
 
 void Space::reserve(std::size_t points, std::size_t planes) {
-  // For another operand like this one, too: then nothing is copied, and what is
-  // not used is not touched.
+  // For another operand like this one, too, and for some that booleans make:
+  // then nothing is copied, and what is not used is not touched.
   const auto grow = [](auto& list, std::size_t more) {
     const std::size_t size = list.size() + more;
     if (size > list.capacity())
-      list.reserve(std::max(size + more, 2 * list.capacity()));
+      list.reserve(std::max(size + more + more / 4, 2 * list.capacity()));
     return list.size() + more;
   };
   vertex_index_.reserve(grow(vertices_, points), points);

@@ -113,14 +113,14 @@ class FastAlgebra {
   std::optional<shadow::BooleanReport> shadow_;
 };
 
-fast::Solid merged_by(const fast::Solid& solid, MergeRule rule) {
+fast::Solid merged_by(fast::Solid solid, MergeRule rule) {
   switch (rule) {
     case MergeRule::kOrigin:
-      return fast::merged(solid, fast::Merge::kOrigin);
+      return fast::merged(std::move(solid), fast::Merge::kOrigin);
     case MergeRule::kColor:
-      return fast::merged(solid, fast::Merge::kColor);
+      return fast::merged(std::move(solid), fast::Merge::kColor);
     case MergeRule::kPlane:
-      return fast::merged(solid, fast::Merge::kPlane);
+      return fast::merged(std::move(solid), fast::Merge::kPlane);
     case MergeRule::kNone:
       break;
   }
@@ -197,7 +197,7 @@ CsgResult finished(fast::Solid solid, const CsgOptions& options) {
     return result.bad_edges == 0;
   };
   if (!is_closed(solid)) return result;
-  solid = merged_by(solid, options.merge);
+  solid = merged_by(std::move(solid), options.merge);
   result.faces = solid.faces.size();
   if (!is_closed(solid)) return result;
   const Unit unit = solid.unit;

@@ -40,8 +40,9 @@ struct Face {
   /// solid was made, and the polygon there.
   std::int32_t part = 0;
   PolygonId polygon = 0;
-  /// Its edges are `edges[first_edge]` and the `edge_count - 1` after it. The
-  /// face of a half-space has none: it is all of its plane.
+  /// Its edges are `edges[first_edge]` and the `edge_count - 1` after it, which
+  /// are no other face's. The face of a half-space has none: it is all of its
+  /// plane.
   std::uint32_t first_edge = 0;
   std::uint32_t edge_count = 0;
   Box box;  ///< holds the face, rounded outwards
@@ -104,10 +105,9 @@ enum class Merge : std::uint8_t {
 ///
 /// Keeps: the point set, and with it the planes. Edges at which other faces
 ///        meet too, where the surface touches itself, stay.
-/// Cost:  of a solid that is given away, where nothing is to be merged: that of
-///        looking, and no copy.
-Solid merged(const Solid& solid, Merge rule);
-Solid merged(Solid&& solid, Merge rule);
+/// Cost:  of a solid that is given away no copy: what is merged takes the place
+///        of what was there, and most is but looked at.
+Solid merged(Solid solid, Merge rule);
 
 /// The plane normal.(p - origin) = 0. The normal's components have no common
 /// divisor, and its first one that is not zero is positive.
