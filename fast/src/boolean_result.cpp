@@ -193,7 +193,9 @@ void straighten(List<Piece>& pieces,
       visit(Spoke{p.to, p.from, p.plane, p.other});
     }
   };
-  walk_loops(pieces, Hubs(extent, for_ends, for_spokes, is_pinned, space));
+  const auto for_more = [](const auto&) {};
+  walk_loops(pieces,
+             Hubs(extent, for_ends, for_spokes, for_more, is_pinned, space));
 }
 
 }  // namespace halfspace::fast

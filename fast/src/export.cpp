@@ -36,8 +36,8 @@ struct Polygons {
 
   std::size_t size() const { return faces.size(); }
   std::span<std::int32_t> at(std::size_t p) {
-    return std::span(corners).subspan(first_corner[p],
-                                      first_corner[p + 1] - first_corner[p]);
+    const std::uint32_t first = first_corner[p];
+    return {corners.data() + first, first_corner[p + 1] - first};
   }
   void add(std::span<const std::int32_t> polygon, std::int32_t face) {
     corners.insert(corners.end(), polygon.begin(), polygon.end());
@@ -116,6 +116,23 @@ Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
   return all;
 }
 
+/// Turns a polygon's corners until the least is the first.
+void begin_with_least(std::span<std::int32_t> corners) {
+  if (corners.size() != 3) {
+    std::rotate(corners.begin(),
+                std::min_element(corners.begin(), corners.end()),
+                corners.end());
+    return;
+  }
+  // Most are triangles.
+  const std::int32_t a = corners[0], b = corners[1], c = corners[2];
+  const bool second = b < a && b < c;
+  const bool third = c < a && c < b;
+  corners[0] = second ? b : third ? c : a;
+  corners[1] = second ? c : third ? a : b;
+  corners[2] = second ? a : third ? b : c;
+}
+
 /// Puts the vertices that the polygons have in the mesh, in the order of their
 /// coordinates, and their numbers there in place of the points' ids.
 void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
@@ -125,11 +142,14 @@ void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
   Places places(extent);
   std::vector<std::int32_t> numbers(places.size(), -1);
   std::vector<std::int32_t> used;
-  for (const std::int32_t v : polygons.corners) {
-    std::int32_t& number = numbers[places(v)];
-    if (number < 0) used.push_back(v);
-    number = 0;
-  }
+  std::int32_t* const number_at = numbers.data();
+  places.with_places([&](const auto& place) {
+    for (const std::int32_t v : polygons.corners) {
+      std::int32_t& number = number_at[place(v)];
+      if (number < 0) used.push_back(v);
+      number = 0;
+    }
+  });
   const List<std::int32_t> order = vertices_in_order(used, space);
   mesh.vertices.reserve(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -150,13 +170,11 @@ void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
     mesh.max_move = std::max(mesh.max_move,
                              size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
   }
-  for (std::size_t p = 0; p < polygons.size(); ++p) {
-    const auto corners = polygons.at(p);
-    for (std::int32_t& v : corners) v = numbers[places.find(v)];
-    std::rotate(corners.begin(),
-                std::min_element(corners.begin(), corners.end()),
-                corners.end());
-  }
+  places.with_places([&](const auto& place) {
+    for (std::int32_t& v : polygons.corners) v = number_at[place(v)];
+  });
+  for (std::size_t p = 0; p < polygons.size(); ++p)
+    begin_with_least(polygons.at(p));
 }
 
 /// The polygons in the order of their corners, the first of which are the
@@ -175,7 +193,12 @@ std::vector<std::uint32_t> polygons_in_order(Polygons& polygons,
   auto i = order.begin();
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto j = order.begin() + static_cast<std::ptrdiff_t>(place[v]);
+    const auto second = [&](std::uint32_t p) {
+      return polygons.corners[polygons.first_corner[p] + 1];
+    };
     std::sort(i, j, [&](std::uint32_t p, std::uint32_t q) {
+      // It tells, nearly always.
+      if (second(p) != second(q)) return second(p) < second(q);
       const auto x = polygons.at(p);
       const auto y = polygons.at(q);
       const auto [at, other] =
@@ -235,15 +258,16 @@ ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
   if (solid.faces.empty()) return mesh;
   Polygons polygons = polygons_of(solid, options);
   add_vertices(solid, polygons, mesh);
-  mesh.corners.reserve(polygons.corners.size());
-  mesh.first_corner.reserve(polygons.size() + 1);
-  mesh.faces.reserve(polygons.size());
-  mesh.colors.reserve(polygons.size());
+  mesh.corners.resize(polygons.corners.size());
+  mesh.first_corner.resize(polygons.size() + 1);
+  mesh.faces.resize(polygons.size());
+  mesh.colors.resize(polygons.size());
   const std::vector<std::uint32_t> order =
       polygons_in_order(polygons, mesh.vertices.size());
   const auto face_at = [&](std::size_t i) -> const Face& {
     return solid.faces[static_cast<std::size_t>(polygons.faces[order[i]])];
   };
+  VertexId* corner = mesh.corners.data();
   for (std::size_t at = 0; at < order.size(); ++at) {
     // What is far off in memory is fetched while others are worked on: a step
     // further for each list. (In a function of its own it would be dropped, as
@@ -266,12 +290,12 @@ ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
     const Face& face = solid.faces[static_cast<std::size_t>(f)];
     const Plane& normal = solid.space->plane(face.plane).filter.plane;
     if (!surely_faces_out(mesh, corners, normal, face.turned ? -1 : 1))
-      mesh.turned.push_back(static_cast<std::int32_t>(mesh.faces.size()));
-    for (const std::int32_t v : corners) mesh.corners.push_back(v);
-    mesh.first_corner.push_back(
-        static_cast<std::uint32_t>(mesh.corners.size()));
-    mesh.faces.push_back(f);
-    mesh.colors.push_back(face.color);
+      mesh.turned.push_back(static_cast<std::int32_t>(at));
+    for (const std::int32_t v : corners) *corner++ = v;
+    mesh.first_corner[at + 1] =
+        static_cast<std::uint32_t>(corner - mesh.corners.data());
+    mesh.faces[at] = f;
+    mesh.colors[at] = face.color;
   }
   return mesh;
 }

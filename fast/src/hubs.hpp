@@ -24,15 +24,19 @@ struct Spoke {
 class Hubs {
  public:
   /// `for_ends(visit)` visits both ends of every edge, each with the other one,
-  /// and `for_spokes(visit)` its two spokes. What is pinned is never straight.
+  /// and `for_spokes(visit)` its two spokes. `for_more(visit)` visits points,
+  /// among them all at which there are more edges, which are none on one line.
+  /// What is pinned is never straight.
   /// Requires: all ends are in the extent.
-  template <class ForEnds, class ForSpokes, class IsPinned>
+  template <class ForEnds, class ForSpokes, class ForMore, class IsPinned>
   Hubs(const Extent& extent, const ForEnds& for_ends,
-       const ForSpokes& for_spokes, const IsPinned& is_pinned,
-       const Space& space)
+       const ForSpokes& for_spokes, const ForMore& for_more,
+       const IsPinned& is_pinned, const Space& space)
       : places_(extent), ends_(places_.size()), states_(places_.size()) {
     places_.with_places([&](const auto& place) { count(for_ends, place); });
-    if (!any_two()) return;
+    const std::size_t twos = two_count();
+    if (twos == 0) return;
+    drop_twos(twos, for_more);
     for_spokes([&](const Spoke& spoke) {
       const std::size_t at = places_.find(spoke.hub);
       if (is_two(at)) begin(spoke.hub, at, is_pinned(spoke.hub));
@@ -84,11 +88,21 @@ class Hubs {
   bool is_two(std::size_t at) const {
     return states_[at] == kFew && ends_[at].least < ends_[at].greatest;
   }
-  bool any_two() const {
+  std::size_t two_count() const {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < states_.size(); ++at) count += is_two(at);
+    return count;
+  }
+  template <class ForMore>
+  void drop_twos(std::size_t count, const ForMore& for_more) {
+    Sieve twos(count);
     for (std::size_t at = 0; at < states_.size(); ++at) {
-      if (is_two(at)) return true;
+      if (is_two(at)) twos.add(places_.number_at(at));
     }
-    return false;
+    for_more([&](std::int32_t v) {
+      if (twos.may_hold(v) && places_.holds(v))
+        states_[places_.find(v)] = kMore;
+    });
   }
   void begin(std::int32_t hub, std::size_t at, bool is_pinned);
   static void put(Pair& pair, const Spoke& spoke);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -101,12 +100,13 @@ class Merger {
 
   void run() {
     drop_edges(entries());
-    const Hubs hubs = hubs_of_edges();
-    staying_.resize(solid_.faces.size());
+    find_others();
+    const Hubs hubs = hubs_of_others();
     bool all_stay = true;
-    for (std::size_t f = 0; f < staying_.size(); ++f) {
-      staying_[f] = stays(f, hubs);
-      all_stay = all_stay && staying_[f] != 0;
+    for (const std::int32_t f : others_) {
+      const auto at = static_cast<std::size_t>(f);
+      staying_[at] = stays(at, hubs);
+      all_stay = all_stay && staying_[at] != 0;
     }
     if (all_stay) {
       turn_loops(solid_.faces, solid_.edges);
@@ -116,17 +116,16 @@ class Merger {
   }
 
  private:
-  /// Calls `visit(face's number, face, edge)` for the edges not dropped, of
-  /// faces that are not to be left out.
+  /// Calls `visit(face's number, face, edge)` for the edges of the others that
+  /// are not dropped, of faces that are not to be left out.
   template <class LeftOut, class Visit>
   void for_edges(const LeftOut& is_left_out, const Visit& visit) const {
-    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
-      if (is_left_out(f)) continue;
-      const Face& face = solid_.faces[f];
+    for (const std::int32_t f : others_) {
+      if (is_left_out(static_cast<std::size_t>(f))) continue;
+      const Face& face = solid_.faces[static_cast<std::size_t>(f)];
       const std::uint32_t last = face.first_edge + face.edge_count;
       for (std::uint32_t at = face.first_edge; at < last; ++at) {
-        if (dropped_[at] == 0)
-          visit(static_cast<std::int32_t>(f), face, solid_.edges[at]);
+        if (dropped_[at] == 0) visit(f, face, solid_.edges[at]);
       }
     }
   }
@@ -134,7 +133,8 @@ class Merger {
   std::vector<std::uint8_t> company() const;
   std::vector<Entry> entries() const;
   void drop_edges(const std::vector<Entry>& entries);
-  Hubs hubs_of_edges() const;
+  void find_others();
+  Hubs hubs_of_others() const;
   std::int32_t root(std::int32_t f);
   bool stays(std::size_t f, const Hubs& hubs) const;
   std::size_t pass_on(std::size_t first);
@@ -145,8 +145,11 @@ class Merger {
   std::vector<std::int32_t> parent_;   ///< by face
   std::vector<std::uint8_t> merges_;   ///< by face: it has dropped edges
   std::vector<std::uint8_t> dropped_;  ///< by edge
-  std::vector<std::uint8_t> staying_;  ///< by face: as stays() says
-  std::size_t face_count_ = 0;         ///< passed on
+  /// By face: whether it is a triangle that keeps its edges; in the end, of the
+  /// others too, as stays() says.
+  std::vector<std::uint8_t> staying_;
+  List<std::int32_t> others_;
+  std::size_t face_count_ = 0;  ///< passed on
   std::size_t edge_count_ = 0;
 };
 
@@ -197,12 +200,10 @@ std::vector<Entry> Merger::entries() const {
   const auto ends_there = [&](std::int32_t v) {
     return v >= extent.low && v <= extent.high && is_end[places.find(v)] != 0;
   };
-  // Most are told by the last digits of their numbers.
-  const std::size_t digits = std::bit_ceil(8 * extent.uses) - 1;
-  std::vector<std::uint8_t> may_end(digits + 1);
+  Sieve ends(extent.uses);
   for_company([&](const SolidEdge& edge) {
-    may_end[static_cast<std::size_t>(edge.from) & digits] = 1;
-    may_end[static_cast<std::size_t>(edge.to) & digits] = 1;
+    ends.add(edge.from);
+    ends.add(edge.to);
   });
   std::vector<Entry> entries;
   const auto add = [&](std::int32_t f, std::uint32_t at) {
@@ -214,13 +215,11 @@ std::vector<Entry> Merger::entries() const {
     entries.push_back({low, high, f, at});
   };
   const SolidEdge* const edges = solid_.edges.data();
-  const std::uint8_t* const may = may_end.data();
   for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
     const Face& face = solid_.faces[f];
     const std::uint32_t last = face.first_edge + face.edge_count;
     for (std::uint32_t at = face.first_edge; at < last; ++at) {
-      if ((may[static_cast<std::size_t>(edges[at].from) & digits] &
-           may[static_cast<std::size_t>(edges[at].to) & digits]) != 0)
+      if (ends.may_hold(edges[at].from) && ends.may_hold(edges[at].to))
         add(static_cast<std::int32_t>(f), at);
     }
   }
@@ -268,26 +267,41 @@ void Merger::drop_edges(const std::vector<Entry>& entries) {
   }
 }
 
+void Merger::find_others() {
+  staying_.resize(solid_.faces.size());
+  for (std::size_t f = 0; f < staying_.size(); ++f) {
+    const Face& face = solid_.faces[f];
+    staying_[f] = merges_[f] == 0 && face.edge_count == 3 &&
+                  is_triangle(solid_.edges.data() + face.first_edge);
+    if (staying_[f] == 0) others_.push_back(static_cast<std::int32_t>(f));
+  }
+}
+
 /// A closed surface has every edge in either direction: there is a spoke from
 /// each end to each other one without looking back along edges.
-Hubs Merger::hubs_of_edges() const {
-  Extent extent;
-  for (const SolidEdge& edge : solid_.edges) extent.add(edge.from);
-  const auto for_ends = [edges = std::span(solid_.edges),
-                         dropped = dropped_.data()](const auto& visit) {
-    for (std::size_t at = 0; at < edges.size(); ++at) {
-      if (dropped[at] == 0) visit(edges[at].from, edges[at].to);
-    }
-  };
+Hubs Merger::hubs_of_others() const {
   const auto for_spokes = [this](const auto& visit) {
     const auto none = [](std::size_t) { return false; };
     for_edges(none, [&](std::int32_t, const Face& face, const SolidEdge& edge) {
       visit(Spoke{edge.from, edge.to, face.plane, edge.other});
     });
   };
+  const auto for_ends = [&](const auto& visit) {
+    for_spokes([&](const Spoke& spoke) { visit(spoke.hub, spoke.end); });
+  };
+  // Two edges of a triangle are on no line.
+  const auto for_corners = [this](const auto& visit) {
+    for (std::size_t f = 0; f < staying_.size(); ++f) {
+      if (staying_[f] == 0) continue;
+      const SolidEdge* edges = solid_.edges.data() + solid_.faces[f].first_edge;
+      for (std::size_t i = 0; i < 3; ++i) visit(edges[i].from);
+    }
+  };
+  Extent extent;
+  for_ends([&](std::int32_t hub, std::int32_t) { extent.add(hub); });
   return Hubs(
-      extent, for_ends, for_spokes, [](std::int32_t) { return false; },
-      *solid_.space);
+      extent, for_ends, for_spokes, for_corners,
+      [](std::int32_t) { return false; }, *solid_.space);
 }
 
 /// Whether walk_loops() would leave the face as it is, but for the edge that it
@@ -298,11 +312,6 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   if (merges_[f] != 0 || face.edge_count == 0 || face.edge_count > kFew)
     return false;
   const SolidEdge* edges = solid_.edges.data() + face.first_edge;
-  // Most are triangles.
-  if (face.edge_count == 3 && is_triangle(edges)) {
-    return !hubs.is_straight(edges[0].from) &&
-           !hubs.is_straight(edges[1].from) && !hubs.is_straight(edges[2].from);
-  }
   std::uint32_t first = 0;  // of this loop
   bool is_in_order = true;
   for (std::uint32_t i = 0; i < face.edge_count; ++i) {

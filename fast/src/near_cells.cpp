@@ -26,18 +26,20 @@ std::int32_t row_count(std::size_t faces) {
 /// rounding keeps the order of coordinates.
 class NearCells {
  public:
-  NearCells(const Box& reach, std::size_t faces) : low_(reach.low) {
-    const std::int32_t rows = row_count(faces);
-    count_ = {kCells, rows, rows};
+  NearCells(const Box& reach, std::size_t faces)
+      : row_count_(row_count(faces)) {
+    const std::array<std::int32_t, 3> count{kCells, row_count_, row_count_};
     for (std::size_t k = 0; k < 3; ++k) {
       const float size = reach.high[k] - reach.low[k];
-      scale_[k] = size > 0 ? static_cast<float>(count_[k]) / size : 0;
+      low_[k] = reach.low[k];
+      scale_[k] = size > 0 ? static_cast<float>(count[k]) / size : 0;
+      last_[k] = static_cast<float>(count[k] - 1);
     }
   }
 
   /// Whether it did so: not if faces have very many cells.
   bool mark(const Solid& solid, const std::vector<std::int32_t>& faces) {
-    rows_.assign(static_cast<std::size_t>(count_[1] * count_[2]), 0);
+    rows_.assign(static_cast<std::size_t>(row_count_ * row_count_), 0);
     std::size_t budget = kRowsPerFace * faces.size();
     for (const std::int32_t f : faces) {
       const Range range = range_of(solid.faces[static_cast<std::size_t>(f)]);
@@ -79,39 +81,39 @@ class NearCells {
     }
   };
 
+  /// Of three numbers, and one that does not matter.
+  using Four = float __attribute__((vector_size(16)));
+  using FourCells = std::int32_t __attribute__((vector_size(16)));
+
   /// What is not a number counts as the first cell: where the box is flat.
-  std::int32_t cell(float coordinate, std::size_t k) const {
-    const auto last = static_cast<float>(count_[k] - 1);
-    const float at = (coordinate - low_[k]) * scale_[k];
-    return static_cast<std::int32_t>(at > 0 ? (at < last ? at : last) : 0);
+  FourCells cells_of(const Four& at) const {
+    const Four scaled = (at - low_) * scale_;
+    const Four most = scaled < last_ ? scaled : last_;
+    return __builtin_convertvector(scaled > 0 ? most : Four{}, FourCells);
   }
   Range range_of(const Face& face) const {
-    Range range;
-    for (std::size_t k = 0; k < 2; ++k) {
-      range.low[k] = cell(face.box.low[k + 1], k + 1);
-      range.high[k] = cell(face.box.high[k + 1], k + 1);
-    }
-    const std::int32_t first = cell(face.box.low[0], 0);
-    const std::int32_t last = cell(face.box.high[0], 0);
-    range.bits =
-        ~std::uint64_t{0} << first & ~std::uint64_t{0} >> (kCells - 1 - last);
-    return range;
+    const auto& [low, high] = face.box;
+    const FourCells first = cells_of(Four{low[0], low[1], low[2]});
+    const FourCells last = cells_of(Four{high[0], high[1], high[2]});
+    return {{first[1], first[2]},
+            {last[1], last[2]},
+            ~std::uint64_t{0} << first[0] &
+                ~std::uint64_t{0} >> (kCells - 1 - last[0])};
   }
   /// Calls `visit(row)` until it returns true. Whether it did.
   template <class Visit>
   bool for_rows(const Range& range, const Visit& visit) {
     for (std::int32_t z = range.low[1]; z <= range.high[1]; ++z) {
       for (std::int32_t y = range.low[0]; y <= range.high[0]; ++y) {
-        if (visit(rows_[static_cast<std::size_t>(z * count_[1] + y)]))
+        if (visit(rows_[static_cast<std::size_t>(z * row_count_ + y)]))
           return true;
       }
     }
     return false;
   }
 
-  std::array<std::int32_t, 3> count_;
-  std::array<float, 3> low_;
-  std::array<float, 3> scale_;
+  std::int32_t row_count_;
+  Four low_{}, scale_{}, last_{};
   std::vector<std::uint64_t> rows_;
 };
 

@@ -25,6 +25,24 @@ struct Extent {
   }
 };
 
+/// Tells most numbers that are not among some others, by their last digits.
+class Sieve {
+ public:
+  explicit Sieve(std::size_t count)
+      : digits_(std::bit_ceil(8 * count + 1) - 1), may_(digits_ + 1) {}
+  void add(std::int32_t number) { may_[place(number)] = 1; }
+  /// Never false for one of them.
+  bool may_hold(std::int32_t number) const { return may_[place(number)] != 0; }
+
+ private:
+  std::size_t place(std::int32_t number) const {
+    return static_cast<std::size_t>(number) & digits_;
+  }
+
+  std::size_t digits_;
+  std::vector<std::uint8_t> may_;
+};
+
 /// Places in a list for numbers, which are not negative: a list that is not
 /// much longer than the numbers are many, however large they are.
 class Places {
@@ -63,6 +81,17 @@ class Places {
   std::size_t find(std::int32_t number) const {
     return keys_.empty() ? static_cast<std::size_t>(number - low_)
                          : probe(number);
+  }
+  /// The number that was given a place, or may be; -1 if there is none.
+  std::int32_t number_at(std::size_t place) const {
+    return keys_.empty() ? low_ + static_cast<std::int32_t>(place)
+                         : keys_[place];
+  }
+  /// Whether the number is one that number_at() gives.
+  bool holds(std::int32_t number) const {
+    return keys_.empty() ? number >= low_ &&
+                               static_cast<std::size_t>(number - low_) < size_
+                         : keys_[probe(number)] == number;
   }
 
  private:

@@ -14,18 +14,21 @@ namespace {
 /// So many faces are made at once, for planes to be looked up together.
 constexpr std::size_t kFacesAtOnce = 64;
 
-/// The box of a point, with room for four numbers in a register each.
+/// The box of a point, of which three numbers matter in each register.
 struct PointBox {
-  std::array<float, 4> low{};
-  std::array<float, 4> high{};
+  using Four = float __attribute__((vector_size(16)));
+  Four low;
+  Four high;
 };
 
 std::vector<PointBox> boxes_of(const std::vector<GridPoint>& points) {
   std::vector<PointBox> boxes(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vertex at = to_vertex(points[i]);
-    boxes[i] = {{rounded_down(at.x), rounded_down(at.y), rounded_down(at.z)},
-                {rounded_up(at.x), rounded_up(at.y), rounded_up(at.z)}};
+    boxes[i].low = PointBox::Four{rounded_down(at.x), rounded_down(at.y),
+                                  rounded_down(at.z)};
+    boxes[i].high =
+        PointBox::Four{rounded_up(at.x), rounded_up(at.y), rounded_up(at.z)};
   }
   return boxes;
 }
@@ -37,10 +40,8 @@ Box polygon_box(const std::vector<PointBox>& boxes,
   PointBox box = boxes[static_cast<std::size_t>(corners[0])];
   for (const VertexId corner : corners.subspan(1)) {
     const PointBox& other = boxes[static_cast<std::size_t>(corner)];
-    for (std::size_t k = 0; k < 4; ++k) {
-      box.low[k] = std::min(box.low[k], other.low[k]);
-      box.high[k] = std::max(box.high[k], other.high[k]);
-    }
+    box.low = box.low < other.low ? box.low : other.low;
+    box.high = box.high > other.high ? box.high : other.high;
   }
   return {{box.low[0], box.low[1], box.low[2]},
           {box.high[0], box.high[1], box.high[2]}};
