@@ -200,28 +200,27 @@ std::vector<Entry> Merger::entries() const {
   const auto ends_there = [&](std::int32_t v) {
     return v >= extent.low && v <= extent.high && is_end[places.find(v)] != 0;
   };
-  Sieve ends(extent.uses);
+  Sieve sieve(extent.uses);
   for_company([&](const SolidEdge& edge) {
-    ends.add(edge.from);
-    ends.add(edge.to);
+    sieve.add(edge.from);
+    sieve.add(edge.to);
   });
   std::vector<Entry> entries;
-  const auto add = [&](std::int32_t f, std::uint32_t at) {
+  auto face = solid_.faces.begin();
+  const auto size = static_cast<std::uint32_t>(solid_.edges.size());
+  for (std::uint32_t at = 0; at < size; ++at) {
     const SolidEdge& edge = solid_.edges[at];
-    if (!ends_there(edge.from) || !ends_there(edge.to)) return;
+    if (!sieve.may_hold(edge.from) || !sieve.may_hold(edge.to) ||
+        !ends_there(edge.from) || !ends_there(edge.to))
+      continue;
+    // Whose it is: the edges stand in the order of the faces.
+    while (at - face->first_edge >= face->edge_count) ++face;
     const auto [low, high] =
         std::minmax({static_cast<std::int32_t>(places.find(edge.from)),
                      static_cast<std::int32_t>(places.find(edge.to))});
-    entries.push_back({low, high, f, at});
-  };
-  const SolidEdge* const edges = solid_.edges.data();
-  for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
-    const Face& face = solid_.faces[f];
-    const std::uint32_t last = face.first_edge + face.edge_count;
-    for (std::uint32_t at = face.first_edge; at < last; ++at) {
-      if (ends.may_hold(edges[at].from) && ends.may_hold(edges[at].to))
-        add(static_cast<std::int32_t>(f), at);
-    }
+    entries.push_back({low, high,
+                       static_cast<std::int32_t>(face - solid_.faces.begin()),
+                       at});
   }
   sort_by_low(entries, places.size());
   for (auto i = entries.begin(); i != entries.end();) {
@@ -289,13 +288,18 @@ Hubs Merger::hubs_of_others() const {
   const auto for_ends = [&](const auto& visit) {
     for_spokes([&](const Spoke& spoke) { visit(spoke.hub, spoke.end); });
   };
-  // Two edges of a triangle are on no line.
+  // Two edges of a triangle are on no line. Theirs are all between the others'.
   const auto for_corners = [this](const auto& visit) {
-    for (std::size_t f = 0; f < staying_.size(); ++f) {
-      if (staying_[f] == 0) continue;
-      const SolidEdge* edges = solid_.edges.data() + solid_.faces[f].first_edge;
-      for (std::size_t i = 0; i < 3; ++i) visit(edges[i].from);
+    std::uint32_t at = 0;
+    const auto visit_up_to = [&](std::uint32_t last) {
+      for (; at < last; ++at) visit(solid_.edges[at].from);
+    };
+    for (const std::int32_t f : others_) {
+      const Face& face = solid_.faces[static_cast<std::size_t>(f)];
+      visit_up_to(face.first_edge);
+      at += face.edge_count;
     }
+    visit_up_to(static_cast<std::uint32_t>(solid_.edges.size()));
   };
   Extent extent;
   for_ends([&](std::int32_t hub, std::int32_t) { extent.add(hub); });
@@ -332,11 +336,13 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   return is_in_order || edges[face.edge_count - 1].to == edges[0].from;
 }
 
-/// Passes on the faces that stay, from number `first` on. The number of the
-/// next one that does not.
+/// Passes on faces that stay, from number `first` on: not so many that they are
+/// no longer at hand when they have been moved. The number of the next face.
 std::size_t Merger::pass_on(std::size_t first) {
+  constexpr std::size_t kMost = 256;
+  const std::size_t end = std::min(first + kMost, staying_.size());
   std::size_t last = first;
-  while (last < staying_.size() && staying_[last] != 0) ++last;
+  while (last < end && staying_[last] != 0) ++last;
   const std::uint32_t first_edge = solid_.faces[first].first_edge;
   const std::uint32_t last_edge =
       solid_.faces[last - 1].first_edge + solid_.faces[last - 1].edge_count;

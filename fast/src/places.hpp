@@ -95,10 +95,11 @@ class Places {
   }
 
  private:
-  /// Numbers stand in rows, nearly: they are their own hashes.
+  /// Numbers stand in rows, nearly. A few apart they are near each other, and
+  /// leave room between them at which a search for another one ends.
   std::size_t probe(std::int32_t number) const {
     const std::size_t mask = size_ - 1;
-    std::size_t at = static_cast<std::size_t>(number) & mask;
+    std::size_t at = 5 * static_cast<std::size_t>(number) & mask;
     while (keys_[at] >= 0 && keys_[at] != number) at = (at + 1) & mask;
     return at;
   }
