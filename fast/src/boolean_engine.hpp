@@ -82,6 +82,10 @@ class Engine {
   void copy_untouched(std::size_t o, Solid& result);
   void copy_whole(std::size_t o, std::int32_t face, bool is_near,
                   Solid& result);
+  bool is_far(std::size_t o, std::int32_t face) const;
+  std::int32_t copy_far(std::size_t o, std::int32_t first, Solid& result);
+  void copy_row(std::size_t o, std::int32_t first, std::int32_t last,
+                Solid& result);
   void add_runs(std::size_t o);
   void add_run(std::size_t o, std::int32_t face, bool beyond,
                const FarRows::Row& row);

@@ -176,20 +176,86 @@ void Engine::copy_whole(std::size_t o, std::int32_t f, bool is_near,
     notes_.pinned.set(edges[i].from, 1);
 }
 
+/// Whether the face, which the other operand does not touch, is beyond it.
+bool Engine::is_far(std::size_t o, std::int32_t f) const {
+  const Operand& operand = operands_[o];
+  return operand.touched[static_cast<std::size_t>(f)] == 0 &&
+         !overlap(operand.face(f).box, operand.reach);
+}
+
+/// Adds faces that are far, from number `first` on, if they bound the result:
+/// those whose edges stand in a row, but not so many that they are no longer at
+/// hand when they have been copied. The number of the next face.
+std::int32_t Engine::copy_far(std::size_t o, std::int32_t first,
+                              Solid& result) {
+  constexpr std::size_t kMost = 256;
+  const Operand& operand = operands_[o];
+  const auto count = static_cast<std::int32_t>(std::min(
+      operand.solid->faces.size(), static_cast<std::size_t>(first) + kMost));
+  std::int32_t last = first;
+  std::uint32_t edge = operand.face(first).first_edge;
+  do {
+    edge += operand.face(last).edge_count;
+    ++last;
+  } while (last < count && is_far(o, last) &&
+           operand.face(last).first_edge == edge);
+  const bool member = operands_[1 - o].solid->unbounded;
+  const bool beyond = apply(o, false, member);
+  if (apply(o, true, member) == beyond) return last;
+  if (!beyond) {
+    copy_row(o, first, last, result);
+  } else {
+    for (std::int32_t f = first; f < last; ++f)
+      copy_whole(o, f, /*is_near=*/false, result);
+  }
+  return last;
+}
+
+/// Adds the faces from number `first` to before `last` as they are.
+/// Requires: their edges stand in a row.
+void Engine::copy_row(std::size_t o, std::int32_t first, std::int32_t last,
+                      Solid& result) {
+  const Operand& operand = operands_[o];
+  const auto faces = std::span(operand.solid->faces)
+                         .subspan(static_cast<std::size_t>(first),
+                                  static_cast<std::size_t>(last - first));
+  const std::uint32_t first_edge = faces.front().first_edge;
+  const auto edges =
+      std::span(operand.solid->edges)
+          .subspan(first_edge, faces.back().first_edge +
+                                   faces.back().edge_count - first_edge);
+  const auto at = static_cast<std::uint32_t>(result.edges.size());
+  const std::size_t before = result.faces.size();
+  result.edges.insert(result.edges.end(), edges.begin(), edges.end());
+  result.faces.insert(result.faces.end(), faces.begin(), faces.end());
+  for (std::int32_t f = first; f < last; ++f) {
+    const std::size_t copy = before + static_cast<std::size_t>(f - first);
+    Face& face = result.faces[copy];
+    face.from_first = o == 0;
+    face.source = f;
+    face.first_edge = face.first_edge - first_edge + at;
+    result_blocks_.set(copy, operand.blocks->shared(f));
+  }
+}
+
 /// Adds the faces of an operand that the other one does not touch, if they
 /// bound the result, and notes their vertices.
 void Engine::copy_untouched(std::size_t o, Solid& result) {
   const auto count =
       static_cast<std::int32_t>(operands_[o].solid->faces.size());
   std::vector<bool> member;  // by edge
-  for (std::int32_t f = 0; f < count; ++f) {
+  for (std::int32_t next = 0; next < count;) {
+    if (is_far(o, next)) {
+      // Vertices beyond the other operand stay in any case.
+      next = copy_far(o, next, result);
+      continue;
+    }
+    const std::int32_t f = next++;
     if (operands_[o].touched[static_cast<std::size_t>(f)] != 0) continue;
     const std::uint32_t size = operands_[o].face(f).edge_count;
     const SolidEdge* edges = operands_[o].edges_of(f);
-    // Vertices beyond the other operand stay in any case.
-    const bool is_near = overlap(operands_[o].face(f).box, operands_[o].reach);
-    if (!is_near || is_row({edges, size})) {
-      copy_whole(o, f, is_near, result);
+    if (is_row({edges, size})) {
+      copy_whole(o, f, /*is_near=*/true, result);
       continue;
     }
     // A face need not be connected: the other operand may hold a part whole.

@@ -14,37 +14,15 @@ namespace {
 /// So many faces are made at once, for planes to be looked up together.
 constexpr std::size_t kFacesAtOnce = 64;
 
-/// The box of a point, of which three numbers matter in each register.
-struct PointBox {
-  using Four = float __attribute__((vector_size(16)));
-  Four low;
-  Four high;
-};
-
-std::vector<PointBox> boxes_of(const std::vector<GridPoint>& points) {
-  std::vector<PointBox> boxes(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vertex at = to_vertex(points[i]);
-    boxes[i].low = PointBox::Four{rounded_down(at.x), rounded_down(at.y),
-                                  rounded_down(at.z)};
-    boxes[i].high =
-        PointBox::Four{rounded_up(at.x), rounded_up(at.y), rounded_up(at.z)};
+/// Holds the polygon as face_box() would: points of the grid have no error.
+Box polygon_box(const Scene& scene, std::span<const VertexId> corners) {
+  Bounds bounds;
+  for (const VertexId corner : corners) {
+    const GridPoint& p = scene.point(corner);
+    bounds.add({static_cast<double>(p.x), static_cast<double>(p.y),
+                static_cast<double>(p.z), 0});
   }
-  return boxes;
-}
-
-/// Holds the polygon as face_box() would: points of the grid have no error, and
-/// rounding keeps their order.
-Box polygon_box(const std::vector<PointBox>& boxes,
-                std::span<const VertexId> corners) {
-  PointBox box = boxes[static_cast<std::size_t>(corners[0])];
-  for (const VertexId corner : corners.subspan(1)) {
-    const PointBox& other = boxes[static_cast<std::size_t>(corner)];
-    box.low = box.low < other.low ? box.low : other.low;
-    box.high = box.high > other.high ? box.high : other.high;
-  }
-  return {{box.low[0], box.low[1], box.low[2]},
-          {box.high[0], box.high[1], box.high[2]}};
+  return bounds.box();
 }
 
 /// The corners that define the polygon's plane. A triangle's are all: they are
@@ -59,16 +37,10 @@ void set_plane_corners(const Scene& scene, PolygonId id,
   for (std::size_t i = 0; i < 3; ++i) corners[i] = scene.point(ids[i]);
 }
 
-/// What is known of a solid's points before its faces are made: their ids, and
-/// their boxes.
-struct Points {
-  std::vector<std::int32_t> ids;
-  std::vector<PointBox> boxes;
-};
-
-/// Adds the face that polygon `id` is.
+/// Adds the face that polygon `id` is. `ids`: the points of its vertices.
 void add_face(const Scene& scene, PolygonId id, std::int32_t part,
-              OrientedPlane plane, const Points& points, Solid& solid) {
+              OrientedPlane plane, const std::vector<std::int32_t>& ids,
+              Solid& solid) {
   const auto corners = scene.corners(id);
   // In its place: a copy would wait for what was just written.
   Face& face = solid.faces.emplace_back();
@@ -80,11 +52,11 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
   face.polygon = id;
   face.first_edge = static_cast<std::uint32_t>(solid.edges.size());
   face.edge_count = static_cast<std::uint32_t>(corners.size());
-  face.box = polygon_box(points.boxes, corners);
-  std::int32_t from = points.ids[static_cast<std::size_t>(corners[0])];
+  face.box = polygon_box(scene, corners);
+  std::int32_t from = ids[static_cast<std::size_t>(corners[0])];
   const std::int32_t first = from;
   for (std::size_t i = 1; i < corners.size(); ++i) {
-    const std::int32_t to = points.ids[static_cast<std::size_t>(corners[i])];
+    const std::int32_t to = ids[static_cast<std::size_t>(corners[i])];
     solid.edges.push_back({from, to});
     from = to;
   }
@@ -100,9 +72,9 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
   result.space->reserve(scene.data().vertices.size(), scene.polygon_count());
   result.faces.reserve(scene.polygon_count());
   result.edges.reserve(scene.data().corners.size());
-  Points points{{}, boxes_of(scene.data().vertices)};
-  points.ids.reserve(scene.data().vertices.size());
-  result.space->add_points(scene.data().vertices, points.ids);
+  std::vector<std::int32_t> ids;
+  ids.reserve(scene.data().vertices.size());
+  result.space->add_points(scene.data().vertices, ids);
   std::array<std::array<GridPoint, 3>, kFacesAtOnce> corners;
   std::vector<OrientedPlane> planes;
   for (std::size_t first = 0; first < scene.polygon_count();
@@ -124,8 +96,8 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
     }
     result.space->add_planes(std::span(corners).first(last - first), planes);
     for (std::size_t p = first; p < last; ++p) {
-      add_face(scene, static_cast<PolygonId>(p), part, planes[p - first],
-               points, result);
+      add_face(scene, static_cast<PolygonId>(p), part, planes[p - first], ids,
+               result);
     }
   }
   return result;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,15 +59,14 @@ bool is_closed_by_index(const Scene& scene) {
   std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
   for_edges(
       [&](std::size_t low, std::uint32_t use) { uses[end[low]++] = use; });
+  // Of the edges of one lesser end, by the other end: how many more go up.
+  std::vector<std::int32_t> excess(count);
   for (std::size_t v = 0; v < count; ++v) {
-    auto i = uses.begin() + first[v];
-    const auto last = uses.begin() + end[v];
-    std::sort(i, last);
-    while (i != last) {
-      const std::uint32_t high = *i >> 1;
-      std::int64_t excess = 0;
-      for (; i != last && *i >> 1 == high; ++i) excess += *i % 2 == 0 ? 1 : -1;
-      if (excess != 0) return false;
+    const auto of_vertex = std::span(uses).subspan(first[v], end[v] - first[v]);
+    for (const std::uint32_t use : of_vertex)
+      excess[use >> 1] += use % 2 == 0 ? 1 : -1;
+    for (const std::uint32_t use : of_vertex) {
+      if (excess[use >> 1] != 0) return false;
     }
   }
   return true;
