@@ -141,7 +141,7 @@ std::span<const Cover> Engine::covers_of(std::size_t o,
 
 /// What is beyond the other operand's box has the root 0, for all of it is on
 /// one side; vertices are numbered from 1 on.
-std::int32_t Engine::root(std::size_t o, std::int32_t vertex) {
+std::int32_t Engine::find_root(std::size_t o, std::int32_t vertex) {
   Stamped<std::int32_t>& parent = notes_.parent[o];
   std::int32_t v = vertex + 1;
   std::int32_t up = parent.get(v, -1);

@@ -115,7 +115,14 @@ class Engine {
   bool is_beyond_other(std::size_t o, std::int32_t vertex) const {
     return is_beyond(operands_[o].reach, space_.vertex(vertex).approximate);
   }
-  std::int32_t root(std::size_t o, std::int32_t vertex);
+  std::int32_t root(std::size_t o, std::int32_t vertex) {
+    const Stamped<std::int32_t>& parent = notes_.parent[o];
+    const std::int32_t up = parent.get(vertex + 1, -1);
+    // Nearly always.
+    if (up >= 0 && parent.get(up, up) == up) return up;
+    return find_root(o, vertex);
+  }
+  std::int32_t find_root(std::size_t o, std::int32_t vertex);
   bool is_joined(std::size_t o, const SolidEdge* edges) const;
   void join(std::size_t o, std::int32_t u, std::int32_t v);
   std::int32_t join_root(std::size_t o, std::int32_t r, std::int32_t v);

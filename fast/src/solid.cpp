@@ -14,15 +14,21 @@ namespace {
 /// So many faces are made at once, for planes to be looked up together.
 constexpr std::size_t kFacesAtOnce = 64;
 
-/// Holds the polygon as face_box() would: points of the grid have no error.
+/// Holds the polygon as face_box() would: points of the grid have no error, and
+/// rounding keeps their order.
 Box polygon_box(const Scene& scene, std::span<const VertexId> corners) {
-  Bounds bounds;
-  for (const VertexId corner : corners) {
+  GridPoint low = scene.point(corners[0]);
+  GridPoint high = low;
+  for (const VertexId corner : corners.subspan(1)) {
     const GridPoint& p = scene.point(corner);
-    bounds.add({static_cast<double>(p.x), static_cast<double>(p.y),
-                static_cast<double>(p.z), 0});
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y),
+            std::max(high.z, p.z)};
   }
-  return bounds.box();
+  const Vertex from = to_vertex(low);
+  const Vertex to = to_vertex(high);
+  return {{rounded_down(from.x), rounded_down(from.y), rounded_down(from.z)},
+          {rounded_up(to.x), rounded_up(to.y), rounded_up(to.z)}};
 }
 
 /// The corners that define the polygon's plane. A triangle's are all: they are
