@@ -64,6 +64,41 @@ TEST(Merged, EdgesWhereTheSurfaceTouchesItselfStay) {
   EXPECT_EQ(merged(block(true), Merge::kPlane).faces.size(), 7u + 4u);
 }
 
+/// A face's plane, which way it looks, and its edges.
+using Shape = std::tuple<std::int32_t, bool, std::vector<SolidEdge>>;
+
+std::vector<Shape> shapes_of(const Solid& solid) {
+  std::vector<Shape> shapes;
+  for (const Face& face : solid.faces) {
+    const auto first = solid.edges.begin() + std::ptrdiff_t{face.first_edge};
+    shapes.emplace_back(
+        face.plane, face.turned,
+        std::vector<SolidEdge>(first, first + std::ptrdiff_t{face.edge_count}));
+    EXPECT_TRUE(face.box == face_box(solid, face));
+  }
+  return shapes;
+}
+
+TEST(Merged, BitByBitIsAsAtOnce) {
+  // What is merged takes other places than what stays.
+  std::uint64_t state = 23;
+  for (int round = 0; round < 6; ++round) {
+    Solid solid = to_solid(lattice::surface(lattice::random_cubes(3, state)));
+    for (std::size_t f = 0; f < solid.faces.size(); ++f)
+      solid.faces[f].color.r = static_cast<std::uint8_t>(f / 3 % 3);
+    const Solid colors = merged(solid, Merge::kColor);
+    const Solid planes = merged(solid, Merge::kPlane);
+    EXPECT_LT(colors.faces.size(), solid.faces.size());
+    EXPECT_LT(planes.faces.size(), colors.faces.size());
+    EXPECT_FALSE(std::is_sorted(colors.faces.begin(), colors.faces.end(),
+                                [](const Face& f, const Face& g) {
+                                  return f.first_edge < g.first_edge;
+                                }));
+    EXPECT_TRUE(shapes_of(merged(colors, Merge::kPlane)) == shapes_of(planes));
+    EXPECT_TRUE(bad_edges(planes).empty());
+  }
+}
+
 /// Whether a face's edges go on from one to the next, loop by loop.
 bool goes_round(const Solid& solid, const Face& face) {
   std::int32_t start = -1, last = -1;
