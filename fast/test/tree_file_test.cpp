@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <utility>
 
 #include "halfspace/fast/display_tree.hpp"
@@ -140,7 +142,96 @@ TEST(TreeFile, IndicesThatLeadNowhereAreFound) {
   EXPECT_EQ(code_with([](Tree t) { t.corners[0].edge = 3; }), kBad);
   EXPECT_EQ(code_with([](Tree t) { t.corners[0].vertex = 1 << 20; }), kBad);
   EXPECT_EQ(code_with([](Tree t) { t.free_planes[0].axis = 3; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.free_planes[0].axis = -1; }), kBad);
   EXPECT_EQ(code_with([](Tree t) { t.boxes.pop_back(); }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.boxes.push_back({}); }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.corners[0].edge = -(1 << 20); }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.corners[0].vertex = -1; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.corners.back().vertex = -1; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.fragments[0].first_corner = ~0u; }), kBad);
+  const auto polygons = static_cast<PolygonId>(scene.polygon_count());
+  const auto planes = polygons + static_cast<PlaneId>(good.free_planes.size());
+  const auto vertices = static_cast<std::int32_t>(scene.data().vertices.size() +
+                                                  good.cut_vertices.size());
+  EXPECT_EQ(code_with([=](Tree t) { t.fragments[0].source = polygons; }), kBad);
+  EXPECT_EQ(code_with([=](Tree t) { t.nodes[0].splitter = planes; }), kBad);
+  EXPECT_EQ(code_with([=](Tree t) { t.corners[0].edge = -1 - planes; }), kBad);
+  EXPECT_EQ(code_with([=](Tree t) { t.corners[0].vertex = vertices; }), kBad);
+}
+
+TEST(TreeFile, LeavesHaveNoChildren) {
+  const Scene scene = walls(6, 0);
+  BspTree tree = tree_of(scene);
+  // The last node becomes the child of a leaf, and of nothing else.
+  const auto last = static_cast<NodeId>(tree.nodes.size() - 1);
+  Node* leaf = nullptr;
+  for (Node& node : tree.nodes) {
+    if (node.positive == last) node.positive = kNoNode;
+    if (node.negative == last) node.negative = kNoNode;
+    if (!leaf && node.splitter == kNoPlane) leaf = &node;
+  }
+  ASSERT_NE(leaf, nullptr);
+  ASSERT_NE(leaf, &tree.nodes.back());
+  EXPECT_TRUE(decode_tree(encode_tree(tree, scene), scene).has_value());
+  leaf->positive = last;
+  const auto read = decode_tree(encode_tree(tree, scene), scene);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error().code, ErrorCode::kBadIndex);
+}
+
+/// Makes the header's checksum right again.
+void seal(std::vector<std::byte>& bytes) {
+  std::uint64_t sum = 0x243f6a8885a308d3u;
+  for (std::size_t byte = 0; byte <= 248; byte += 8) {
+    std::uint64_t word = 0;  // which comes last, too
+    if (byte < 248) std::memcpy(&word, bytes.data() + byte, sizeof(word));
+    sum = std::rotl((sum ^ word) * 0x9e3779b97f4a7c15u, 29);
+  }
+  std::memcpy(bytes.data() + 248, &sum, sizeof(sum));
+}
+
+TEST(TreeFile, ArraysThatLieOtherwiseAreRefused) {
+  const Scene scene = walls(6, 0);
+  const auto good = encode_tree(tree_of(scene), scene);
+  auto same = good;
+  seal(same);
+  ASSERT_EQ(same, good);
+  for (std::size_t word = 32; word < 176; word += 8) {
+    std::uint64_t was = 0;
+    std::memcpy(&was, good.data() + word, sizeof(was));
+    // One element more or less may fit into a gap.
+    const bool is_count = (word - 32) % 24 == 8;
+    for (const std::uint64_t is :
+         {was + (is_count ? 64 : 1), was - (is_count ? 64 : 1),
+          ~std::uint64_t{0}, std::uint64_t{1} << 60, good.size() / 8}) {
+      auto bytes = good;
+      std::memcpy(bytes.data() + word, &is, sizeof(is));
+      seal(bytes);
+      const auto read = decode_tree(bytes, scene);
+      ASSERT_FALSE(read.has_value()) << word;
+      EXPECT_EQ(read.error().code, ErrorCode::kUnknownFormat);
+      EXPECT_EQ(read.error().index, 32);
+    }
+  }
+}
+
+TEST(TreeFile, ErrorsNameTheFile) {
+  const Scene scene = walls(1, 0);
+  const std::string path = ::testing::TempDir() + "tree_file_errors.tree";
+  const auto expect = [&](const Error& error, ErrorCode code,
+                          std::int64_t index) {
+    EXPECT_EQ(error.code, code);
+    EXPECT_EQ(error.index, index);
+    EXPECT_EQ(error.message.find(path), 0u) << error.message;
+  };
+  expect(load_tree(path, scene).error(), ErrorCode::kUnreadable, -1);
+  expect(save_tree(path + "/none", BspTree(), scene).error(),
+         ErrorCode::kUnwritable, -1);
+  std::ofstream(path).close();
+  expect(load_tree(path, scene).error(), ErrorCode::kTruncated, 0);
+  ASSERT_TRUE(save_tree(path, BspTree(), scene).has_value());
+  expect(load_tree(path, walls(1, 1)).error(), ErrorCode::kBadIndex, -1);
+  std::remove(path.c_str());
 }
 
 TEST(TreeFile, IsWrittenAndRead) {
@@ -155,6 +246,34 @@ TEST(TreeFile, IsWrittenAndRead) {
   EXPECT_EQ(load_tree(path, scene).error().code, ErrorCode::kUnreadable);
   EXPECT_EQ(save_tree(path + "/none", tree, scene).error().code,
             ErrorCode::kUnwritable);
+}
+
+/// So that files of today are read tomorrow: these numbers were worked out
+/// from the words of the format.
+TEST(TreeFile, BytesAreAlwaysTheSame) {
+  const Scene scene = walls(1, 0);
+  BspTree tree;
+  tree.free_planes = {{0, 5}, {2, -7}};
+  const auto bytes = encode_tree(tree, scene);
+  const auto word_at = [&](std::size_t byte) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + byte, sizeof(word));
+    return word;
+  };
+  ASSERT_EQ(bytes.size(), 256u + 64);  // two planes, and a gap
+  for (std::size_t s = 0; s < 6; ++s) {
+    EXPECT_EQ(word_at(32 + 24 * s), s < 5 ? 256u : 320u);
+    EXPECT_EQ(word_at(40 + 24 * s), s == 4 ? 2u : 0u);
+  }
+  for (std::size_t byte = 176; byte < 240; ++byte) {
+    EXPECT_EQ(bytes[byte], std::byte{0});
+  }
+  EXPECT_EQ(word_at(16), 0x5c9cb4cc31c0e16au);   // of the scene
+  EXPECT_EQ(word_at(240), 0x74ef01ceb6f9b76bu);  // of what follows the header
+  EXPECT_EQ(word_at(248), 0x134afa550cfc8b7au);  // of the header
+  const auto again = decode_tree(bytes, scene);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(again->free_planes, tree.free_planes);
 }
 
 TEST(TreeFile, SectionsAreAligned) {
