@@ -6,6 +6,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "halfspace/ref/painter.hpp"
 #include "halfspace/ref/raycast.hpp"
@@ -54,6 +55,22 @@ TEST(RefRender, TheNearerPolygonIsSeen) {
                 rectangle(0, 1, 5, 2, 0)});
   EXPECT_EQ((Ids{0, 1, 1, 1, kNone, 0, 1, 1, 1, 2}),
             image_of(scene, from_above(5, 2)));
+}
+
+TEST(RefRender, WhatIsAtTheNearDistanceIsUnseen) {
+  const Scene scene = scene_of({rectangle(-9, -9, 9, 9, 2)});
+  CameraData parallel = from_above(1, 1);
+  CameraData central = parallel;
+  central.perspective = true;
+  central.eye = {0, 0, 0};
+  central.s0 = {-128, -128, 2 * 256};  // the wall is at t = 1
+  for (auto [camera, at] :
+       {std::pair{parallel, -2 * 65536}, std::pair{central, 65536}}) {
+    camera.near = at;
+    EXPECT_EQ(Ids{kNone}, image_of(scene, camera));
+    camera.near = at - 1;
+    EXPECT_EQ(Ids{0}, image_of(scene, camera));
+  }
 }
 
 TEST(RefRender, OfCoplanarPolygonsTheLowestIdIsSeen) {
