@@ -346,8 +346,11 @@ Result<Done> save_tree(const std::string& path, const BspTree& tree,
 }
 
 Result<BspTree> load_tree(const std::string& path, const Scene& scene) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = file ? std::streamoff{file.tellg()} : -1;
+  std::ifstream file(path, std::ios::binary);
+  // A directory opens, and tells some size, but nothing can be read of it.
+  file.peek();
+  file.seekg(0, std::ios::end);
+  const std::streamoff size = file.tellg();
   if (size < 0) {
     return Error{ErrorCode::kUnreadable, path + ": cannot be read", -1};
   }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 
@@ -136,6 +137,7 @@ TEST(TreeFile, IndicesThatLeadNowhereAreFound) {
       code_with([](Tree t) { t.nodes[0].negative = t.nodes[0].positive; }),
       kBad);
   EXPECT_EQ(code_with([](Tree t) { t.fragments[0].next = 0; }), kBad);
+  EXPECT_EQ(code_with([](Tree t) { t.fragments[0].next = 1 << 20; }), kBad);
   EXPECT_EQ(code_with([](Tree t) { t.fragments[0].source = -1; }), kBad);
   EXPECT_EQ(code_with([](Tree t) { t.fragments[0].corner_count = 2; }), kBad);
   EXPECT_EQ(code_with([](Tree t) { t.corners.pop_back(); }), kBad);
@@ -227,6 +229,13 @@ TEST(TreeFile, ErrorsNameTheFile) {
   expect(load_tree(path, scene).error(), ErrorCode::kUnreadable, -1);
   expect(save_tree(path + "/none", BspTree(), scene).error(),
          ErrorCode::kUnwritable, -1);
+  std::filesystem::create_directory(path);
+  expect(load_tree(path, scene).error(), ErrorCode::kUnreadable, -1);
+  std::filesystem::remove(path);
+  if (std::filesystem::exists("/dev/full")) {
+    EXPECT_EQ(save_tree("/dev/full", BspTree(), scene).error().code,
+              ErrorCode::kUnwritable);
+  }
   std::ofstream(path).close();
   expect(load_tree(path, scene).error(), ErrorCode::kTruncated, 0);
   ASSERT_TRUE(save_tree(path, BspTree(), scene).has_value());
