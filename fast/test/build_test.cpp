@@ -125,5 +125,24 @@ TEST(TreeBytes, AreThoseOfTheArrays) {
   EXPECT_EQ(bytes.free_planes, 0u);
 }
 
+TEST(Insert, CountsItsDecisions) {
+  SceneData data;
+  data.vertices = {{0, 0, 0}, {0, 9, 0}, {0, 0, 9}, {5, 3, 1}};
+  data.corners = {0, 1, 2, 0, 1, 3};
+  data.first_corner = {0, 3, 6};
+  data.colors = {{}, {}};
+  const Result<Scene> scene = make_scene(std::move(data));
+  ASSERT_TRUE(scene.has_value());
+  BspTree tree;
+  FilterStats stats;
+  insert(tree, *scene, 0, stats);
+  EXPECT_EQ(stats.filtered + stats.exact, 0u);
+  // Two corners are on the first polygon's plane, one is off it.
+  insert(tree, *scene, 1, stats);
+  EXPECT_EQ(stats.filtered, 1u);
+  EXPECT_EQ(stats.exact, 2u);
+  EXPECT_EQ(stats.zero, 2u);
+}
+
 }  // namespace
 }  // namespace halfspace::fast
