@@ -82,7 +82,7 @@ class EdgeBlocks {
   }
 
  private:
-  static constexpr std::uint32_t kMany = 48;
+  static constexpr std::uint32_t kMany = 24;
 
   std::vector<Shared> lists_;  ///< by face, as far as there are any
 };
