@@ -176,11 +176,10 @@ void Engine::copy_whole(std::size_t o, std::int32_t f, bool is_near,
     notes_.pinned.set(edges[i].from, 1);
 }
 
-/// Whether the face, which the other operand does not touch, is beyond it.
+/// Whether the face is beyond the other operand, which cannot touch it then.
 bool Engine::is_far(std::size_t o, std::int32_t f) const {
   const Operand& operand = operands_[o];
-  return operand.touched[static_cast<std::size_t>(f)] == 0 &&
-         !overlap(operand.face(f).box, operand.reach);
+  return !overlap(operand.face(f).box, operand.reach);
 }
 
 /// Adds faces that are far, from number `first` on, if they bound the result:
