@@ -435,7 +435,8 @@ class Build:
         room = path.split("/")[0]
         for line in self.commands(f"{room}/libhalfspace_{room}.a"):
             if line.endswith(f"/{path}"):
-                return line
+                # A cache before the compiler knows none of its options.
+                return re.sub(r"^\S*ccache ", "", line)
         sys.exit(f"mutate.py: {self.folder} does not compile {path}")
 
     def parse_arguments(self, path):
