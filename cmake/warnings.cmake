@@ -15,7 +15,8 @@ function(halfspace_target target)
   endif()
 endfunction()
 
-# Tests: what they compute with is in the libraries, which are optimised more.
+# Tests and the program: what they compute with is in the libraries, which are
+# optimised more.
 function(halfspace_test_target target)
   halfspace_target(${target})
   target_compile_options(${target} PRIVATE ${HALFSPACE_TEST_OPTIONS})
@@ -26,15 +27,4 @@ endfunction()
 function(halfspace_unity_group target group)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
-endfunction()
-
-# Compiles a few sources of a target at once in every build, five or as many as
-# are told: for programs and tests that read much and compute little.
-function(halfspace_unity target)
-  set(batch 5)
-  if(ARGC GREATER 1)
-    set(batch ${ARGV1})
-  endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON
-                        UNITY_BUILD_BATCH_SIZE ${batch})
 endfunction()

@@ -3,6 +3,7 @@
 #include "both.hpp"
 #include "definition.hpp"
 #include "law.hpp"
+#include "pictures.hpp"
 #include "scenes.hpp"
 
 namespace halfspace {
@@ -11,19 +12,6 @@ namespace {
 template <class Impl>
 class S5Color : public ::testing::Test {};
 TYPED_TEST_SUITE(S5Color, Implementations);
-
-/// The picture of a view by the tree of these options.
-template <class Impl>
-Image picture(const SceneFile& view, const BuildOptions& options = {}) {
-  return Impl::render(view.scene, Impl::build(view.scene, options),
-                      *view.camera, view.options);
-}
-
-SceneFile with_scene(const SceneFile& view, Scene scene) {
-  SceneFile changed = view;
-  changed.scene = std::move(scene);
-  return changed;
-}
 
 /// A view with corner colours on all triangles, in Gouraud shading.
 SceneFile gouraud(const SceneFile& view) {
