@@ -15,7 +15,7 @@ build, then a process or a few for each mutant. Faults are planted in operators
 (one for another), comparisons (one too many, one too few, turned round),
 conditions (negated), constants (one more; true and false), enumerators (the
 next one) and statements (left out). Needs Debian's python3-clang-14, and a
-build of the tests: cmake --preset release && cmake --build --preset release.
+build of the tests: cmake --preset mutants && cmake --build --preset mutants.
 
 A mutant dies if a test fails, crashes or takes five times as long. One that
 cannot be told from the original is listed in tools/mutants.txt, as
@@ -437,7 +437,8 @@ class Build:
             if line.endswith(f"/{path}"):
                 # A cache before the compiler knows none of its options.
                 return re.sub(r"^\S*ccache ", "", line)
-        sys.exit(f"mutate.py: {self.folder} does not compile {path}")
+        sys.exit(f"mutate.py: {self.folder} does not compile {path} by itself; "
+                 "cmake --preset mutants makes a build that does")
 
     def parse_arguments(self, path):
         words = self.compile_command(path).split()
@@ -604,9 +605,9 @@ def parse():
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--only", default="", help="parts of paths, commas")
     parser.add_argument("--build", type=pathlib.Path,
-                        default=ROOT / "build/release")
-    parser.add_argument("--scratch", type=pathlib.Path,
                         default=ROOT / "build/mutants")
+    parser.add_argument("--scratch", type=pathlib.Path,
+                        default=ROOT / "build/mutants/schemata")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--report", type=pathlib.Path)
     parser.add_argument("--tests", default="", help="these only, commas")
