@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -12,7 +13,7 @@ namespace halfspace::fast {
 /// The least float that is not below `v`, or the next: rounding to nearest is
 /// off by 2^-24 of the size, and a step of 2^-22 outweighs that.
 inline float rounded_up(double v) {
-  return static_cast<float>(v + (v < 0 ? -v : v) * 0x1p-22 +
+  return static_cast<float>(v + std::abs(v) * 0x1p-22 +
                             std::numeric_limits<float>::min());
 }
 inline float rounded_down(double v) { return -rounded_up(-v); }

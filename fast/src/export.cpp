@@ -134,8 +134,10 @@ void begin_with_least(std::span<std::int32_t> corners) {
 }
 
 /// Puts the vertices that the polygons have in the mesh, in the order of their
-/// coordinates, and their numbers there in place of the points' ids.
-void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
+/// coordinates, and their numbers there in place of the points' ids. By vertex
+/// of the mesh: 1 if it was moved, else 0.
+std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
+                                       ExportedMesh& mesh) {
   const Space& space = *solid.space;
   Extent extent;
   for (const std::int32_t v : polygons.corners) extent.add(v);
@@ -152,6 +154,7 @@ void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
   });
   const List<std::int32_t> order = vertices_in_order(used, space);
   mesh.vertices.reserve(order.size());
+  std::vector<std::uint8_t> moved(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     constexpr std::size_t kAhead = 16;
     if (i + kAhead < order.size()) space.prefetch_vertex(order[i + kAhead]);
@@ -166,6 +169,7 @@ void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
     // done with it.
     const double size =
         std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
+    moved[i] = 1;
     ++mesh.moved;
     mesh.max_move = std::max(mesh.max_move,
                              size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
@@ -175,6 +179,7 @@ void add_vertices(const Solid& solid, Polygons& polygons, ExportedMesh& mesh) {
   });
   for (std::size_t p = 0; p < polygons.size(); ++p)
     begin_with_least(polygons.at(p));
+  return moved;
 }
 
 /// The polygons in the order of their corners, the first of which are the
@@ -257,13 +262,19 @@ ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
   ExportedMesh mesh;
   if (solid.faces.empty()) return mesh;
   Polygons polygons = polygons_of(solid, options);
-  add_vertices(solid, polygons, mesh);
+  const std::vector<std::uint8_t> moved = add_vertices(solid, polygons, mesh);
   mesh.corners.resize(polygons.corners.size());
   mesh.first_corner.resize(polygons.size() + 1);
   mesh.faces.resize(polygons.size());
   mesh.colors.resize(polygons.size());
   const std::vector<std::uint32_t> order =
       polygons_in_order(polygons, mesh.vertices.size());
+  // Of what stays where it is, nothing is turned over.
+  const auto is_moved = [&](std::span<const std::int32_t> corners) {
+    return std::any_of(corners.begin(), corners.end(), [&](std::int32_t v) {
+      return moved[static_cast<std::size_t>(v)] != 0;
+    });
+  };
   const auto face_at = [&](std::size_t i) -> const Face& {
     return solid.faces[static_cast<std::size_t>(polygons.faces[order[i]])];
   };
@@ -280,17 +291,22 @@ ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
       const std::uint32_t next = order[at + 2 * kAhead];
       __builtin_prefetch(&face_at(at + 2 * kAhead));
       __builtin_prefetch(&polygons.corners[polygons.first_corner[next]]);
-      __builtin_prefetch(&solid.space->plane(face_at(at + kAhead).plane));
-      for (const std::int32_t v : polygons.at(order[at + kAhead]))
-        __builtin_prefetch(&mesh.vertices[static_cast<std::size_t>(v)]);
+      const auto near = polygons.at(order[at + kAhead]);
+      if (is_moved(near)) {
+        __builtin_prefetch(&solid.space->plane(face_at(at + kAhead).plane));
+        for (const std::int32_t v : near)
+          __builtin_prefetch(&mesh.vertices[static_cast<std::size_t>(v)]);
+      }
     }
     const std::uint32_t p = order[at];
     const auto corners = polygons.at(p);
     const std::int32_t f = polygons.faces[p];
     const Face& face = solid.faces[static_cast<std::size_t>(f)];
-    const Plane& normal = solid.space->plane(face.plane).filter.plane;
-    if (!surely_faces_out(mesh, corners, normal, face.turned ? -1 : 1))
-      mesh.turned.push_back(static_cast<std::int32_t>(at));
+    if (is_moved(corners)) {
+      const Plane& normal = solid.space->plane(face.plane).filter.plane;
+      if (!surely_faces_out(mesh, corners, normal, face.turned ? -1 : 1))
+        mesh.turned.push_back(static_cast<std::int32_t>(at));
+    }
     for (const std::int32_t v : corners) *corner++ = v;
     mesh.first_corner[at + 1] =
         static_cast<std::uint32_t>(corner - mesh.corners.data());

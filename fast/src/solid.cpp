@@ -17,18 +17,22 @@ constexpr std::size_t kFacesAtOnce = 64;
 /// Holds the polygon as face_box() would: points of the grid have no error, and
 /// rounding keeps their order.
 Box polygon_box(const Scene& scene, std::span<const VertexId> corners) {
-  GridPoint low = scene.point(corners[0]);
-  GridPoint high = low;
-  for (const VertexId corner : corners.subspan(1)) {
-    const GridPoint& p = scene.point(corner);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y),
-            std::max(high.z, p.z)};
+  const Vertex first = to_vertex(scene.point(corners[0]));
+  std::array<double, 3> low = {first.x, first.y, first.z};
+  std::array<double, 3> high = low;
+  const auto add = [&](const GridPoint& point) {
+    const Vertex v = to_vertex(point);
+    low = {std::min(low[0], v.x), std::min(low[1], v.y), std::min(low[2], v.z)};
+    high = {std::max(high[0], v.x), std::max(high[1], v.y),
+            std::max(high[2], v.z)};
+  };
+  for (const VertexId corner : corners.subspan(1)) add(scene.point(corner));
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = rounded_down(low[k]);
+    box.high[k] = rounded_up(high[k]);
   }
-  const Vertex from = to_vertex(low);
-  const Vertex to = to_vertex(high);
-  return {{rounded_down(from.x), rounded_down(from.y), rounded_down(from.z)},
-          {rounded_up(to.x), rounded_up(to.y), rounded_up(to.z)}};
+  return box;
 }
 
 /// The corners that define the polygon's plane. A triangle's are all: they are

@@ -42,15 +42,22 @@ bool is_closed_by_index(const Scene& scene) {
   const std::size_t count = scene.data().vertices.size();
   std::vector<std::uint32_t> first(count + 1);
   const auto for_edges = [&](const auto& visit) {
+    const auto edge = [&](VertexId from, VertexId to) {
+      visit(static_cast<std::size_t>(std::min(from, to)),
+            static_cast<std::uint32_t>(std::max(from, to)) << 1 |
+                (from > to ? 1u : 0u));
+    };
     for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
       const auto corners = scene.corners(static_cast<PolygonId>(p));
-      VertexId from = corners.back();
-      for (const VertexId to : corners) {
-        const auto [low, high] = std::minmax(from, to);
-        visit(static_cast<std::size_t>(low),
-              static_cast<std::uint32_t>(high) << 1 | (from == low ? 0u : 1u));
-        from = to;
+      edge(corners.back(), corners[0]);
+      if (corners.size() == 3) {
+        // Most are triangles: no loop.
+        edge(corners[0], corners[1]);
+        edge(corners[1], corners[2]);
+        continue;
       }
+      for (std::size_t i = 1; i < corners.size(); ++i)
+        edge(corners[i - 1], corners[i]);
     }
   };
   for_edges([&](std::size_t low, std::uint32_t) { ++first[low + 1]; });
