@@ -309,13 +309,14 @@ Hubs Merger::hubs_of_others() const {
 }
 
 /// Whether walk_loops() would leave the face as it is, but for the edge that it
-/// begins with if it is one loop: small loops that visit nothing twice.
+/// begins with if it is one loop: small loops that visit nothing twice. So does
+/// a face of no edges, which is all of its plane.
 bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   constexpr std::uint32_t kFew = 24;
   const Face& face = solid_.faces[f];
-  if (merges_[f] != 0 || face.edge_count == 0 || face.edge_count > kFew)
-    return false;
+  if (merges_[f] != 0 || face.edge_count > kFew) return false;
   const SolidEdge* edges = solid_.edges.data() + face.first_edge;
+  std::uint32_t loops = 0;
   std::uint32_t first = 0;  // of this loop
   bool is_in_order = true;
   for (std::uint32_t i = 0; i < face.edge_count; ++i) {
@@ -325,15 +326,17 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
     }
     // The first loop's first vertex is the least of all, and so on.
     is_in_order = is_in_order && edges[first].from <= edges[i].from;
+    const std::uint32_t next = i + 1;
     if (edges[i].to == edges[first].from) {
-      is_in_order = is_in_order && (i + 1 == face.edge_count ||
-                                    edges[first].from < edges[i + 1].from);
-      first = i + 1;
-    } else if (i + 1 == face.edge_count || edges[i].to != edges[i + 1].from) {
+      is_in_order = is_in_order && (next == face.edge_count ||
+                                    edges[first].from < edges[next].from);
+      first = next;
+      ++loops;
+    } else if (next == face.edge_count || edges[i].to != edges[next].from) {
       return false;
     }
   }
-  return is_in_order || edges[face.edge_count - 1].to == edges[0].from;
+  return is_in_order || loops == 1;
 }
 
 /// Passes on faces that stay, from number `first` on: not so many that they are
