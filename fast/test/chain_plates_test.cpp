@@ -81,5 +81,55 @@ TEST(FastChain, TellsWhatIsBehindFacesWithManyEdges) {
   EXPECT_GT(inside, 10u);
 }
 
+/// Likewise, with notches in place of holes: each face is one loop.
+Solid combs() {
+  Solid all = to_solid(box({0, 0, 0}, {1, 1, 1}));
+  std::vector<Solid> solid, notches;
+  for (std::int64_t x = 0; x < 64; x += 16) {
+    solid.push_back(to_solid(box({x, 0, 0}, {x + 4, 64, 64}), all));
+    for (std::int64_t y = 2; y < 64; y += 8) {
+      notches.push_back(
+          to_solid(box({x - 1, y, 16 + x / 2}, {x + 5, y + 5, 65}), all));
+    }
+  }
+  return merged(
+      boolean(BooleanOp::kDifference, combined(BooleanOp::kUnion, solid),
+              combined(BooleanOp::kUnion, notches)),
+      Merge::kPlane);
+}
+
+TEST(FastChain, WhatIsNearAndNotCutKeepsItsOwnEdges) {
+  // Bars through plates, many of them through notches; in turn one, and two so
+  // far apart that most faces are near and passed on whole, with many edges.
+  std::mt19937 random(13);
+  const auto draw = [&](int count) {
+    return static_cast<std::int64_t>(random()) % count;
+  };
+  std::size_t passed = 0;
+  for (int round = 0; round < 8; ++round) {
+    Solid plain = combs();
+    Chain chain(plain);
+    const auto bar = [&](std::int64_t plate, std::int64_t i, std::int64_t k) {
+      const std::int64_t x = 16 * plate, y = 8 * i + 3, z = 8 * k + 3;
+      return to_solid(box({x - 1, y, z}, {x + 5, y + 2, z + 2}), plain);
+    };
+    for (int step = 0; step < 6; ++step) {
+      const Solid tool =
+          step % 2 == 0 ? boolean(BooleanOp::kUnion, bar(0, draw(2), draw(2)),
+                                  bar(3, 6 + draw(2), 6 + draw(2)))
+                        : bar(draw(4), draw(8), draw(8));
+      const std::size_t before = plain.faces.size();
+      plain = boolean(BooleanOp::kDifference, plain, tool);
+      chain.apply(BooleanOp::kDifference, tool);
+      if (plain.faces.size() == before) ++passed;
+      const ExportedMesh a = exported(plain, {.triangles = true});
+      const ExportedMesh b = exported(chain.solid(), {.triangles = true});
+      ASSERT_EQ(a.vertices, b.vertices) << round << " " << step;
+      ASSERT_EQ(a.corners, b.corners) << round << " " << step;
+    }
+  }
+  EXPECT_GT(passed, 10u);
+}
+
 }  // namespace
 }  // namespace halfspace::fast
