@@ -118,7 +118,7 @@ REF_RENDER = ("RefScan*:RefPainter*:RefRaycast*:RefRender*-*Algorithms* "
               "RefRender*Limits* RefRender*Hurts*")
 REF_TREE = "Build*:Insert*:ChooseRoot*:Split*:Predicate*-*DeepTree*:*Chain*"
 
-FAST_TREE = "Build*:Insert*:Heur*:TreeFile*"
+FAST_TREE = "Build*:Insert*:Heur*:TreeFile* DisplayTree*-*Threads*"
 FAST_IMAGE = "ViewBounds*:Near*:FastRender* DisplayTree*-*Threads*"
 AGREE_IMAGE = ("*Words*:*Fragments* *ManyTiles* *Hurt* *Leaves*")
 
@@ -139,13 +139,12 @@ TESTS_OF = {
        for stem in ("build", "splitter")},
     **{f"fast/src/{stem}": {"vectors_test": "*Implementations*",
                             "fast_test": FAST_TREE, "agree_tree_test": "*",
-                            "proptest": ""}
-       for stem in ("build", "insert", "tree_builder", "tree_file",
-                    "splitter")},
-    **{f"fast/src/{stem}": {"vectors_test": "*Implementations*",
-                            "fast_test": "DisplayTree*-*Threads*",
-                            "agree_display_tree_test": "*"}
-       for stem in ("display_", "near_cells")},
+                            "agree_blend_test": "*", "proptest": ""}
+       for stem in ("build", "insert", "plane_table", "tree_builder",
+                    "tree_file", "splitter")},
+    "fast/src/display_": {"vectors_test": "*Implementations*",
+                          "fast_test": "DisplayTree*-*Threads*",
+                          "agree_display_tree_test": "*"},
     "fast/src/predicate": {"agree_tree_test": "*Planes*:*Sides*:*Split*",
                            "proptest": "S1*"},
     "fast/src/scan": {"agree_image_test": "*Cover*", "proptest": ""},
@@ -172,7 +171,7 @@ TESTS_OF = {
     **{f"fast/src/{stem}": {"agree_boolean_test": "*",
                             "fast_test": FAST_SPACE} for stem in (
         "box_tree", "chain", "convex_parts", "export", "face_index", "merged",
-        "operand", "plane_table", "repair", "self_wings", "solid", "space",
+        "near_cells", "operand", "repair", "self_wings", "solid", "space",
         "triangulate")},
     "fast/src/screen": {"vectors_test": "*Implementations*",
                         "fast_test": "KernelTiles* " + FAST_IMAGE,

@@ -135,6 +135,61 @@ TEST(FastRender, AColorIsNotRoundedUpAHairBelowAHalf) {
   }
 }
 
+// Two squares, one before the other, and a rectangle that begins and ends
+// within the picture: counts are of this image, however it came about.
+TEST(FastRender, CountsWhatThisImageTook) {
+  SceneData data;
+  for (const std::int64_t depth : {kDepth, 2 * kDepth}) {
+    for (const GridPoint& p :
+         {GridPoint{-kDepth, -kDepth, depth}, GridPoint{kDepth, -kDepth, depth},
+          GridPoint{kDepth, kDepth, depth},
+          GridPoint{-kDepth, kDepth, depth}}) {
+      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
+      data.vertices.push_back(p);
+    }
+    data.first_corner.push_back(
+        static_cast<std::uint32_t>(data.corners.size()));
+    data.colors.push_back({});
+  }
+  const Scene scene = *make_scene(std::move(data));
+  const BspTree tree = build(scene, {});
+  const Camera camera = *make_camera(camera_of(65536 * 256 / 64, 65536), 26);
+  RenderOptions part;
+  part.rectangle = Rectangle{3, 5, 40, 61};
+  const std::size_t pixels = 37 * 56;
+  Rendering image = render(scene, tree, camera, {}, part);
+  EXPECT_EQ(image.pixels_painted, pixels);
+  EXPECT_EQ(image.fragments_displayed, 1u);
+  render(scene, tree, camera, {}, part, image);
+  EXPECT_EQ(image.pixels_painted, pixels);
+  EXPECT_EQ(image.fragments_displayed, 1u);
+  const FilterStats asked = image.decisions;
+  EXPECT_GT(asked.filtered, 0u);
+  render(scene, tree, camera, {}, part, image);
+  EXPECT_TRUE(image.decisions == asked);
+  for (const int threads : {2, 3}) {
+    RenderOptions shared = part;
+    shared.threads = threads;
+    const Rendering other = render(scene, tree, camera, {}, shared);
+    EXPECT_EQ(other.pixels_painted, pixels);
+    EXPECT_TRUE(other.items == image.items);
+    EXPECT_TRUE(other.colors == image.colors);
+  }
+  for (const bool items : {false, true}) {
+    RenderOptions wanted;
+    wanted.items = items;
+    wanted.colors = !items;
+    const Rendering one = render(scene, tree, camera, {}, wanted);
+    EXPECT_EQ(one.items.pixels.empty(), !items);
+    EXPECT_EQ(one.colors.pixels.empty(), items);
+  }
+  // The painter paints both.
+  EXPECT_EQ(paint(scene, tree, camera, {}, part).pixels_painted, 2 * pixels);
+  paint(scene, tree, camera, {}, part, image);
+  EXPECT_EQ(image.pixels_painted, 2 * pixels);
+  EXPECT_EQ(image.fragments_displayed, 2u);
+}
+
 // What its screen takes is given back, and not kept for the next image.
 TEST(FastRender, AnImageAfterAVeryLargeOneIsTheSame) {
   const Scene scene = side_by_side();
