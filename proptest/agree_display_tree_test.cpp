@@ -121,7 +121,13 @@ void follow(const Scene& scene, const fast::BspTree& tree, Seen& seen) {
       ++seen.leaves;
       ASSERT_EQ(node.positive, kNoNode);
       ASSERT_EQ(node.negative, kNoNode);
-      expect_held(tree, node, list, planes);
+      Fragments held = list;
+      std::stable_sort(held.begin(), held.end(),
+                       [](const auto& p, const auto& q) {
+                         return std::min<std::size_t>(p.vertices.size(), 5) <
+                                std::min<std::size_t>(q.vertices.size(), 5);
+                       });
+      expect_held(tree, node, held, planes);
       if (::testing::Test::HasFatalFailure()) return;
       continue;
     }

@@ -117,6 +117,8 @@ class Autopartition {
           {fragment.source, fragment.first_corner, fragment.corner_count});
       f = fragment.next;
     }
+    std::sort(parts_.begin(), parts_.end(),
+              [](const Part& p, const Part& q) { return p.source < q.source; });
     node.first_fragment = kNoFragment;
     if (parts_.empty()) {
       // Any plane divides nothing.
@@ -313,6 +315,9 @@ void divide_leaves(BspTree& tree, const Scene& scene) {
   drop_unused_fragments(tree);
   drop_unused_corners(tree);
   add_boxes(tree, scene);
+  tree.triangles = {};
+  tree.quadrangles = {};
+  tree.first_blocks = {};
 }
 
 }  // namespace halfspace::fast

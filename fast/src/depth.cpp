@@ -21,13 +21,12 @@ struct CameraCorners {
   double most = 0;
 };
 
-CameraCorners camera_corners(const TreeReader& reader,
-                             const TreeFragment& fragment, const View& view) {
+CameraCorners camera_corners(std::span<const Vertex> corners,
+                             const View& view) {
   CameraCorners result;
   double error = 0;
   std::size_t k = 0;
-  for (const Corner& corner : reader.corners(fragment)) {
-    const Vertex p = reader.vertex(corner.vertex);
+  for (const Vertex& p : corners) {
     const double t = view.t.at(p.x, p.y, p.z);
     result.nearest = std::min(result.nearest, t);
     result.most = std::max(result.most, std::abs(t));
@@ -60,9 +59,9 @@ CameraCorners camera_corners(const TreeReader& reader,
 /// corners at the pixels that the fragment covers. The roundings of the
 /// quotients and of a i + b j + c take 8u of their sizes, and as much a
 /// difference of two: 16u. 2^-20 of all is room for the bound's own roundings.
-OrderLine depth_of(const TreeReader& reader, const TreeFragment& fragment,
-                   const View& view, std::int32_t farthest) {
-  const CameraCorners seen = camera_corners(reader, fragment, view);
+OrderLine depth_of(std::span<const Vertex> corners, const View& view,
+                   std::int32_t farthest) {
+  const CameraCorners seen = camera_corners(corners, view);
   const double e = seen.xy_error;
   const double f = seen.t_error;
   if (view.perspective && !(seen.nearest > f)) return {0, 0, 0, 1e300};

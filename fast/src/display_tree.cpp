@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "display_worker.hpp"
+#include "fragment_blocks.hpp"
 #include "halfspace/assert.hpp"
 #include "handover.hpp"
 
@@ -266,15 +267,23 @@ BspTree build_display_tree(const Scene& scene,
     DisplayWork work(scene, options);
     JobRunner runner(work);
     DisplayJob* root = runner.run();
-    if (!work.is_stopped()) Merger(scene, tree).merge(root, stats);
+    if (!work.is_stopped()) {
+      Merger(scene, tree).merge(root, stats);
+      add_blocks(tree, scene);
+    }
   });
   return tree;
 }
 
 TreeBytes bytes_by_array(const BspTree& tree) {
-  return {bytes_of(tree.nodes),        bytes_of(tree.boxes),
-          bytes_of(tree.fragments),    bytes_of(tree.corners),
-          bytes_of(tree.cut_vertices), bytes_of(tree.free_planes)};
+  return {bytes_of(tree.nodes),
+          bytes_of(tree.boxes),
+          bytes_of(tree.fragments),
+          bytes_of(tree.corners),
+          bytes_of(tree.cut_vertices),
+          bytes_of(tree.free_planes),
+          bytes_of(tree.triangles) + bytes_of(tree.quadrangles) +
+              bytes_of(tree.first_blocks)};
 }
 
 std::size_t bytes_of(const BspTree& tree) {

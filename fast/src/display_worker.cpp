@@ -341,11 +341,24 @@ void DisplayWorker::make_leaf(NodeId id, const Task& task) {
   add_fragments(id, coincident_);
 }
 
-/// Gives the node these fragments, in id order.
+std::size_t DisplayWorker::corner_count(const Item& item) const {
+  return item.part == kWhole
+             ? work_.scene.corners(item.source).size()
+             : job_.parts[static_cast<std::size_t>(item.part)].count;
+}
+
+/// Gives the node these fragments, in id order; a leaf its triangles first, and
+/// then its quadrangles.
 void DisplayWorker::add_fragments(NodeId id, std::vector<Item>& items) {
   if (items.empty()) return;
+  const bool is_leaf =
+      job_.piece.nodes[static_cast<std::size_t>(id)].splitter == kNoPlane;
+  const auto key = [&](const Item& item) {
+    const std::size_t corners = is_leaf ? corner_count(item) : 0;
+    return std::pair(std::min<std::size_t>(corners, 5), item.source);
+  };
   std::sort(items.begin(), items.end(),
-            [](const Item& p, const Item& q) { return p.source < q.source; });
+            [&](const Item& p, const Item& q) { return key(p) < key(q); });
   BspTree& piece = job_.piece;
   Node& node = piece.nodes[static_cast<std::size_t>(id)];
   node.first_fragment = static_cast<std::int32_t>(piece.fragments.size());

@@ -106,6 +106,7 @@ class DisplayWorker {
   Item part_item(const Item& whole, const Part& part, int side,
                  const AxisSplit* axis);
   Part part_of(const Item& item);
+  std::size_t corner_count(const Item& item) const;
   void add_fragments(NodeId id, std::vector<Item>& items);
   DisplayJob job_of(const Item* items, std::size_t count, const Box& box,
                     double share, double allowance) const;

@@ -42,79 +42,65 @@ Drawer<kBits>::Drawer(const Frame& frame, Canvas& canvas)
       decider_{begin,    exact_line, nearer,
                gradient, shade,      frame.alpha == kOpaque ? nullptr : blend,
                this},
-      seen_(kSeenPlanes) {
-  gathered_[1].polygons.corners = 4;
-}
+      seen_(kSeenPlanes) {}
 
 template <int kBits>
-void Drawer<kBits>::prefetch(const TreeFragment& fragment) const {
+void Drawer<kBits>::prefetch(const Run& run, std::int32_t from,
+                             std::int32_t count) const {
   const SceneData& scene = frame_.reader.scene().data();
-  for (const Corner& corner : frame_.reader.corners(fragment)) {
-    __builtin_prefetch(frame_.reader.address(corner.vertex));
+  const TreeFragment* fragments = frame_.reader.tree().fragments.data();
+  const std::int32_t end = std::min(run.end, run.first + from + count);
+  for (std::int32_t f = run.first + from; f < end; ++f) {
+    const TreeFragment& fragment = fragments[f];
+    const auto source = static_cast<std::size_t>(fragment.source);
+    if (!gouraud_) {
+      __builtin_prefetch(scene.colors.data() + source);
+      continue;
+    }
+    __builtin_prefetch(scene.first_corner.data() + source);
   }
-  const auto source = static_cast<std::size_t>(fragment.source);
-  const void* const next =
-      gouraud_ ? static_cast<const void*>(scene.first_corner.data() + source)
-               : scene.colors.data() + source;
-  __builtin_prefetch(next);
+}
+
+/// The second step to colours at corners: prefetch() asked for the first.
+template <int kBits>
+void Drawer<kBits>::prefetch_colors(const Run& run, std::int32_t from,
+                                    std::int32_t count) const {
+  if (!gouraud_) return;
+  const SceneData& scene = frame_.reader.scene().data();
+  const TreeFragment* fragments = frame_.reader.tree().fragments.data();
+  const std::int32_t end = std::min(run.end, run.first + from + count);
+  for (std::int32_t f = run.first + from; f < end; ++f) {
+    const std::size_t first =
+        scene.first_corner[static_cast<std::size_t>(fragments[f].source)];
+    __builtin_prefetch(scene.corners.data() + first);
+    __builtin_prefetch(scene.corner_colors.data() + first);
+  }
 }
 
 template <int kBits>
 void Drawer<kBits>::prefetch(const Node& leaf) const {
+  const Blocks blocks = frame_.reader.blocks(leaf);
+  if (!blocks.triangles.empty()) prefetch_block(blocks.triangles.front());
+  if (!blocks.quadrangles.empty()) prefetch_block(blocks.quadrangles.front());
+  const TreeFragment* fragments = frame_.reader.tree().fragments.data();
+  const std::int32_t end = std::min(blocks.end, leaf.first_fragment + kAhead);
+  for (std::int32_t f = leaf.first_fragment; f < end; f += 4) {
+    __builtin_prefetch(fragments + f);
+  }
   int count = 0;
-  for_fragments(frame_.reader.tree(), leaf, [&](const TreeFragment& fragment) {
-    prefetch(fragment);
-    return ++count < kAhead;
-  });
-}
-
-template <int kBits>
-void Drawer<kBits>::gather(const TreeFragment& fragment,
-                           Gathered& gathered) const {
-  SmallPolygons& polygons = gathered.polygons;
-  const auto k = static_cast<std::size_t>(polygons.count++);
-  gathered.fragments[k] = &fragment;
-  double error = 0;
-  std::size_t c = 0;
-  for (const Corner& corner : frame_.reader.corners(fragment)) {
-    const Vertex v = frame_.reader.vertex(corner.vertex);
-    polygons.x[c][k] = v.x;
-    polygons.y[c][k] = v.y;
-    polygons.z[c][k] = v.z;
-    error = std::max(error, v.error);
-    ++c;
-  }
-  polygons.error[k] = error;
-  if (!gouraud_) return;
-  const SceneData& scene = frame_.reader.scene().data();
-  const std::size_t first =
-      scene.first_corner[static_cast<std::size_t>(fragment.source)];
-  __builtin_prefetch(scene.corners.data() + first);
-  __builtin_prefetch(scene.corner_colors.data() + first);
-}
-
-template <int kBits>
-void Drawer<kBits>::draw_small(Gathered& gathered) {
-  SmallPolygons& polygons = gathered.polygons;
-  // Eight are read at a time.
-  for (auto k = static_cast<std::size_t>(polygons.count); k % 8 != 0; ++k) {
-    for (std::size_t c = 0; c < 4; ++c) {
-      polygons.x[c][k] = polygons.x[c][0];
-      polygons.y[c][k] = polygons.y[c][0];
-      polygons.z[c][k] = polygons.z[c][0];
-    }
-    polygons.error[k] = polygons.error[0];
-  }
-  drawn_ = &gathered;
-  canvas_.most_pieces = 1;
-  fragments_ += static_cast<std::size_t>(frame_.kernel.draw_small(
-      canvas_, frame_.view, frame_.image.cull, polygons, decider_));
+  for_fragments(frame_.reader.tree(), blocks.rest,
+                [&](const TreeFragment& fragment) {
+                  for (const Corner& c : frame_.reader.corners(fragment)) {
+                    __builtin_prefetch(frame_.reader.address(c.vertex));
+                  }
+                  return ++count < kAhead / 2;
+                });
 }
 
 template <int kBits>
 Ink Drawer<kBits>::begin(void* self, std::int32_t k, std::int32_t turn) {
   auto& drawer = *static_cast<Drawer*>(self);
-  return drawer.start(*drawer.drawn_->fragments[k],
+  return drawer.start(drawer.at_hand_.fragments[k],
                       -drawer.frame_.view.orientation * turn);
 }
 
@@ -214,15 +200,33 @@ Ink Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
     seen.ready = false;
   }
   seen.fragment = &fragment;
+  seen.block = at_hand_.block;
   seen.has_depth = false;
   const Scene& scene = frame_.reader.scene();
   const bool smooth = gouraud_ && has_gradient(scene, fragment.source);
-  if (smooth) shader_.start(fragment.source, eye_sign);
+  if (smooth) start_shader(fragment, eye_sign);
   const Rgb color = gouraud_ ? scene.corner_colors(fragment.source)[0]
                              : scene.color(fragment.source);
   return {fragment.source,
           smooth ? Ink::kSmooth : packed_color(color.r, color.g, color.b),
           eye_sign, 0};
+}
+
+/// Of a whole triangle the block has the corners: the scene's are far from
+/// here.
+template <int kBits>
+void Drawer<kBits>::start_shader(const TreeFragment& fragment, int eye_sign) {
+  if (at_hand_.block != nullptr && fragment.corner_count == 3) {
+    const auto& block = *static_cast<const FragmentBlock<3>*>(at_hand_.block);
+    const auto k = static_cast<std::size_t>(&fragment - at_hand_.fragments);
+    if (((block.whole >> k) & 1u) != 0) {
+      shader_.start(fragment.source, eye_sign,
+                    {corner_of(block, 0, k), corner_of(block, 1, k),
+                     corner_of(block, 2, k)});
+      return;
+    }
+  }
+  shader_.start(fragment.source, eye_sign);
 }
 
 template <int kBits>

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "exact_scan.hpp"
@@ -48,29 +50,18 @@ class Drawer {
   /// Draws the fragments of a leaf, whose order does not matter.
   template <class EyeSide>
   void draw_leaf(const Node& leaf, EyeSide&& eye_side) {
-    const BspTree& tree = frame_.reader.tree();
-    std::int32_t ahead = leaf.first_fragment;
-    for (int k = 0; k < kAhead && ahead != kNoFragment; ++k) {
-      ahead = tree.fragments[static_cast<std::size_t>(ahead)].next;
-    }
-    for_fragments(tree, leaf, [&](const TreeFragment& f) {
-      if (ahead != kNoFragment) {
-        const auto& later = tree.fragments[static_cast<std::size_t>(ahead)];
-        prefetch(later);
-        ahead = later.next;
-      }
-      if (f.corner_count > 4) {
-        draw_any(f, eye_side);
-        return true;
-      }
-      Gathered& gathered = gathered_[f.corner_count - 3];
-      gather(f, gathered);
-      if (gathered.polygons.count == SmallPolygons::kMost) {
-        draw_gathered(gathered, eye_side);
-      }
-      return true;
-    });
-    for (Gathered& gathered : gathered_) draw_gathered(gathered, eye_side);
+    const Blocks blocks = frame_.reader.blocks(leaf);
+    const Run run = {leaf.first_fragment, blocks.end};
+    prefetch(run, 0, kAhead);
+    prefetch_colors(run, 0, kColorsAhead);
+    draw_blocks(blocks.triangles, frame_.kernel.draw_triangles, run, eye_side);
+    draw_blocks(blocks.quadrangles, frame_.kernel.draw_quadrangles, run,
+                eye_side);
+    for_fragments(frame_.reader.tree(), blocks.rest,
+                  [&](const TreeFragment& f) {
+                    draw_any(f, eye_side);
+                    return true;
+                  });
     frame_.kernel.leave_leaf(canvas_, decider_);
   }
 
@@ -96,43 +87,55 @@ class Drawer {
 
   enum class Fate { kOutline, kLines, kUnseen };
 
-  /// Fragments that are drawn together.
-  struct Gathered {
-    SmallPolygons polygons;
-    const TreeFragment* fragments[SmallPolygons::kMost];
+  /// The fragments of a leaf that are in blocks: one after another.
+  struct Run {
+    std::int32_t first;
+    std::int32_t end;
   };
 
-  void gather(const TreeFragment& fragment, Gathered& gathered) const;
+  /// So many fragments ahead memory is asked for: what leads to colours, and
+  /// then those. More at a time than can be under way is asked for in vain.
+  static constexpr std::int32_t kAhead = 32;
+  static constexpr std::int32_t kColorsAhead = 16;
+  void prefetch(const Run& run, std::int32_t from, std::int32_t count) const;
+  template <std::size_t kCorners>
+  static void prefetch_block(const FragmentBlock<kCorners>& block) {
+    const char* at = reinterpret_cast<const char*>(&block);
+    for (std::size_t k = 0; k < sizeof(block); k += 64) {
+      __builtin_prefetch(at + k);
+    }
+  }
+  void prefetch_colors(const Run& run, std::int32_t from,
+                       std::int32_t count) const;
 
-  /// So many fragments ahead memory is asked for: more at a time than can be
-  /// under way is asked for in vain.
-  static constexpr int kAhead = 16;
-  void prefetch(const TreeFragment& fragment) const;
-
-  /// Fewer than this are sooner drawn one by one.
-  static constexpr std::int32_t kFew = 4;
-
-  template <class EyeSide>
-  void draw_gathered(Gathered& gathered, EyeSide&& eye_side) {
-    SmallPolygons& polygons = gathered.polygons;
-    if (polygons.count < kFew) {
-      for (std::int32_t k = 0; k < polygons.count; ++k) {
-        draw_any(*gathered.fragments[k], eye_side);
-      }
-    } else {
-      draw_small(gathered);
-      for (std::int32_t k = 0; k < polygons.left_count; ++k) {
-        draw_any(*gathered.fragments[polygons.left[k]], eye_side);
+  /// Draws a leaf's blocks, all of so many corners.
+  template <std::size_t kCorners, class DrawBlock, class EyeSide>
+  void draw_blocks(std::span<const FragmentBlock<kCorners>> blocks,
+                   DrawBlock draw_block, const Run& run, EyeSide&& eye_side) {
+    if (!blocks.empty()) canvas_.most_pieces = 1;
+    for (const FragmentBlock<kCorners>& block : blocks) {
+      const TreeFragment* fragments =
+          frame_.reader.tree().fragments.data() + block.first_fragment;
+      const std::int32_t from = block.first_fragment - run.first;
+      prefetch(run, from + kAhead, block.count);
+      prefetch_colors(run, from + kColorsAhead, block.count);
+      if (&block != &blocks.back()) prefetch_block(*(&block + 1));
+      at_hand_ = {&block, fragments};
+      const BlockDrawn drawn =
+          draw_block(canvas_, frame_.view, frame_.image.cull, block, decider_);
+      at_hand_ = {};
+      fragments_ += static_cast<std::size_t>(drawn.displayed);
+      for (std::uint32_t left = drawn.left; left != 0; left &= left - 1) {
+        draw_any(fragments[std::countr_zero(left)], eye_side);
       }
     }
-    polygons.count = 0;
   }
-  void draw_small(Gathered& gathered);
 
   Fate project(const TreeFragment& fragment);
   int turn(std::size_t count) const;
   void draw_projected(const TreeFragment& fragment, Fate fate, int eye_sign);
   Ink start(const TreeFragment& fragment, int eye_sign);
+  void start_shader(const TreeFragment& fragment, int eye_sign);
   static Ink begin(void* self, std::int32_t k, std::int32_t turn);
   static PixelRange exact_line(void* self, std::int32_t j, PixelRange range);
   static void nearer(void* self, std::int32_t other, std::int32_t x,
@@ -152,6 +155,8 @@ class Drawer {
     OrderLine line;          ///< positive where the fragment at hand is nearer
   };
   Rival& rival(PolygonId other);
+  struct Seen;
+  void collect_corners(const Seen& entry);
   const OrderLine* depth(PolygonId polygon);
   bool compare_depths(Rival& entry);
   void compare_planes(Rival& entry);
@@ -179,13 +184,19 @@ class Drawer {
     PolygonId polygon = kBackground;
     bool ready = false;
     const TreeFragment* fragment = nullptr;  ///< of the polygon, if known
+    const void* block = nullptr;             ///< the fragment's, if it has one
     bool has_depth = false;
     SeenApproximately plane;
     OrderLine depth;  ///< of the fragment
   };
   std::vector<Seen> seen_;
-  std::array<Gathered, 2> gathered_;  ///< triangles, quadrangles
-  const Gathered* drawn_ = nullptr;   ///< those that are being drawn
+  std::vector<Vertex> corners_;  ///< of a fragment
+  /// The block that is being drawn, if any, and its fragments.
+  struct AtHand {
+    const void* block = nullptr;
+    const TreeFragment* fragments = nullptr;
+  };
+  AtHand at_hand_;
   std::size_t pixels_ = 0;
   std::size_t fragments_ = 0;
   FilterStats stats_;

@@ -151,25 +151,16 @@ struct Outline {
   std::int32_t turn = 1;
 };
 
-/// Triangles or quadrangles of a leaf, on their way to the screen together.
-struct SmallPolygons {
-  static constexpr std::int32_t kMost = 64;
-  /// The corners in space, and how far off they are. Units: grid steps.
-  alignas(32) double x[4][kMost];
-  alignas(32) double y[4][kMost];
-  alignas(32) double z[4][kMost];
-  alignas(32) double error[kMost];
-  std::int32_t corners = 3;  ///< of each: 3 or 4
-  std::int32_t count = 0;
-  /// Those that were not drawn: what they need is not done here.
-  std::int32_t left[kMost];
-  std::int32_t left_count = 0;
+/// What became of the fragments of a block.
+struct BlockDrawn {
+  std::int32_t displayed = 0;  ///< how many were displayed, seen or not
+  std::uint32_t left = 0;      ///< the bits of those that need more than this
 };
 
 /// What the loops ask back where doubles cannot tell.
 struct Decider {
-  /// Of polygons drawn together: the k-th is meant from now on, and turns
-  /// as an Outline does.
+  /// Of a block's fragments the k-th is meant from now on, and turns as an
+  /// Outline does.
   Ink (*begin)(void* context, std::int32_t k, std::int32_t turn);
   /// The pixels of line `j` whose samples the polygon covers, of `range`.
   PixelRange (*exact_line)(void* context, std::int32_t j, PixelRange range);
@@ -212,11 +203,14 @@ struct Kernel {
   /// The same for an outline that is known only line by line, exactly.
   std::int64_t (*draw_lines)(Canvas& canvas, PixelRange lines, const Ink& ink,
                              const Decider& decider);
-  /// The same for polygons of a leaf, seen in the view, `cull` leaving out
-  /// those that the eye is on the negative side of. Returns how many of them
-  /// were displayed, seen or not.
-  std::int64_t (*draw_small)(Canvas& canvas, const View& view, bool cull,
-                             SmallPolygons& polygons, const Decider& decider);
+  /// The same for the fragments of a block of a leaf, seen in the view, `cull`
+  /// leaving out those that the eye is on the negative side of.
+  BlockDrawn (*draw_triangles)(Canvas& canvas, const View& view, bool cull,
+                               const FragmentBlock<3>& block,
+                               const Decider& decider);
+  BlockDrawn (*draw_quadrangles)(Canvas& canvas, const View& view, bool cull,
+                                 const FragmentBlock<4>& block,
+                                 const Decider& decider);
   /// Whether a tile that meets the rectangle is open.
   bool (*any_open)(const Canvas& canvas, PixelRange columns, PixelRange lines);
   /// Out of leaves: whether a pixel of the rectangle is unlit.

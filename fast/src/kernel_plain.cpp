@@ -282,17 +282,17 @@ Sight see_box(const Canvas&, const BoxView&, const Box&) {
 }
 
 /// Leaves them all.
-std::int64_t draw_small(Canvas&, const View&, bool, SmallPolygons& polygons,
-                        const Decider&) {
-  polygons.left_count = polygons.count;
-  for (std::int32_t k = 0; k < polygons.count; ++k) polygons.left[k] = k;
-  return 0;
+template <std::size_t kCorners>
+BlockDrawn draw_block(Canvas&, const View&, bool,
+                      const FragmentBlock<kCorners>& block, const Decider&) {
+  return {0, (1u << block.count) - 1};
 }
 
 }  // namespace
 
-const Kernel kPlainKernel = {draw,      draw_lines, draw_small, any_open,
-                             any_unlit, see_box,    leave_leaf, fill_rest};
+const Kernel kPlainKernel = {draw,          draw_lines, draw_block<3>,
+                             draw_block<4>, any_open,   any_unlit,
+                             see_box,       leave_leaf, fill_rest};
 
 const Kernel& best_kernel(Loops loops) {
 #if defined(__x86_64__)

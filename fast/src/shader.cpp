@@ -65,20 +65,18 @@ void Shader::prepare() {
   const auto dot = [](const Point& p, const Point& q) {
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
   };
-  const auto corners = scene_.corners(polygon_);
   const auto colors = scene_.corner_colors(polygon_);
-  std::array<Point, 3> points;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const GridPoint& p = scene_.point(corners[k]);
-    points[k] = {static_cast<double>(p.x), static_cast<double>(p.y),
-                 static_cast<double>(p.z)};
-  }
+  if (!has_corners_) read_corners();
   Gradient& g = gradient_;
   std::array<std::array<double, 4>, 3> across{}, down{}, at{};
   double longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point& from = points[(k + 1) % 3];
-    const Point& to = points[(k + 2) % 3];
+    const auto point = [this](std::size_t c) {
+      const Vertex& v = corners_[c % 3];
+      return Point{v.x, v.y, v.z};
+    };
+    const Point from = point(k + 1);
+    const Point to = point(k + 2);
     // The edge in place of `from` less the eye: the same product.
     const Point u = view_.perspective ? minus(to, view_.eye) : view_.eye;
     const Point v = view_.perspective ? minus(from, to) : minus(to, from);
@@ -109,6 +107,14 @@ void Shader::prepare() {
       view_.reach + std::max({std::abs(view_.eye[0]), std::abs(view_.eye[1]),
                               std::abs(view_.eye[2])});
   gradient_.doubt = 0x1p21 * kRounding * reach * reach * longest;
+}
+
+void Shader::read_corners() {
+  const auto corners = scene_.corners(polygon_);
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners_[k] = to_vertex(scene_.point(corners[k]));
+  }
+  has_corners_ = true;
 }
 
 int Shader::shade(std::int32_t x, std::int32_t j, std::uint32_t bits,

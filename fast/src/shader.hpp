@@ -32,6 +32,14 @@ class Shader {
     eye_sign_ = eye_sign;
     ready_ = false;
     exact_ready_ = false;
+    has_corners_ = false;
+  }
+  /// The same where its corners, which are exact, are at hand.
+  void start(PolygonId polygon, int eye_sign,
+             const std::array<Vertex, 3>& corners) {
+    start(polygon, eye_sign);
+    corners_ = corners;
+    has_corners_ = true;
   }
 
   /// Its colours in doubles.
@@ -48,6 +56,7 @@ class Shader {
 
  private:
   void prepare();
+  void read_corners();
   void prepare_exact();
   std::uint8_t exact_channel(std::size_t channel, std::int32_t i,
                              std::int32_t j, std::int32_t guess);
@@ -59,6 +68,8 @@ class Shader {
   int eye_sign_ = 0;
   bool ready_ = false;
   bool exact_ready_ = false;
+  bool has_corners_ = false;
+  std::array<Vertex, 3> corners_;
   std::array<ImageLine<4>, 3> exact_sums_;
   ImageLine<4> exact_total_;
   Gradient gradient_;

@@ -9,6 +9,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "fragment_blocks.hpp"
+#include "halfspace/fast/display_tree.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -329,6 +332,7 @@ Result<BspTree> decode_tree(std::span<const std::byte> bytes,
                 array.size() * sizeof(array[0]));
   });
   if (auto error = IndexCheck(tree, scene).run()) return *std::move(error);
+  if (has_leaves(tree)) add_blocks(tree, scene);
   return tree;
 }
 

@@ -102,13 +102,17 @@ void walk_back_to_front(const BspTree& tree, const EyeSide& eye_side,
 /// Calls show(fragment) for a node's fragments, lowest id first, while it
 /// returns true.
 template <class Show>
-bool for_fragments(const BspTree& tree, const Node& node, Show&& show) {
-  for (std::int32_t f = node.first_fragment; f != kNoFragment;) {
+bool for_fragments(const BspTree& tree, std::int32_t first, Show&& show) {
+  for (std::int32_t f = first; f != kNoFragment;) {
     const TreeFragment& fragment = tree.fragments[static_cast<std::size_t>(f)];
     if (!show(fragment)) return false;
     f = fragment.next;
   }
   return true;
+}
+template <class Show>
+bool for_fragments(const BspTree& tree, const Node& node, Show&& show) {
+  return for_fragments(tree, node.first_fragment, show);
 }
 
 /// The same, highest id first. `scratch` is room for their indices.

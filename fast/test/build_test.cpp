@@ -123,6 +123,7 @@ TEST(TreeBytes, AreThoseOfTheArrays) {
   EXPECT_GE(bytes.corners, tree.corners.size() * sizeof(Corner));
   EXPECT_GE(bytes.cut_vertices, tree.cut_vertices.size() * sizeof(Vertex));
   EXPECT_EQ(bytes.free_planes, 0u);
+  EXPECT_EQ(bytes.blocks, 0u);
 }
 
 TEST(Insert, CountsItsDecisions) {

@@ -64,6 +64,9 @@ void expect_same(const BspTree& p, const BspTree& q) {
   EXPECT_TRUE(same_bytes(p.cut_vertices, q.cut_vertices));
   EXPECT_EQ(p.free_planes, q.free_planes);
   EXPECT_EQ(p.boxes, q.boxes);
+  EXPECT_EQ(p.triangles, q.triangles);
+  EXPECT_EQ(p.quadrangles, q.quadrangles);
+  EXPECT_EQ(p.first_blocks, q.first_blocks);
 }
 
 TEST(DisplayTree, DoesNotDependOnTheNumberOfThreads) {

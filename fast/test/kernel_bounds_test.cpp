@@ -246,26 +246,43 @@ struct Small {
   std::int64_t displayed = 0;
 };
 
-std::unique_ptr<Small> draw_small(const Polygon& p, double error, bool cull) {
-  SmallPolygons polygons;
-  for (std::size_t k = 0; k < 8; ++k) {
-    for (std::size_t c = 0; c < 4; ++c) {
-      polygons.x[c][k] = p[c % p.size()].x;
-      polygons.y[c][k] = p[c % p.size()].y;
-      polygons.z[c][k] = 0;
-    }
-    polygons.error[k] = 0;
+template <std::size_t kCorners>
+BlockDrawn draw_block(const Polygon& p, double error, bool cull, Small& to) {
+  FragmentBlock<kCorners> block;
+  for (std::size_t c = 0; c < kCorners; ++c) {
+    block.x[c].fill(static_cast<float>(p[c].x));
+    block.y[c].fill(static_cast<float>(p[c].y));
   }
-  polygons.corners = static_cast<std::int32_t>(p.size());
-  polygons.count = 1;
+  block.count = 1;
+  const auto draw = [] {
+    if constexpr (kCorners == 3) {
+      return best_kernel().draw_triangles;
+    } else {
+      return best_kernel().draw_quadrangles;
+    }
+  }();
+  return draw(to.paper.canvas(), plain_view(error), cull, block,
+              decider_of(to.asked));
+}
+
+std::unique_ptr<Small> draw_small(const Polygon& p, double error, bool cull) {
   auto result = std::make_unique<Small>();
-  result->displayed =
-      best_kernel().draw_small(result->paper.canvas(), plain_view(error), cull,
-                               polygons, decider_of(result->asked));
+  const BlockDrawn drawn = p.size() == 3
+                               ? draw_block<3>(p, error, cull, *result)
+                               : draw_block<4>(p, error, cull, *result);
+  result->displayed = drawn.displayed;
   best_kernel().fill_rest(result->paper.canvas(), kBlank,
                           decider_of(result->asked));
-  result->is_left = polygons.left_count > 0;
+  result->is_left = drawn.left != 0;
   return result;
+}
+
+/// The polygon with corners that floats hold.
+Polygon in_floats(Polygon p) {
+  for (auto& corner : p) {
+    corner = {static_cast<float>(corner.x), static_cast<float>(corner.y)};
+  }
+  return p;
 }
 
 TEST(KernelBounds, SmallPolygonsAskWhereTheirErrorMatters) {
@@ -274,8 +291,8 @@ TEST(KernelBounds, SmallPolygonsAskWhereTheirErrorMatters) {
   std::size_t drawn = 0;
   for (int round = 0; round < 8000; ++round) {
     const double error = random.from_to(0x1p-11, 0x1p-10);
-    const Polygon p = round % 4 == 0 ? random.triangle(25, error)
-                                     : random.quadrangle(30, error);
+    const Polygon p = in_floats(round % 4 == 0 ? random.triangle(25, error)
+                                               : random.quadrangle(30, error));
     const auto found = draw_small(p, error, false);
     // What it leaves undone is done by others; a part may be drawn by then.
     if (found->is_left) continue;
@@ -301,6 +318,7 @@ TEST(KernelBounds, SmallPolygonsTurnForSureOrAreLeft) {
     const double t = random.from_to(-0.5, 1.5);
     p[2] = {p[0].x + t * (p[1].x - p[0].x) + random.from_to(-24, 24) * error,
             p[0].y + t * (p[1].y - p[0].y) + random.from_to(-24, 24) * error};
+    p = in_floats(p);
     bool positive = false;
     bool negative = false;
     for (int way = 0; way < ways(p); ++way) {

@@ -102,23 +102,21 @@ class Both {
     const double y[4] = {double(r.top), double(r.top), double(r.bottom),
                          double(r.bottom)};
     if (in_leaf_ && id % 2 == 0) {
-      SmallPolygons polygons{};
-      for (std::size_t k = 0; k < 8; ++k) {
-        for (std::size_t c = 0; c < 4; ++c) {
-          polygons.x[c][k] = x[c];
-          polygons.y[c][k] = y[c];
-        }
+      FragmentBlock<4> block;
+      for (std::size_t c = 0; c < 4; ++c) {
+        block.x[c].fill(static_cast<float>(x[c]));
+        block.y[c].fill(static_cast<float>(y[c]));
       }
-      polygons.corners = 4;
-      polygons.count = 1;
+      block.count = 1;
       View view;
       view.perspective = false;
       view.x.a = view.y.b = 1;
       view.near = -1;
       view.xy_error = 0x1p-20;
-      small_ += static_cast<std::size_t>(kernel_.draw_small(
-          screen_.canvas(), view, false, polygons, decider_of(at_hand_)));
-      if (polygons.left_count == 0) return;
+      const BlockDrawn drawn = kernel_.draw_quadrangles(
+          screen_.canvas(), view, false, block, decider_of(at_hand_));
+      small_ += static_cast<std::size_t>(drawn.displayed);
+      if (drawn.left == 0) return;
     }
     kernel_.draw(screen_.canvas(), {x, y, 4, 0x1p-20, 1}, ink_of(id),
                  decider_of(at_hand_));

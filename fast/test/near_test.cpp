@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "fragment_blocks.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
@@ -82,11 +83,13 @@ TEST(Near, WhatIsAStepBeyondIsSeen) {
   const Scene scene = side_by_side();
   const BspTree tree = build(scene, {});
   const BspTree leaf = one_leaf();
+  BspTree blocks = leaf;
+  add_blocks(blocks, scene);
   for (const Camera& camera : {perspective(), orthographic()}) {
     for (const Loops loops : {Loops::kBest, Loops::kAvx2, Loops::kPortable}) {
       RenderOptions options;
       options.loops = loops;
-      for (const BspTree* each : {&tree, &leaf}) {
+      for (const BspTree* each : {&tree, &leaf, &std::as_const(blocks)}) {
         expect_those_beyond(render(scene, *each, camera, {}, options).items);
       }
       expect_those_beyond(paint(scene, tree, camera, {}, options).items);
@@ -98,11 +101,13 @@ TEST(FastRender, PixelsAreCountedWithoutImages) {
   const Scene scene = side_by_side();
   const BspTree tree = build(scene, {});
   const BspTree leaf = one_leaf();
+  BspTree blocks = leaf;
+  add_blocks(blocks, scene);
   RenderOptions counted;
   counted.items = counted.colors = false;
   for (const Loops loops : {Loops::kBest, Loops::kAvx2, Loops::kPortable}) {
     counted.loops = loops;
-    for (const BspTree* each : {&tree, &leaf}) {
+    for (const BspTree* each : {&tree, &leaf, &std::as_const(blocks)}) {
       const Rendering all = render(scene, *each, perspective(), {}, {});
       EXPECT_GT(all.pixels_painted, 0U);
       EXPECT_EQ(render(scene, *each, perspective(), {}, counted).pixels_painted,

@@ -176,9 +176,8 @@ class Fixture {
   const View& view() const { return view_; }
 
   /// The depth of the fragment with these vertices.
-  OrderLine depth(const std::vector<Vertex>& vertices) {
-    tree_.cut_vertices = vertices;
-    return depth_of(TreeReader(scene_, tree_), tree_.fragments[0], view_, 256);
+  OrderLine depth(const std::vector<Vertex>& vertices) const {
+    return depth_of(vertices, view_, 256);
   }
 
  private:

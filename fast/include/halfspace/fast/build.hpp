@@ -19,7 +19,8 @@ constexpr std::int32_t kNoFragment = -1;
 /// A node of a tree (S3.1): a plane, two subtrees, and a list of fragments.
 ///
 /// The fragments lie in the plane, in id order; but a leaf, which has no plane
-/// and no subtrees, holds fragments that no plane of the tree parts.
+/// and no subtrees, holds fragments that no plane of the tree parts, in any
+/// order.
 struct Node {
   PlaneId splitter = kNoPlane;
   NodeId positive = kNoNode;
@@ -56,6 +57,32 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
+/// Up to eight fragments of a leaf with so many corners, as the display reads
+/// them. Units: grid steps.
+template <std::size_t kCorners>
+struct alignas(32) FragmentBlock {
+  using Eight = std::array<float, 8>;
+  /// Their corners less `origin`, one fragment after another.
+  std::array<Eight, kCorners> x{};
+  std::array<Eight, kCorners> y{};
+  std::array<Eight, kCorners> z{};
+  Eight error{};  ///< how far off a corner of each may be, read so; 0: exact
+  std::array<float, 3> origin{};    ///< whole numbers
+  std::int32_t first_fragment = 0;  ///< the others follow it
+  std::int32_t count = 0;           ///< of fragments
+  /// The bits of those that are all of their source, its corners in their
+  /// order, and exact.
+  std::uint32_t whole = 0;
+  friend bool operator==(const FragmentBlock&, const FragmentBlock&) = default;
+};
+
+/// Where the blocks of a node begin.
+struct FirstBlocks {
+  std::int32_t triangles = 0;
+  std::int32_t quadrangles = 0;
+  friend bool operator==(const FirstBlocks&, const FirstBlocks&) = default;
+};
+
 /// A tree of a scene; its root, if it has one, is the first node (S3.1).
 ///
 /// Everything lies in arrays, by index: nothing to destroy one by one, however
@@ -69,6 +96,12 @@ struct BspTree {
   /// Empty, or for each node a box that holds all fragments of its subtree,
   /// rounded outwards.
   std::vector<Box> boxes;
+  /// Empty, or copies of the triangles, then quadrangles, that the lists of
+  /// leaves begin with, node by node.
+  std::vector<FragmentBlock<3>> triangles;
+  std::vector<FragmentBlock<4>> quadrangles;
+  /// Empty, or for each node its blocks, and where the last end.
+  std::vector<FirstBlocks> first_blocks;
 };
 
 /// Called now and then with the share of the work that is done, from 0 to 1,

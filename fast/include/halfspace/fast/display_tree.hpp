@@ -10,7 +10,7 @@ namespace halfspace::fast {
 struct DisplayTreeOptions {
   /// Lists of so many fragments or fewer are not divided. Longer ones are where
   /// a plane pays: where none does, a leaf may be longer.
-  std::size_t leaf_size = 256;
+  std::size_t leaf_size = 384;
   /// What a cut costs, in fragments that a ray meets: more makes the tree
   /// smaller and its leaves longer.
   double cut_weight = 2;
@@ -33,12 +33,12 @@ struct DisplayTreeOptions {
 /// Its splitters are planes across an axis (free planes) and, where those would
 /// cut too much, planes of polygons. Of the fragments on one side of a splitter
 /// all are on that side. The fragments that lie in a splitter are its node's,
-/// in id order; those of a leaf have no order but their ids', and hide each
+/// in id order; those of a leaf, triangles first, then quadrangles, hide each
 /// other as their depths say (S5.3). Which plane divides is what a ray through
 /// the box of a list has to pay for: fragments met, by the areas of the halves
 /// (the surface area argument of Naylor 1993, MacDonald & Booth 1990).
 ///
-/// Gives the tree and its boxes; without nodes if `progress` stopped it.
+/// Gives the tree, its boxes and blocks; no nodes if `progress` stopped it.
 /// Requires: options.leaf_size >= 1; options.threads >= 0.
 /// Exact:    yes: planes are chosen by floats, sides decided exactly.
 /// Cost:     n log n; no recursion. The same tree for any number of threads.
@@ -67,9 +67,11 @@ struct TreeBytes {
   std::size_t corners = 0;
   std::size_t cut_vertices = 0;
   std::size_t free_planes = 0;
+  std::size_t blocks = 0;
 
   std::size_t total() const {
-    return nodes + boxes + fragments + corners + cut_vertices + free_planes;
+    return nodes + boxes + fragments + corners + cut_vertices + free_planes +
+           blocks;
   }
   friend bool operator==(const TreeBytes&, const TreeBytes&) = default;
 };
