@@ -351,14 +351,21 @@ std::size_t DisplayWorker::corner_count(const Item& item) const {
 /// then its quadrangles.
 void DisplayWorker::add_fragments(NodeId id, std::vector<Item>& items) {
   if (items.empty()) return;
-  const bool is_leaf =
-      job_.piece.nodes[static_cast<std::size_t>(id)].splitter == kNoPlane;
-  const auto key = [&](const Item& item) {
-    const std::size_t corners = is_leaf ? corner_count(item) : 0;
-    return std::pair(std::min<std::size_t>(corners, 5), item.source);
+  const auto sort = [](auto from, auto to) {
+    std::sort(from, to,
+              [](const Item& p, const Item& q) { return p.source < q.source; });
   };
-  std::sort(items.begin(), items.end(),
-            [&](const Item& p, const Item& q) { return key(p) < key(q); });
+  auto rest = items.begin();
+  if (job_.piece.nodes[static_cast<std::size_t>(id)].splitter == kNoPlane) {
+    for (const std::size_t corners : {3u, 4u}) {
+      const auto first = rest;
+      rest = std::partition(first, items.end(), [&](const Item& item) {
+        return corner_count(item) == corners;
+      });
+      sort(first, rest);
+    }
+  }
+  sort(rest, items.end());
   BspTree& piece = job_.piece;
   Node& node = piece.nodes[static_cast<std::size_t>(id)];
   node.first_fragment = static_cast<std::int32_t>(piece.fragments.size());

@@ -3,6 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <cmath>
+#include <limits>
 
 #include "boxes.hpp"
 #include "exact_scan.hpp"
@@ -69,7 +70,8 @@ class BlockMaker {
     block.first_fragment = first;
     block.count = count;
     std::array<std::array<Vertex, kCorners>, kEach> corners;
-    Box box = kEmptyBox;
+    std::array<double, 3> low;
+    low.fill(std::numeric_limits<double>::max());
     for (std::int32_t k = 0; k < count; ++k) {
       const TreeFragment& fragment =
           reader_.tree().fragments[static_cast<std::size_t>(first + k)];
@@ -77,11 +79,13 @@ class BlockMaker {
       for (const Corner& corner : reader_.corners(fragment)) {
         Vertex& v = corners[static_cast<std::size_t>(k)][c++];
         v = reader_.vertex(corner.vertex);
-        extend(box, v);
+        low = {std::min(low[0], v.x), std::min(low[1], v.y),
+               std::min(low[2], v.z)};
       }
     }
-    const auto& [x, y, z] = box.low;
-    block.origin = {std::floor(x), std::floor(y), std::floor(z)};
+    for (std::size_t a = 0; a < 3; ++a) {
+      block.origin[a] = std::floor(rounded_down(low[a]));
+    }
     for (std::size_t k = 0; k < kEach; ++k) {
       // What is left over repeats the first.
       const auto& from = corners[k < static_cast<std::size_t>(count) ? k : 0];

@@ -10,7 +10,7 @@ namespace halfspace::fast {
 struct DisplayTreeOptions {
   /// Lists of so many fragments or fewer are not divided. Longer ones are where
   /// a plane pays: where none does, a leaf may be longer.
-  std::size_t leaf_size = 384;
+  std::size_t leaf_size = 512;
   /// What a cut costs, in fragments that a ray meets: more makes the tree
   /// smaller and its leaves longer.
   double cut_weight = 2;
