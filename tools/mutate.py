@@ -58,6 +58,7 @@ FILES = [
     "fast/src/display_plane.cpp", "fast/src/display_tree.cpp",
     "fast/src/render.cpp", "fast/src/depth.cpp", "fast/src/build.cpp",
     "fast/src/tree_file.cpp", "fast/src/tree_builder.cpp",
+    "fast/src/fragment_blocks.cpp",
     "fast/src/near_cells.cpp",
     "fast/src/boolean_parts.cpp", "fast/src/boolean_emit.cpp",
     "fast/src/boolean_faces.cpp", "fast/src/boolean_hits.cpp",
@@ -145,6 +146,9 @@ TESTS_OF = {
     "fast/src/display_": {"vectors_test": "*Implementations*",
                           "fast_test": "DisplayTree*-*Threads*",
                           "agree_display_tree_test": "*"},
+    "fast/src/fragment_blocks": {
+        "fast_test": "FragmentBlocks* Near*:DisplayTree*-*Threads*",
+        "agree_image_test": "*Leaves*"},
     "fast/src/predicate": {"agree_tree_test": "*Planes*:*Sides*:*Split*",
                            "proptest": "S1*"},
     "fast/src/scan": {"agree_image_test": "*Cover*", "proptest": ""},

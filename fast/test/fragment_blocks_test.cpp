@@ -86,15 +86,16 @@ void expect_copies(const Scene& scene, const TreeReader& reader,
           reader.tree().fragments[static_cast<std::size_t>(next)];
       ASSERT_EQ(fragment.corner_count, kCorners);
       const double error = block.error[k];
+      double expected = 0;
       for (std::size_t c = 0; c < kCorners; ++c) {
         const Vertex v = reader.vertex(reader.corners(fragment)[c].vertex);
-        const auto distance = [&](float away, std::size_t axis, double to) {
-          return std::abs(double{away} + double{block.origin[axis]} - to);
-        };
-        ASSERT_LE(distance(block.x[c][k], 0, v.x) + v.error, error);
-        ASSERT_LE(distance(block.y[c][k], 1, v.y) + v.error, error);
-        ASSERT_LE(distance(block.z[c][k], 2, v.z) + v.error, error);
+        const Vertex read = corner_of(block, c, k);
+        const double off = std::abs(read.x - v.x) + std::abs(read.y - v.y) +
+                           std::abs(read.z - v.z) + v.error;
+        ASSERT_LE(off, error);
+        expected = std::max(expected, off);
       }
+      ASSERT_LE(error, expected * (1 + 0x1p-20));
       const bool says_whole = ((block.whole >> k) & 1u) != 0;
       ASSERT_EQ(says_whole, error == 0 && is_whole(scene, reader, fragment));
       (error == 0 ? found.exact : found.doubtful) += 1;
@@ -102,6 +103,14 @@ void expect_copies(const Scene& scene, const TreeReader& reader,
       next = fragment.next;
     }
     ASSERT_EQ(block.whole >> block.count, 0u);
+    for (auto k = static_cast<std::size_t>(block.count); k < 8; ++k) {
+      for (std::size_t c = 0; c < kCorners; ++c) {
+        const Vertex v = corner_of(block, c, k);
+        const Vertex first = corner_of(block, c, 0);
+        ASSERT_EQ((std::array{v.x, v.y, v.z, v.error}),
+                  (std::array{first.x, first.y, first.z, first.error}));
+      }
+    }
   }
 }
 
@@ -138,8 +147,9 @@ Found expect_blocks(const Scene& scene, const BspTree& tree) {
 TEST(FragmentBlocks, AreCopiesOfWhatLeavesBeginWith) {
   const Scene scene = strewn(20000, 26);
   const Found found = expect_blocks(scene, tree_of(scene));
-  EXPECT_GT(found.exact, 1000u);
-  EXPECT_GT(found.whole, 1000u);
+  // Those that are cut have vertices in doubt, and no others.
+  EXPECT_EQ(found.exact, found.whole);
+  EXPECT_GT(found.whole, 15'000u);
   EXPECT_GT(found.doubtful, 500u);
 }
 
@@ -151,7 +161,7 @@ TEST(FragmentBlocks, BoundWhatFloatsLeaveOutOnTheWidestGrid) {
   EXPECT_GT(found.doubtful, 2000u);
 }
 
-/// A leaf of six triangles, five squares and two triangles.
+/// A leaf of six triangles, five squares, two triangles and four squares.
 BspTree one_leaf(const Scene& scene) {
   BspTree tree;
   tree.nodes.emplace_back();
@@ -169,6 +179,7 @@ BspTree one_leaf(const Scene& scene) {
   for (const PolygonId triangle : {1, 2, 4, 5, 7, 8}) add(triangle);
   for (const PolygonId square : {0, 3, 6, 9, 12}) add(square);
   for (const PolygonId triangle : {10, 11}) add(triangle);
+  for (const PolygonId square : {15, 18, 21, 24}) add(square);
   tree.fragments.back().next = kNoFragment;
   return tree;
 }
@@ -189,7 +200,7 @@ Numbers numbers_of(BspTree tree, const Scene& scene) {
 }
 
 TEST(FragmentBlocks, EndWhereTheListGoesElsewhere) {
-  const Scene scene = strewn(13, 26);
+  const Scene scene = strewn(25, 26);
   const BspTree tree = one_leaf(scene);
   EXPECT_EQ(numbers_of(tree, scene), (Numbers{1, 1, 11}));
   BspTree skips = tree;
@@ -201,16 +212,35 @@ TEST(FragmentBlocks, EndWhereTheListGoesElsewhere) {
 }
 
 TEST(FragmentBlocks, AreNotMadeOfFew) {
-  const Scene scene = strewn(13, 26);
+  const Scene scene = strewn(25, 26);
   BspTree tree = one_leaf(scene);
   tree.nodes[0].first_fragment = 2;
   EXPECT_EQ(numbers_of(tree, scene), (Numbers{1, 1, 11}));
-  tree.nodes[0].first_fragment = 3;
-  EXPECT_EQ(numbers_of(tree, scene), (Numbers{0, 0, 3}));
+  for (const std::int32_t first : {3, 5}) {
+    tree.nodes[0].first_fragment = first;
+    EXPECT_EQ(numbers_of(tree, scene), (Numbers{0, 0, first}));
+  }
   tree.nodes[0].first_fragment = 7;
   EXPECT_EQ(numbers_of(tree, scene), (Numbers{0, 1, 11}));
   tree.nodes[0].first_fragment = 8;
   EXPECT_EQ(numbers_of(tree, scene), (Numbers{0, 0, 8}));
+}
+
+/// Colours go by the corners' order.
+TEST(FragmentBlocks, AreNotCalledWholeWhereCornersBeginElsewhere) {
+  const Scene scene = strewn(25, 26);
+  BspTree tree = one_leaf(scene);
+  add_blocks(tree, scene);
+  const std::uint32_t whole = tree.triangles.at(0).whole;
+  ASSERT_NE(whole, 0u);
+  for (std::ptrdiff_t k = 0; k < 6; ++k) {
+    const auto first = tree.corners.begin() + 3 * k;
+    std::rotate(first, first + 1, first + 3);
+    add_blocks(tree, scene);
+    const std::uint32_t others = ~(std::uint32_t{1} << k);
+    EXPECT_EQ(tree.triangles[0].whole, whole & others);
+    std::rotate(first, first + 2, first + 3);
+  }
 }
 
 TEST(FragmentBlocks, AreMadeAgainFromFiles) {
