@@ -53,11 +53,9 @@ void Drawer<kBits>::prefetch(const Run& run, std::int32_t from,
   for (std::int32_t f = run.first + from; f < end; ++f) {
     const TreeFragment& fragment = fragments[f];
     const auto source = static_cast<std::size_t>(fragment.source);
-    if (!gouraud_) {
-      __builtin_prefetch(scene.colors.data() + source);
-      continue;
-    }
-    __builtin_prefetch(scene.first_corner.data() + source);
+    __builtin_prefetch(
+        gouraud_ ? static_cast<const void*>(scene.first_corner.data() + source)
+                 : scene.colors.data() + source);
   }
 }
 
@@ -100,7 +98,7 @@ void Drawer<kBits>::prefetch(const Node& leaf) const {
 template <int kBits>
 Ink Drawer<kBits>::begin(void* self, std::int32_t k, std::int32_t turn) {
   auto& drawer = *static_cast<Drawer*>(self);
-  return drawer.start(drawer.at_hand_.fragments[k],
+  return drawer.start(drawer.fragments_of(*drawer.at_hand_)[k],
                       -drawer.frame_.view.orientation * turn);
 }
 
@@ -200,7 +198,7 @@ Ink Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
     seen.ready = false;
   }
   seen.fragment = &fragment;
-  seen.block = at_hand_.block;
+  seen.block = at_hand_;
   seen.has_depth = false;
   const Scene& scene = frame_.reader.scene();
   const bool smooth = gouraud_ && has_gradient(scene, fragment.source);
@@ -216,9 +214,9 @@ Ink Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
 /// here.
 template <int kBits>
 void Drawer<kBits>::start_shader(const TreeFragment& fragment, int eye_sign) {
-  if (at_hand_.block != nullptr && fragment.corner_count == 3) {
-    const auto& block = *static_cast<const FragmentBlock<3>*>(at_hand_.block);
-    const auto k = static_cast<std::size_t>(&fragment - at_hand_.fragments);
+  if (at_hand_ != nullptr && fragment.corner_count == 3) {
+    const auto& block = with<3>(*at_hand_);
+    const auto k = static_cast<std::size_t>(&fragment - fragments_of(block));
     if (((block.whole >> k) & 1u) != 0) {
       shader_.start(fragment.source, eye_sign,
                     {corner_of(block, 0, k), corner_of(block, 1, k),

@@ -114,21 +114,27 @@ class Drawer {
                    DrawBlock draw_block, const Run& run, EyeSide&& eye_side) {
     if (!blocks.empty()) canvas_.most_pieces = 1;
     for (const FragmentBlock<kCorners>& block : blocks) {
-      const TreeFragment* fragments =
-          frame_.reader.tree().fragments.data() + block.first_fragment;
       const std::int32_t from = block.first_fragment - run.first;
       prefetch(run, from + kAhead, block.count);
       prefetch_colors(run, from + kColorsAhead, block.count);
       if (&block != &blocks.back()) prefetch_block(*(&block + 1));
-      at_hand_ = {&block, fragments};
+      at_hand_ = &block;
       const BlockDrawn drawn =
           draw_block(canvas_, frame_.view, frame_.image.cull, block, decider_);
-      at_hand_ = {};
+      at_hand_ = nullptr;
       fragments_ += static_cast<std::size_t>(drawn.displayed);
       for (std::uint32_t left = drawn.left; left != 0; left &= left - 1) {
-        draw_any(fragments[std::countr_zero(left)], eye_side);
+        draw_any(fragments_of(block)[std::countr_zero(left)], eye_side);
       }
     }
+  }
+
+  const TreeFragment* fragments_of(const BlockHead& block) const {
+    return frame_.reader.tree().fragments.data() + block.first_fragment;
+  }
+  template <std::size_t kCorners>
+  static const FragmentBlock<kCorners>& with(const BlockHead& block) {
+    return static_cast<const FragmentBlock<kCorners>&>(block);
   }
 
   Fate project(const TreeFragment& fragment);
@@ -184,19 +190,14 @@ class Drawer {
     PolygonId polygon = kBackground;
     bool ready = false;
     const TreeFragment* fragment = nullptr;  ///< of the polygon, if known
-    const void* block = nullptr;             ///< the fragment's, if it has one
+    const BlockHead* block = nullptr;        ///< the fragment's, if it has one
     bool has_depth = false;
     SeenApproximately plane;
     OrderLine depth;  ///< of the fragment
   };
   std::vector<Seen> seen_;
-  std::vector<Vertex> corners_;  ///< of a fragment
-  /// The block that is being drawn, if any, and its fragments.
-  struct AtHand {
-    const void* block = nullptr;
-    const TreeFragment* fragments = nullptr;
-  };
-  AtHand at_hand_;
+  std::vector<Vertex> corners_;         ///< of a fragment
+  const BlockHead* at_hand_ = nullptr;  ///< the block being drawn, if any
   std::size_t pixels_ = 0;
   std::size_t fragments_ = 0;
   FilterStats stats_;

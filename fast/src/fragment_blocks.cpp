@@ -147,9 +147,10 @@ void add_blocks(BspTree& tree, const Scene& scene) {
   const SharedWork shared;
   tbb::parallel_for(std::size_t{0}, tree.nodes.size(), [&](std::size_t n) {
     shared.part([&] {
+      const FirstBlocks& at = tree.first_blocks[n];
+      if (at == tree.first_blocks[n + 1]) return;
       const Node& node = tree.nodes[n];
       const Runs runs = runs_of(tree, node);
-      const FirstBlocks& at = tree.first_blocks[n];
       maker.fill(tree.triangles, at.triangles, node.first_fragment,
                  runs.triangles);
       maker.fill(tree.quadrangles, at.quadrangles,

@@ -99,8 +99,8 @@ void walk_back_to_front(const BspTree& tree, const EyeSide& eye_side,
   }
 }
 
-/// Calls show(fragment) for a node's fragments, lowest id first, while it
-/// returns true.
+/// Calls show(fragment) for a list of fragments while it returns true: lowest
+/// id first, but in leaves, where order does not matter.
 template <class Show>
 bool for_fragments(const BspTree& tree, std::int32_t first, Show&& show) {
   for (std::int32_t f = first; f != kNoFragment;) {
@@ -115,7 +115,7 @@ bool for_fragments(const BspTree& tree, const Node& node, Show&& show) {
   return for_fragments(tree, node.first_fragment, show);
 }
 
-/// The same, highest id first. `scratch` is room for their indices.
+/// The same from the list's end. `scratch` is room for their indices.
 template <class Show>
 bool for_fragments_reversed(const BspTree& tree, const Node& node,
                             std::vector<std::int32_t>& scratch, Show&& show) {

@@ -228,15 +228,18 @@ TEST(KernelBounds, OutlinesAskWhereTheirErrorMatters) {
   }
 }
 
-/// A view of points as they are, off by `error`.
-View plain_view(double error) {
+/// A view of points as they are.
+View plain_view() {
   View view;
   view.perspective = false;
   view.x.a = view.y.b = view.t.c = 1;
   view.near = -std::numeric_limits<double>::infinity();
-  view.xy_error = error;
+  view.xy_growth = 1;
   return view;
 }
+
+/// Where the error comes from.
+enum class Off { kView, kBlock };
 
 /// What came of drawing one polygon together with others.
 struct Small {
@@ -247,13 +250,20 @@ struct Small {
 };
 
 template <std::size_t kCorners>
-BlockDrawn draw_block(const Polygon& p, double error, bool cull, Small& to) {
+BlockDrawn draw_block(const Polygon& p, View view, float error, Off off,
+                      bool cull, Small& to) {
   FragmentBlock<kCorners> block;
   for (std::size_t c = 0; c < kCorners; ++c) {
     block.x[c].fill(static_cast<float>(p[c].x));
     block.y[c].fill(static_cast<float>(p[c].y));
+    block.z[c].fill(1);
   }
   block.count = 1;
+  if (off == Off::kView) {
+    view.xy_error = error;
+  } else {
+    block.error.fill(error);
+  }
   const auto draw = [] {
     if constexpr (kCorners == 3) {
       return best_kernel().draw_triangles;
@@ -261,15 +271,15 @@ BlockDrawn draw_block(const Polygon& p, double error, bool cull, Small& to) {
       return best_kernel().draw_quadrangles;
     }
   }();
-  return draw(to.paper.canvas(), plain_view(error), cull, block,
-              decider_of(to.asked));
+  return draw(to.paper.canvas(), view, cull, block, decider_of(to.asked));
 }
 
-std::unique_ptr<Small> draw_small(const Polygon& p, double error, bool cull) {
+std::unique_ptr<Small> draw_small(const Polygon& p, const View& view,
+                                  float error, Off off, bool cull) {
   auto result = std::make_unique<Small>();
-  const BlockDrawn drawn = p.size() == 3
-                               ? draw_block<3>(p, error, cull, *result)
-                               : draw_block<4>(p, error, cull, *result);
+  const BlockDrawn drawn =
+      p.size() == 3 ? draw_block<3>(p, view, error, off, cull, *result)
+                    : draw_block<4>(p, view, error, off, cull, *result);
   result->displayed = drawn.displayed;
   best_kernel().fill_rest(result->paper.canvas(), kBlank,
                           decider_of(result->asked));
@@ -290,10 +300,12 @@ TEST(KernelBounds, SmallPolygonsAskWhereTheirErrorMatters) {
   std::size_t changed = 0;
   std::size_t drawn = 0;
   for (int round = 0; round < 8000; ++round) {
-    const double error = random.from_to(0x1p-11, 0x1p-10);
+    const auto error = static_cast<float>(random.from_to(0x1p-11, 0x1.fp-11));
     const Polygon p = in_floats(round % 4 == 0 ? random.triangle(25, error)
                                                : random.quadrangle(30, error));
-    const auto found = draw_small(p, error, false);
+    const auto found =
+        draw_small(p, plain_view(), error,
+                   round % 8 < 4 ? Off::kView : Off::kBlock, false);
     // What it leaves undone is done by others; a part may be drawn by then.
     if (found->is_left) continue;
     const std::vector<Polygon> all = truths(p, error);
@@ -312,7 +324,7 @@ TEST(KernelBounds, SmallPolygonsTurnForSureOrAreLeft) {
   Random random;
   std::size_t told = 0;
   for (int round = 0; round < 8000; ++round) {
-    const double error = random.from_to(0x1p-12, 0x1p-10);
+    const auto error = static_cast<float>(random.from_to(0x1p-12, 0x1.fp-11));
     Polygon p = random.triangle(20, error);
     // The third corner moves to the line through the others, nearly.
     const double t = random.from_to(-0.5, 1.5);
@@ -327,7 +339,9 @@ TEST(KernelBounds, SmallPolygonsTurnForSureOrAreLeft) {
       negative = negative || turn < 0;
     }
     // Of those that are told, culling keeps the ones that turn negatively.
-    const auto found = draw_small(p, error, true);
+    const auto found =
+        draw_small(p, plain_view(), error,
+                   round % 2 == 0 ? Off::kView : Off::kBlock, true);
     if (found->is_left) continue;
     ASSERT_FALSE(positive && negative);
     ASSERT_EQ(found->displayed, negative ? 1 : 0);
@@ -335,6 +349,23 @@ TEST(KernelBounds, SmallPolygonsTurnForSureOrAreLeft) {
   }
   if (&best_kernel() != &kPlainKernel) {
     EXPECT_GT(told, 500u);
+  }
+}
+
+/// What is small may still be too near for its depth's error.
+TEST(KernelBounds, SmallPolygonsAreLeftWhereTheirDepthIsInDoubt) {
+  const Polygon p = {{0.25, 0.25}, {0.875, 0.25}, {0.5, 0.875}};
+  View view = plain_view();
+  view.perspective = true;
+  view.near = 0;
+  for (const Off off : {Off::kView, Off::kBlock}) {
+    double& doubt = off == Off::kView ? view.t_error : view.t_growth;
+    doubt = off == Off::kView ? 0x1p-12 : 0x1p8;
+    const bool is_plain = &best_kernel() == &kPlainKernel;
+    EXPECT_EQ(draw_small(p, view, 0x1p-20f, off, false)->is_left, is_plain);
+    doubt *= 3;
+    EXPECT_TRUE(draw_small(p, view, 0x1p-20f, off, false)->is_left);
+    doubt = 0;
   }
 }
 

@@ -57,22 +57,27 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// Up to eight fragments of a leaf with so many corners, as the display reads
-/// them. Units: grid steps.
-template <std::size_t kCorners>
-struct alignas(32) FragmentBlock {
-  using Eight = std::array<float, 8>;
-  /// Their corners less `origin`, one fragment after another.
-  std::array<Eight, kCorners> x{};
-  std::array<Eight, kCorners> y{};
-  std::array<Eight, kCorners> z{};
-  Eight error{};  ///< how far off a corner of each may be, read so; 0: exact
-  std::array<float, 3> origin{};    ///< whole numbers
+/// Which fragments a block holds.
+struct BlockHead {
+  std::array<float, 3> origin{};    ///< whole numbers; units: grid steps
   std::int32_t first_fragment = 0;  ///< the others follow it
   std::int32_t count = 0;           ///< of fragments
   /// The bits of those that are all of their source, its corners in their
   /// order, and exact.
   std::uint32_t whole = 0;
+  friend bool operator==(const BlockHead&, const BlockHead&) = default;
+};
+
+/// Up to eight fragments of a leaf with so many corners, as the display reads
+/// them. Units: grid steps.
+template <std::size_t kCorners>
+struct FragmentBlock : BlockHead {
+  using Eight = std::array<float, 8>;
+  /// Their corners less `origin`, one fragment after another.
+  alignas(32) std::array<Eight, kCorners> x{};
+  std::array<Eight, kCorners> y{};
+  std::array<Eight, kCorners> z{};
+  Eight error{};  ///< how far off a corner of each may be, read so; 0: exact
   friend bool operator==(const FragmentBlock&, const FragmentBlock&) = default;
 };
 
