@@ -113,7 +113,8 @@ struct Paper {
 };
 
 /// What the polygon may be in truth: its corners are off, but it is convex.
-std::vector<Polygon> truths(const Polygon& p, double error) {
+template <class Moved>
+std::vector<Polygon> truths(const Polygon& p, double error, Moved moved) {
   std::vector<Polygon> result;
   for (int way = 0; way < ways(p); ++way) {
     const Polygon other = moved(p, 0.99 * error, way);
@@ -205,7 +206,7 @@ TEST(KernelBounds, OutlinesAskWhereTheirErrorMatters) {
       const double error = random.from_to(0x1p-11, 0x1p-10);
       const Polygon p = round % 4 == 0 ? random.triangle(40, error)
                                        : random.quadrangle(40, error);
-      const std::vector<Polygon> all = truths(p, error);
+      const std::vector<Polygon> all = truths(p, error, moved);
       const double turn = turn_at(p, p.size() - 2);
       if (all.empty() || std::abs(turn) < 1) continue;
       std::array<double, 4> x{};
@@ -239,7 +240,22 @@ View plain_view() {
 }
 
 /// Where the error comes from.
-enum class Off { kView, kBlock };
+enum class Off { kView, kBlock, kDepth };
+constexpr std::array<Off, 3> kOffs = {Off::kView, Off::kBlock, Off::kDepth};
+
+/// By so much less corners are off if depths are by as much: these are at most
+/// so far from the image's first corner.
+constexpr float kDepthShare = 1.0f / (kWidth + 40);
+
+/// The polygon with each corner moved to or from the image's first corner.
+Polygon moved_in_depth(Polygon p, double by, int way) {
+  for (Point& corner : p) {
+    const double factor = (way & 1) != 0 ? 1 + by : 1 - by;
+    corner = {factor * corner.x, factor * corner.y};
+    way >>= 1;
+  }
+  return p;
+}
 
 /// What came of drawing one polygon together with others.
 struct Small {
@@ -259,10 +275,17 @@ BlockDrawn draw_block(const Polygon& p, View view, float error, Off off,
     block.z[c].fill(1);
   }
   block.count = 1;
-  if (off == Off::kView) {
-    view.xy_error = error;
-  } else {
-    block.error.fill(error);
+  switch (off) {
+    case Off::kView:
+      view.xy_error = error;
+      break;
+    case Off::kBlock:
+      block.error.fill(error);
+      break;
+    case Off::kDepth:
+      view.perspective = true;
+      view.near = 0;
+      view.t_error = error * kDepthShare;
   }
   const auto draw = [] {
     if constexpr (kCorners == 3) {
@@ -303,12 +326,13 @@ TEST(KernelBounds, SmallPolygonsAskWhereTheirErrorMatters) {
     const auto error = static_cast<float>(random.from_to(0x1p-11, 0x1.fp-11));
     const Polygon p = in_floats(round % 4 == 0 ? random.triangle(25, error)
                                                : random.quadrangle(30, error));
-    const auto found =
-        draw_small(p, plain_view(), error,
-                   round % 8 < 4 ? Off::kView : Off::kBlock, false);
+    const Off off = kOffs[static_cast<std::size_t>(round / 4 % 3)];
+    const auto found = draw_small(p, plain_view(), error, off, false);
     // What it leaves undone is done by others; a part may be drawn by then.
     if (found->is_left) continue;
-    const std::vector<Polygon> all = truths(p, error);
+    const std::vector<Polygon> all =
+        off == Off::kDepth ? truths(p, error * kDepthShare, moved_in_depth)
+                           : truths(p, error, moved);
     if (all.empty()) continue;
     ++drawn;
     expect_told(all, found->asked, found->paper.result.items, changed);
