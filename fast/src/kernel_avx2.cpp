@@ -9,6 +9,8 @@ namespace {
 
 #include "kernel_target.inc"
 //
+#include "kernel_avx2_lanes.inc"
+//
 #include "kernel_avx2.inc"
 //
 #include "kernel_avx2_colors.inc"
@@ -25,7 +27,7 @@ namespace {
 //
 #include "kernel_avx2_boxes.inc"
 //
-#include "kernel_lanes.inc"
+#include "kernel_floats.inc"
 //
 #include "kernel_avx2_runs.inc"
 //

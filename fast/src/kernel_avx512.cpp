@@ -14,6 +14,8 @@ namespace {
 
 #include "kernel_target.inc"
 //
+#include "kernel_avx512_lanes.inc"
+//
 #include "kernel_avx2.inc"
 //
 #include "kernel_avx512_colors.inc"
@@ -32,7 +34,7 @@ namespace {
 //
 #include "kernel_avx2_boxes.inc"
 //
-#include "kernel_lanes.inc"
+#include "kernel_floats.inc"
 //
 #include "kernel_avx2_runs.inc"
 //
