@@ -45,28 +45,33 @@ struct Gradient {
   double doubt = 0;
 };
 
+/// No piece, no ink.
+constexpr std::int32_t kNone = -1;
 /// What a polygon has lit of a tile, kept until its colours are written or,
 /// where they are already, until the leaf that it is of ends.
 struct LitPiece {
   std::uint32_t lit[8];
-  std::int32_t ink = 0;   ///< negative: written, by polygon -1 - ink
-  std::int32_t next = 0;  ///< lit before it, of the same tile
+  std::int32_t id = 0;       ///< the polygon
+  std::uint32_t color = 0;   ///< as of an ink, or kWritten
+  std::int32_t ink = kNone;  ///< where it is kept, if it is smooth
+  std::int32_t next = 0;     ///< lit before it, of the same tile
 
-  bool is_written() const { return ink < 0; }
+  static constexpr std::uint32_t kWritten = Ink::kSmooth - 1;
+  bool is_written() const { return color == kWritten; }
 };
-/// No piece, no ink.
-constexpr std::int32_t kNone = -1;
 /// From so many pieces on a tile is written though it is open.
 constexpr std::int32_t kMostPieces = 8;
-/// The pieces of a tile: the last that was lit, how many there are, and how
-/// many of them are written.
+/// The pieces of a tile: those that were lit last and first, how many there
+/// are, how many of them are written, and how many have inks that are kept.
 struct Pieces {
   std::int32_t newest = kNone;
+  std::int32_t oldest = kNone;
   std::int32_t count = 0;
   std::int32_t written = 0;
+  std::int32_t with_ink = 0;
 };
 /// What memory may run out of.
-enum class Room : std::uint8_t { kPieces, kInks, kGradients };
+enum class Room : std::uint8_t { kPieces, kInks };
 
 /// The screen that one thread fills: which pixels are lit, and the images.
 ///
@@ -97,12 +102,11 @@ struct Canvas {
   std::int32_t piece_count = 0;      ///< so many have been used
   std::int32_t piece_room = 0;       ///< for so many there is memory
   std::int32_t spare_piece = kNone;  ///< pieces that may be used again
-  /// The inks of pieces, and the gradients of those that are smooth.
+  /// The inks of pieces that are smooth, and their gradients.
   Ink* inks = nullptr;
   Gradient* gradients = nullptr;
   std::int32_t ink_count = 0;
   std::int32_t ink_room = 0;
-  std::int32_t gradient_room = 0;
   std::int32_t spare_ink = kNone;
   std::int32_t ink_at_hand = kNone;  ///< of the polygon being drawn, if kept
   std::int32_t last_ink = kNone;     ///< the last that was kept

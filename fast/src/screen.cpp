@@ -55,7 +55,6 @@ Screen::Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
   canvas_.inks = memory.inks.get();
   canvas_.ink_room = memory.inks.count();
   canvas_.gradients = memory.gradients.get();
-  canvas_.gradient_room = memory.gradients.count();
   canvas_.tile_items = memory.tile_items;
   canvas_.tile_colors = memory.tile_colors;
   canvas_.owner = this;
@@ -137,12 +136,10 @@ void Screen::make_room(Room what) {
           grow(memory_->pieces, canvas_.piece_room, more(canvas_.piece_room));
       break;
     case Room::kInks:
+      memory_->gradients.grow(more(canvas_.ink_room), canvas_.ink_room);
+      canvas_.gradients = memory_->gradients.get();
       canvas_.inks =
           grow(memory_->inks, canvas_.ink_room, more(canvas_.ink_room));
-      break;
-    case Room::kGradients:
-      canvas_.gradients =
-          grow(memory_->gradients, canvas_.gradient_room, canvas_.ink_room);
       break;
   }
 }
