@@ -25,9 +25,6 @@ constexpr std::uint8_t blended(std::uint32_t over, std::uint32_t under,
       (2 * (alpha * over + (kOpaque - alpha) * under) + kOpaque) / 510);
 }
 
-/// So many planes are remembered.
-constexpr std::size_t kSeenPlanes = 512;
-
 }  // namespace
 
 template <int kBits>
@@ -42,7 +39,8 @@ Drawer<kBits>::Drawer(const Frame& frame, Canvas& canvas)
       decider_{begin,    exact_line, nearer,
                gradient, shade,      frame.alpha == kOpaque ? nullptr : blend,
                this},
-      seen_(kSeenPlanes) {}
+      seen_(kSeenPolygons),
+      depths_(kSeenPolygons) {}
 
 template <int kBits>
 void Drawer<kBits>::prefetch(const Run& run, std::int32_t from,
@@ -192,10 +190,10 @@ Ink Drawer<kBits>::start(const TreeFragment& fragment, int eye_sign) {
   eye_sign_ = eye_sign;
   scan_.start(fragment, eye_sign);
   ++serial_;
-  Seen& seen = seen_[static_cast<std::size_t>(fragment.source) % kSeenPlanes];
+  Seen& seen = seen_[place_of(fragment.source)];
   if (seen.polygon != fragment.source) {
     seen.polygon = fragment.source;
-    seen.ready = false;
+    seen.has_plane = false;
   }
   seen.fragment = &fragment;
   seen.block = at_hand_;

@@ -185,17 +185,25 @@ class Drawer {
   Decider decider_;
   std::uint32_t serial_ = 0;  ///< of the fragment at hand
   std::array<Rival, 16> rivals_;
-  /// Planes that were seen lately.
+  /// Polygons that were seen lately: what each that is drawn changes, and apart
+  /// from it, to keep that near, what few are asked for.
   struct Seen {
     PolygonId polygon = kBackground;
-    bool ready = false;
+    bool has_plane = false;
+    bool has_depth = false;
     const TreeFragment* fragment = nullptr;  ///< of the polygon, if known
     const BlockHead* block = nullptr;        ///< the fragment's, if it has one
-    bool has_depth = false;
+  };
+  struct Depths {
     SeenApproximately plane;
     OrderLine depth;  ///< of the fragment
   };
+  static constexpr std::size_t kSeenPolygons = 512;
+  static std::size_t place_of(PolygonId polygon) {
+    return static_cast<std::size_t>(polygon) % kSeenPolygons;
+  }
   std::vector<Seen> seen_;
+  std::vector<Depths> depths_;
   std::vector<Vertex> corners_;         ///< of a fragment
   const BlockHead* at_hand_ = nullptr;  ///< the block being drawn, if any
   std::size_t pixels_ = 0;
