@@ -24,8 +24,8 @@ namespace {
 /// The usual size of large pages.
 constexpr std::size_t kPage = std::size_t{1} << 21;
 constexpr std::align_val_t kAligned{kPage};
-/// From here on memory is in large pages.
-constexpr std::size_t kLong = 2 * kPage;
+/// From here on memory is in large pages, and in whole ones.
+constexpr std::size_t kLong = kPage / 2;
 
 void* allocate(std::size_t bytes) {
   if (bytes < kLong) return ::operator new(bytes);
@@ -113,9 +113,11 @@ bool is_kept(std::size_t bytes) {
 #endif
 }
 
-/// Few sizes, so that what is given back fits: eight for each power of two.
+/// Few sizes, so that what is given back fits: eight for each power of two, or
+/// fewer where large pages are too large for that.
 std::size_t block_size(std::size_t bytes) {
-  const std::size_t step = std::bit_floor(bytes) / 8;
+  const std::size_t eighth = std::bit_floor(bytes) / 8;
+  const std::size_t step = bytes < kLong ? eighth : std::max(eighth, kPage);
   return (bytes + step - 1) / step * step;
 }
 
