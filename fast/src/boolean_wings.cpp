@@ -26,13 +26,26 @@ int part_of_turn(const Wing& first, const Wing& wing, int axis,
 }
 
 void sort_wings(std::vector<Wing>& wings, int axis, const Space& space) {
+  // Beyond these something else is sooner than to sort where they stand.
+  constexpr std::ptrdiff_t kFew = 8;
   const Wing first = wings.front();
-  std::stable_sort(wings.begin(), wings.end(),
-                   [&](const Wing& w, const Wing& v) {
-                     const int p = part_of_turn(first, w, axis, space);
-                     const int q = part_of_turn(first, v, axis, space);
-                     return p != q ? p < q : cross(w, v, axis, space) > 0;
-                   });
+  const auto before = [&](const Wing& w, const Wing& v) {
+    const int p = part_of_turn(first, w, axis, space);
+    const int q = part_of_turn(first, v, axis, space);
+    return p != q ? p < q : cross(w, v, axis, space) > 0;
+  };
+  // None comes before the first.
+  const auto others = wings.begin() + 1;
+  if (wings.end() - others > kFew) {
+    std::stable_sort(others, wings.end(), before);
+    return;
+  }
+  for (auto next = others; next != wings.end(); ++next) {
+    const Wing wing = *next;
+    auto at = next;
+    for (; at != others && before(wing, *(at - 1)); --at) *at = *(at - 1);
+    *at = wing;
+  }
 }
 
 }  // namespace halfspace::fast

@@ -29,7 +29,7 @@ std::int64_t exact_cell(double approximate, const Wide<kFew>& n,
   const More by = More(d) + More(d);
   const More whole = multiply<kWords>(Int128{2} << digits, n) + More(d);
   auto cell = static_cast<std::int64_t>(
-      std::floor(std::ldexp(approximate, digits) + 0.5));
+      std::floor(approximate * power_of_two(digits) + 0.5));
   while (true) {
     // Off by no more than a step once the rest is small.
     const More rest = whole - multiply<kWords>(Int128{cell}, by);
@@ -44,13 +44,13 @@ std::int64_t exact_cell(double approximate, const Wide<kFew>& n,
 template <std::size_t kWords, std::size_t kFew>
 std::int64_t cell_of(double approximate, double error, const Wide<kFew>& n,
                      const Wide<kFew>& d, int digits) {
-  const double at = std::ldexp(approximate, digits) + 0.5;
+  const double at = approximate * power_of_two(digits) + 0.5;
   // Never true: points are on edges of faces, so within the grid.
   if (!(std::abs(at) < 0x1p60)) return 0;
   const double cell = std::floor(at);
   // Adding one half rounds by 2^-53 of the sum.
   const double doubt =
-      std::ldexp(error, digits) * 1.125 + std::abs(at) * 0x1p-52;
+      error * power_of_two(digits) * 1.125 + std::abs(at) * 0x1p-52;
   if (at - cell > doubt && cell + 1 - at > doubt)
     return static_cast<std::int64_t>(cell);
   return exact_cell<kWords>(approximate, n, d, digits);

@@ -1,7 +1,6 @@
 #include "halfspace/fast/export.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -20,8 +19,7 @@ namespace {
 double scaled(double value, Unit unit) {
   // A product with a power of two that is a double is rounded as if scaled.
   if (unit.base == 2 && std::abs(unit.exponent) < 1000) {
-    const auto bits = static_cast<std::uint64_t>(1023 + unit.exponent) << 52;
-    return value * std::bit_cast<double>(bits);
+    return value * power_of_two(unit.exponent);
   }
   if (unit.base == 2) return std::ldexp(value, unit.exponent);
   return unit.exponent < 0 ? value / std::pow(10.0, -unit.exponent)

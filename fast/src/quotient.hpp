@@ -1,7 +1,6 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -80,7 +79,7 @@ double exact_quotient(const Wide<kWords>& n, const Wide<kWords>& d,
   rounded = half || more;
   digits /= 2;
   if (half && (more || digits % 2 != 0)) ++digits;
-  return sign_of_n * std::ldexp(static_cast<double>(digits), exponent - 52);
+  return sign_of_n * static_cast<double>(digits) * power_of_two(exponent - 52);
 }
 
 /// The highest bits of a value that is not negative, from its first one on: 64
@@ -133,8 +132,8 @@ double quick_quotient(const Wide<kWords>& n, const Wide<kWords>& d) {
     return 0;
   const std::uint64_t digits = (q >> dropped) + (up ? 1 : 0);
   const double value =
-      std::ldexp(static_cast<double>(digits),
-                 dropped + 1 + over.exponent - under.exponent - 64);
+      static_cast<double>(digits) *
+      power_of_two(dropped + 1 + over.exponent - under.exponent - 64);
   return negative ? -value : value;
 }
 

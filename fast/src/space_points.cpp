@@ -159,7 +159,7 @@ bool Space::put_on_grid(
   std::int64_t whole[3];
   for (std::size_t i = 0; i < 3; ++i) {
     const double near = std::nearbyint(at[i]);
-    if (std::abs(near) >= std::ldexp(1.0, grid_bits_ - 1) ||
+    if (std::abs(near) >= power_of_two(grid_bits_ - 1) ||
         std::abs(at[i] - near) > v.approximate.error)
       return false;
     whole[i] = static_cast<std::int64_t>(near);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -124,6 +124,12 @@ constexpr Wide<kResult> multiply(const Wide<kA>& a, Int128 b) {
   return multiply<kResult>(a, Wide<2>(b));
 }
 
+/// Requires: it is a normal double.
+constexpr double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent)
+                               << 52);
+}
+
 /// The value as a double: off by at most 2^-52 of its size.
 ///
 /// The highest 64 bits from the leading one are kept, which drops less than
@@ -138,8 +144,8 @@ double to_double(const Wide<kWords>& a) {
   const int zeros = __builtin_clzll(size.words[top - 1]);
   std::uint64_t head = size.words[top - 1] << zeros;
   if (zeros > 0 && top > 1) head |= size.words[top - 2] >> (64 - zeros);
-  const double value = std::ldexp(static_cast<double>(head),
-                                  static_cast<int>(top - 1) * 64 - zeros);
+  const double value = static_cast<double>(head) *
+                       power_of_two(static_cast<int>(top - 1) * 64 - zeros);
   return negative ? -value : value;
 }
 inline double to_double(Int128 a) {
