@@ -32,9 +32,11 @@ inline void sort_by_key(List<Keyed>& keyed) {
   std::uint64_t differs = 0;
   for (const Keyed& k : keyed) differs |= k.key ^ keyed.front().key;
   List<Keyed> sorted(keyed.size());
-  for (int shift = 0; shift < 64; shift += kDigitBits) {
+  for (std::uint64_t left = differs; left != 0;) {
+    // The next digit begins with a bit in which keys differ.
+    const int shift = std::countr_zero(left);
     constexpr std::uint64_t kMask = (1u << kDigitBits) - 1;
-    if ((differs >> shift & kMask) == 0) continue;
+    left &= ~(kMask << shift);
     std::array<std::uint32_t, kMask + 2> place{};
     for (const Keyed& k : keyed) ++place[(k.key >> shift & kMask) + 1];
     for (std::size_t d = 1; d < place.size(); ++d) place[d] += place[d - 1];
