@@ -1,47 +1,13 @@
 #include <algorithm>
-#include <numeric>
 #include <span>
-#include <tuple>
 
 #include "boolean_result.hpp"
+#include "face_groups.hpp"
 #include "hubs.hpp"
 #include "places.hpp"
 
 namespace halfspace::fast {
 namespace {
-
-/// An edge of a face, with its ends in order.
-struct Entry {
-  std::int32_t low;
-  std::int32_t high;
-  std::int32_t face;
-  std::uint32_t edge;
-};
-
-bool may_merge(const Face& f, const Face& g, Merge rule) {
-  if (f.plane != g.plane || f.turned != g.turned) return false;
-  switch (rule) {
-    case Merge::kOrigin:
-      return f.part == g.part && f.polygon == g.polygon;
-    case Merge::kColor:
-      return f.color == g.color;
-    case Merge::kPlane:
-      break;
-  }
-  return true;
-}
-
-/// Puts entries in the order of `low`, which is less than `count`, and leaves
-/// those with one `low` in their order.
-void sort_by_low(std::vector<Entry>& entries, std::size_t count) {
-  std::vector<std::uint32_t> place(count + 1);
-  for (const Entry& e : entries) ++place[static_cast<std::size_t>(e.low) + 1];
-  std::partial_sum(place.begin(), place.end(), place.begin());
-  std::vector<Entry> sorted(entries.size());
-  for (const Entry& e : entries)
-    sorted[place[static_cast<std::size_t>(e.low)]++] = e;
-  entries.swap(sorted);
-}
 
 /// Whether three edges go round.
 bool is_triangle(const SolidEdge* edges) {
@@ -89,17 +55,9 @@ void move_down(List<T>& list, std::size_t first, std::size_t last,
 /// turns: those are passed on as they are.
 class Merger {
  public:
-  Merger(Solid& solid, Merge rule)
-      : solid_(solid),
-        rule_(rule),
-        parent_(solid.faces.size()),
-        merges_(solid.faces.size()),
-        dropped_(solid.edges.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
+  Merger(Solid& solid, Merge rule) : solid_(solid), groups_(solid, rule) {}
 
   void run() {
-    drop_edges(entries());
     find_others();
     const Hubs hubs = hubs_of_others();
     bool all_stay = true;
@@ -125,26 +83,19 @@ class Merger {
       const Face& face = solid_.faces[static_cast<std::size_t>(f)];
       const std::uint32_t last = face.first_edge + face.edge_count;
       for (std::uint32_t at = face.first_edge; at < last; ++at) {
-        if (dropped_[at] == 0) visit(f, face, solid_.edges[at]);
+        if (!groups_.is_dropped(at)) visit(f, face, solid_.edges[at]);
       }
     }
   }
 
-  std::vector<std::uint8_t> company() const;
-  std::vector<Entry> entries() const;
-  void drop_edges(const std::vector<Entry>& entries);
   void find_others();
   Hubs hubs_of_others() const;
-  std::int32_t root(std::int32_t f);
   bool stays(std::size_t f, const Hubs& hubs) const;
   std::size_t pass_on(std::size_t first);
   void put_together(const Hubs& hubs);
 
   Solid& solid_;
-  Merge rule_;
-  std::vector<std::int32_t> parent_;   ///< by face
-  std::vector<std::uint8_t> merges_;   ///< by face: it has dropped edges
-  std::vector<std::uint8_t> dropped_;  ///< by edge
+  FaceGroups groups_;
   /// By face: whether it is a triangle that keeps its edges; in the end, of the
   /// others too, as stays() says.
   std::vector<std::uint8_t> staying_;
@@ -153,124 +104,11 @@ class Merger {
   std::size_t edge_count_ = 0;
 };
 
-/// By face, whether another may be in its plane and face the same way.
-std::vector<std::uint8_t> Merger::company() const {
-  List<std::int32_t> numbers;
-  numbers.reserve(solid_.faces.size());
-  Extent extent;
-  for (const Face& face : solid_.faces) {
-    numbers.push_back(2 * face.plane + (face.turned ? 1 : 0));
-    extent.add(numbers.back());
-  }
-  Places places(extent);
-  std::vector<std::uint8_t> count(places.size());
-  for (const std::int32_t number : numbers) {
-    std::uint8_t& of = count[places(number)];
-    of = static_cast<std::uint8_t>(std::min(of + 1, 2));
-  }
-  std::vector<std::uint8_t> result(numbers.size());
-  for (std::size_t f = 0; f < result.size(); ++f)
-    result[f] = count[places.find(numbers[f])] > 1 ? 1 : 0;
-  return result;
-}
-
-/// The edges of faces in company, and all others with the same ends, sorted by
-/// them.
-std::vector<Entry> Merger::entries() const {
-  const std::vector<std::uint8_t> in_company = company();
-  const auto for_company = [&](const auto& visit) {
-    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
-      if (in_company[f] == 0) continue;
-      const Face& face = solid_.faces[f];
-      for (std::uint32_t i = 0; i < face.edge_count; ++i)
-        visit(solid_.edges[face.first_edge + i]);
-    }
-  };
-  Extent extent;
-  for_company([&](const SolidEdge& edge) {
-    extent.add(edge.from);
-    extent.add(edge.to);
-  });
-  if (extent.uses == 0) return {};
-  Places places(extent);
-  std::vector<std::uint8_t> is_end(places.size());
-  for_company([&](const SolidEdge& edge) {
-    is_end[places(edge.from)] = is_end[places(edge.to)] = 1;
-  });
-  const auto ends_there = [&](std::int32_t v) {
-    return v >= extent.low && v <= extent.high && is_end[places.find(v)] != 0;
-  };
-  Sieve sieve(extent.uses);
-  for_company([&](const SolidEdge& edge) {
-    sieve.add(edge.from);
-    sieve.add(edge.to);
-  });
-  std::vector<Entry> entries;
-  auto face = solid_.faces.begin();
-  const auto size = static_cast<std::uint32_t>(solid_.edges.size());
-  for (std::uint32_t at = 0; at < size; ++at) {
-    const SolidEdge& edge = solid_.edges[at];
-    if (!sieve.may_hold(edge.from) || !sieve.may_hold(edge.to) ||
-        !ends_there(edge.from) || !ends_there(edge.to))
-      continue;
-    // Whose it is: the edges stand in the order of the faces.
-    while (at - face->first_edge >= face->edge_count) ++face;
-    const auto [low, high] =
-        std::minmax({static_cast<std::int32_t>(places.find(edge.from)),
-                     static_cast<std::int32_t>(places.find(edge.to))});
-    entries.push_back({low, high,
-                       static_cast<std::int32_t>(face - solid_.faces.begin()),
-                       at});
-  }
-  sort_by_low(entries, places.size());
-  for (auto i = entries.begin(); i != entries.end();) {
-    const auto j = std::find_if(
-        i, entries.end(), [&](const Entry& e) { return e.low != i->low; });
-    std::sort(i, j, [](const Entry& x, const Entry& y) {
-      return std::tie(x.high, x.edge) < std::tie(y.high, y.edge);
-    });
-    i = j;
-  }
-  return entries;
-}
-
-std::int32_t Merger::root(std::int32_t f) {
-  while (parent_[static_cast<std::size_t>(f)] != f) {
-    std::int32_t& up = parent_[static_cast<std::size_t>(f)];
-    up = parent_[static_cast<std::size_t>(up)];
-    f = up;
-  }
-  return f;
-}
-
-/// Drops the edges that just two faces share which may be one.
-void Merger::drop_edges(const std::vector<Entry>& entries) {
-  for (std::size_t i = 0; i < entries.size();) {
-    std::size_t j = i + 1;
-    while (j < entries.size() && entries[j].low == entries[i].low &&
-           entries[j].high == entries[i].high)
-      ++j;
-    if (j == i + 2) {
-      const std::int32_t f = root(entries[i].face);
-      const std::int32_t g = root(entries[i + 1].face);
-      if (may_merge(solid_.faces[static_cast<std::size_t>(f)],
-                    solid_.faces[static_cast<std::size_t>(g)], rule_)) {
-        parent_[static_cast<std::size_t>(std::max(f, g))] = std::min(f, g);
-        for (std::size_t k = i; k < j; ++k) {
-          dropped_[entries[k].edge] = 1;
-          merges_[static_cast<std::size_t>(entries[k].face)] = 1;
-        }
-      }
-    }
-    i = j;
-  }
-}
-
 void Merger::find_others() {
   staying_.resize(solid_.faces.size());
   for (std::size_t f = 0; f < staying_.size(); ++f) {
     const Face& face = solid_.faces[f];
-    staying_[f] = merges_[f] == 0 && face.edge_count == 3 &&
+    staying_[f] = !groups_.merges(f) && face.edge_count == 3 &&
                   is_triangle(solid_.edges.data() + face.first_edge);
     if (staying_[f] == 0) others_.push_back(static_cast<std::int32_t>(f));
   }
@@ -314,7 +152,7 @@ Hubs Merger::hubs_of_others() const {
 bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   constexpr std::uint32_t kFew = 24;
   const Face& face = solid_.faces[f];
-  if (merges_[f] != 0 || face.edge_count > kFew) return false;
+  if (groups_.merges(f) || face.edge_count > kFew) return false;
   const SolidEdge* edges = solid_.edges.data() + face.first_edge;
   std::uint32_t loops = 0;
   std::uint32_t first = 0;  // of this loop
@@ -369,7 +207,8 @@ void Merger::put_together(const Hubs& hubs) {
   const auto stays_on = [this](std::size_t f) { return staying_[f] != 0; };
   for_edges(
       stays_on, [&](std::int32_t f, const Face& face, const SolidEdge& edge) {
-        pieces.push_back({root(f), face.plane, edge.from, edge.to, edge.other});
+        pieces.push_back(
+            {groups_.first_of(f), face.plane, edge.from, edge.to, edge.other});
       });
   walk_loops(pieces, hubs);
   std::vector<std::size_t> wholes;  // where those stand that are merged
