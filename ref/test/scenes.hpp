@@ -10,6 +10,8 @@
 
 namespace halfspace::ref {
 
+using Ids = std::vector<PolygonId>;
+
 /// The polygons of a scene, by their corners.
 using Polygons = std::vector<std::vector<GridPoint>>;
 

@@ -12,7 +12,6 @@ namespace halfspace::ref {
 namespace {
 
 using Order = void (*)(const BspTree&, const Camera&, const Display&);
-using Ids = std::vector<PolygonId>;
 
 /// A camera whose eye is at (x, 4, z), or looks from there if at infinity.
 Camera camera_at(std::int64_t x, std::int64_t z, bool perspective) {
