@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 #include "boxes.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
+#include "scenes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -22,16 +24,11 @@ Scene crossing_triangles(int count) {
   while (data.colors.size() < static_cast<std::size_t>(count)) {
     const GridPoint p = {coordinate(), coordinate(), coordinate()};
     // Corners on no line: they differ in x and in y in turn.
-    for (const GridPoint& q : {p, GridPoint{p.x + 60, p.y, coordinate()},
-                               GridPoint{p.x, p.y + 60, coordinate()}}) {
-      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
-      data.vertices.push_back(q);
-    }
-    data.first_corner.push_back(
-        static_cast<std::uint32_t>(data.corners.size()));
-    data.colors.push_back({});
+    add_polygon(
+        data,
+        {p, {p.x + 60, p.y, coordinate()}, {p.x, p.y + 60, coordinate()}});
   }
-  return *make_scene(std::move(data));
+  return made(std::move(data));
 }
 
 Camera camera_at(std::int64_t eye_z) {

@@ -2,10 +2,12 @@
 #include <pthread.h>
 
 #include <functional>
+#include <utility>
 
 #include "boxes.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/render.hpp"
+#include "scenes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -29,16 +31,10 @@ void with_small_stack(std::function<void()> body) {
 Scene stack_of_triangles(std::int32_t count) {
   SceneData data;
   for (std::int32_t k = 0; k < count; ++k) {
-    for (const GridPoint& p :
-         {GridPoint{-99, -99, k}, GridPoint{99, -99, k}, GridPoint{0, 99, k}}) {
-      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
-      data.vertices.push_back(p);
-    }
-    data.first_corner.push_back(
-        static_cast<std::uint32_t>(data.corners.size()));
-    data.colors.push_back({static_cast<std::uint8_t>(k), 0, 0});
+    add_polygon(data, {{-99, -99, k}, {99, -99, k}, {0, 99, k}},
+                {static_cast<std::uint8_t>(k), 0, 0});
   }
-  return *make_scene(std::move(data));
+  return made(std::move(data));
 }
 
 /// A camera that looks along the stack, from its first or its last triangle.

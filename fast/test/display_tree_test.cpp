@@ -8,24 +8,10 @@
 #include <utility>
 
 #include "halfspace/fast/render.hpp"
+#include "scenes.hpp"
 
 namespace halfspace::fast {
 namespace {
-
-void add_triangle(SceneData& data, const GridPoint (&corners)[3]) {
-  for (const GridPoint& p : corners) {
-    data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
-    data.vertices.push_back(p);
-  }
-  data.first_corner.push_back(static_cast<std::uint32_t>(data.corners.size()));
-  data.colors.push_back({});
-}
-
-Scene made(SceneData data) {
-  Result<Scene> scene = make_scene(std::move(data));
-  EXPECT_TRUE(scene.has_value());
-  return std::move(scene).value();
-}
 
 /// `count` triangles strewn over a cube.
 Scene strewn(int count, std::int64_t size, int grid_bits) {
@@ -44,7 +30,7 @@ Scene strewn(int count, std::int64_t size, int grid_bits) {
     const auto near = [&](std::int64_t dx, std::int64_t dy) {
       return GridPoint{at.x + dx, at.y + dy, at.z + coordinate(0, size)};
     };
-    add_triangle(data, {near(0, 0), near(size, 0), near(0, size)});
+    add_polygon(data, {near(0, 0), near(size, 0), near(0, size)});
   }
   return made(std::move(data));
 }
@@ -87,7 +73,7 @@ TEST(DisplayTree, OfNothingHasNoNodes) {
 
 TEST(DisplayTree, OfOnePolygonIsALeaf) {
   SceneData data;
-  add_triangle(data, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  add_polygon(data, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   const BspTree tree = build_display_tree(made(std::move(data)));
   ASSERT_EQ(tree.nodes.size(), 1u);
   EXPECT_EQ(tree.nodes[0].splitter, kNoPlane);
@@ -98,7 +84,7 @@ TEST(DisplayTree, OfOnePolygonIsALeaf) {
 TEST(DisplayTree, IdenticalPolygonsAreOneNodesList) {
   SceneData data;
   for (int k = 0; k < 1000; ++k) {
-    add_triangle(data, {{0, 0, 3}, {100, 7, 50}, {9, 100, 0}});
+    add_polygon(data, {{0, 0, 3}, {100, 7, 50}, {9, 100, 0}});
   }
   const BspTree tree = build_display_tree(made(std::move(data)));
   ASSERT_EQ(tree.nodes.size(), 1u);
@@ -116,7 +102,7 @@ TEST(DisplayTree, PolygonsInAFreePlaneAreItsNodes) {
   SceneData data;
   for (std::int64_t z = 0; z < 64; ++z) {
     for (std::int64_t k = 0; k < 4; ++k) {
-      add_triangle(data, {{0, 0, z}, {500 + k, 0, z}, {0, 500, z}});
+      add_polygon(data, {{0, 0, z}, {500 + k, 0, z}, {0, 500, z}});
     }
   }
   const BspTree tree = build_display_tree(made(std::move(data)));
@@ -148,7 +134,7 @@ TEST(DisplayTree, ParallelPolygonsAreHardlyCut) {
     };
     const std::int64_t u = coordinate();
     const std::int64_t v = coordinate();
-    add_triangle(data, {at(u, v), at(u + 300'000, v), at(u, v + 300'000)});
+    add_polygon(data, {at(u, v), at(u + 300'000, v), at(u, v + 300'000)});
   }
   const BspTree tree = build_display_tree(made(std::move(data)));
   EXPECT_LT(tree.fragments.size(), 3010u);

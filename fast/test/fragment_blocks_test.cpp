@@ -11,6 +11,7 @@
 #include "exact_scan.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/tree_file.hpp"
+#include "scenes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -35,17 +36,9 @@ Scene strewn(int count, int grid_bits) {
                                       {at.x + size, at.y + size, at.z + k % 7},
                                       {at.x, at.y + size, at.z}};
     if (k % 3 != 0) corners.resize(3);
-    for (const GridPoint& p : corners) {
-      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
-      data.vertices.push_back(p);
-    }
-    data.first_corner.push_back(
-        static_cast<std::uint32_t>(data.corners.size()));
-    data.colors.push_back({});
+    add_polygon(data, corners);
   }
-  Result<Scene> scene = make_scene(std::move(data));
-  EXPECT_TRUE(scene.has_value());
-  return std::move(scene).value();
+  return made(std::move(data));
 }
 
 BspTree tree_of(const Scene& scene) {

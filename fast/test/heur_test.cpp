@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "halfspace/fast/build.hpp"
+#include "scenes.hpp"
 
 /// HEUR's theorems (S3), at sizes that the reference does not reach.
 namespace halfspace::fast {
@@ -16,53 +18,37 @@ constexpr RootRule kRules[] = {
     RootRule::kH1,    RootRule::kH2,     RootRule::kH3,
     RootRule::kH4,    RootRule::kH5,     RootRule::kH6};
 
-class Polygons {
- public:
-  void add(const std::vector<GridPoint>& corners) {
-    for (const GridPoint& p : corners) {
-      data_.corners.push_back(static_cast<VertexId>(data_.vertices.size()));
-      data_.vertices.push_back(p);
-    }
-    data_.first_corner.push_back(
-        static_cast<std::uint32_t>(data_.corners.size()));
-    data_.colors.push_back({});
-  }
-  Scene scene() const { return *make_scene(data_); }
-
- private:
-  SceneData data_;
-};
-
 Scene theorem_1(std::int64_t m) {
-  Polygons all;
+  SceneData all;
   for (std::int64_t i = 1; i <= m; ++i) {
-    all.add({{0, 0, i}, {1, 0, i}, {1, m + 2, i}, {0, m + 2, i}});
+    add_polygon(all, {{0, 0, i}, {1, 0, i}, {1, m + 2, i}, {0, m + 2, i}});
   }
   for (std::int64_t j = 1; j <= m; ++j) {
-    all.add({{2, j, 0}, {3, j, 0}, {3, j, m + 1}, {2, j, m + 1}});
+    add_polygon(all, {{2, j, 0}, {3, j, 0}, {3, j, m + 1}, {2, j, m + 1}});
   }
-  return all.scene();
+  return made(std::move(all));
 }
 
 Scene theorem_2(std::int64_t m) {
-  Polygons all;
-  all.add({{m + 1, 2 * m + 1, 0},
-           {m + 1, 2 * m + 1, 2 * m + 6},
-           {m - 1, 2 * m + 5, 2 * m + 6},
-           {m - 1, 2 * m + 5, 0}});
+  SceneData all;
+  add_polygon(all, {{m + 1, 2 * m + 1, 0},
+                    {m + 1, 2 * m + 1, 2 * m + 6},
+                    {m - 1, 2 * m + 5, 2 * m + 6},
+                    {m - 1, 2 * m + 5, 0}});
   for (std::int64_t j = 0; j < m; ++j) {
     const std::int64_t y = 2 * j + 2;
     const std::int64_t top = 2 * m + 2;
-    all.add({{2 * m, y, 0}, {3 * m, y, 0}, {3 * m, y, top}, {2 * m, y, top}});
+    add_polygon(
+        all, {{2 * m, y, 0}, {3 * m, y, 0}, {3 * m, y, top}, {2 * m, y, top}});
   }
   const std::int64_t end = 2 * m - 1;
-  all.add({{0, 0, 1}, {m, 0, 1}, {m, end, 1}, {0, end, 1}});
+  add_polygon(all, {{0, 0, 1}, {m, 0, 1}, {m, end, 1}, {0, end, 1}});
   for (std::int64_t i = 0; i < m; ++i) {
     const std::int64_t z = 2 * i + 2;
     const std::int64_t far = 2 * m + 4;
-    all.add({{0, 0, z}, {m, 0, z}, {m, far, z}, {0, far, z}});
+    add_polygon(all, {{0, 0, z}, {m, 0, z}, {m, far, z}, {0, far, z}});
   }
-  return all.scene();
+  return made(std::move(all));
 }
 
 TEST(Heur, Theorem1HoldsForEveryRuleAndOrder) {
@@ -143,18 +129,18 @@ TEST(Heur, WithoutCyclesH1AndH3MakeNoSplit) {
     return static_cast<std::int64_t>(random() %
                                      static_cast<std::uint64_t>(size));
   };
-  Polygons all;
+  SceneData all;
   for (int k = 0; k < 400; ++k) {
     const GridPoint p = {coordinate(1000), coordinate(1000), coordinate(1000)};
-    all.add({p,
-             {p.x + 90, p.y, p.z + coordinate(90)},
-             {p.x, p.y + 90, p.z + coordinate(90)}});
+    add_polygon(all, {p,
+                      {p.x + 90, p.y, p.z + coordinate(90)},
+                      {p.x, p.y + 90, p.z + coordinate(90)}});
   }
-  const Scene every = all.scene();
+  const Scene every = made(all);
   FilterStats decisions;
   Acyclic graph;
   std::vector<PolygonId> taken;
-  Polygons some;
+  SceneData some;
   for (PolygonId p = 0; p < 400; ++p) {
     std::vector<std::size_t> cut_by;
     std::vector<std::size_t> cuts;
@@ -173,12 +159,12 @@ TEST(Heur, WithoutCyclesH1AndH3MakeNoSplit) {
     taken.push_back(p);
     std::vector<GridPoint> corners;
     for (const VertexId v : every.corners(p)) corners.push_back(every.point(v));
-    some.add(corners);
+    add_polygon(some, corners);
   }
   EXPECT_GT(taken.size(), 15u);
   EXPECT_GT(graph.edges(), 50u);
   for (const RootRule rule : {RootRule::kH1, RootRule::kH3}) {
-    const TreeStats found = stats(build(some.scene(), {rule}));
+    const TreeStats found = stats(build(made(some), {rule}));
     EXPECT_EQ(found.nodes, taken.size());
     EXPECT_EQ(found.splits, 0u);
   }

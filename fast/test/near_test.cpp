@@ -6,6 +6,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "scenes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -20,17 +21,11 @@ Scene side_by_side() {
   for (std::int64_t k = 0; k < kCount; ++k) {
     const std::int64_t x = (8 * k - 32) * kDepth / 64;
     const std::int64_t width = 8 * kDepth / 64;
-    for (const GridPoint& p :
-         {GridPoint{x, -width, kDepth + k}, GridPoint{x + width, 0, kDepth + k},
-          GridPoint{x, width, kDepth + k}}) {
-      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
-      data.vertices.push_back(p);
-    }
-    data.first_corner.push_back(
-        static_cast<std::uint32_t>(data.corners.size()));
-    data.colors.push_back({});
+    add_polygon(data, {{x, -width, kDepth + k},
+                       {x + width, 0, kDepth + k},
+                       {x, width, kDepth + k}});
   }
-  return *make_scene(std::move(data));
+  return made(std::move(data));
 }
 
 CameraData camera_of(std::int64_t size, std::int64_t depth) {
@@ -119,12 +114,9 @@ TEST(FastRender, PixelsAreCountedWithoutImages) {
 // The centre sees 1/2 - start / (2^38 + 2^8) of the second corner's colour.
 TEST(FastRender, AColorIsNotRoundedUpAHairBelowAHalf) {
   SceneData data;
-  data.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  data.corners = {0, 1, 2};
-  data.first_corner.push_back(3);
-  data.colors.push_back({});
+  add_polygon(data, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   data.corner_colors = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
-  const Scene scene = *make_scene(std::move(data));
+  const Scene scene = made(std::move(data));
   for (const int start : {-1, 0, 1}) {
     CameraData camera;
     camera.perspective = false;
@@ -145,18 +137,12 @@ TEST(FastRender, AColorIsNotRoundedUpAHairBelowAHalf) {
 TEST(FastRender, CountsWhatThisImageTook) {
   SceneData data;
   for (const std::int64_t depth : {kDepth, 2 * kDepth}) {
-    for (const GridPoint& p :
-         {GridPoint{-kDepth, -kDepth, depth}, GridPoint{kDepth, -kDepth, depth},
-          GridPoint{kDepth, kDepth, depth},
-          GridPoint{-kDepth, kDepth, depth}}) {
-      data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
-      data.vertices.push_back(p);
-    }
-    data.first_corner.push_back(
-        static_cast<std::uint32_t>(data.corners.size()));
-    data.colors.push_back({});
+    add_polygon(data, {{-kDepth, -kDepth, depth},
+                       {kDepth, -kDepth, depth},
+                       {kDepth, kDepth, depth},
+                       {-kDepth, kDepth, depth}});
   }
-  const Scene scene = *make_scene(std::move(data));
+  const Scene scene = made(std::move(data));
   const BspTree tree = build(scene, {});
   const Camera camera = *make_camera(camera_of(65536 * 256 / 64, 65536), 26);
   RenderOptions part;

@@ -10,6 +10,24 @@
 
 namespace halfspace::fast {
 
+/// Adds a polygon whose corners are vertices of its own.
+inline void add_polygon(SceneData& data, const std::vector<GridPoint>& corners,
+                        const Rgb& color = {}) {
+  for (const GridPoint& p : corners) {
+    data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
+    data.vertices.push_back(p);
+  }
+  data.first_corner.push_back(static_cast<std::uint32_t>(data.corners.size()));
+  data.colors.push_back(color);
+}
+
+/// The scene. Requires: it is valid.
+inline Scene made(SceneData data) {
+  Result<Scene> scene = make_scene(std::move(data));
+  EXPECT_TRUE(scene) << scene.error().message;
+  return *std::move(scene);
+}
+
 /// A solid of polygons, each the numbers of its corners.
 inline Solid solid_of(const std::vector<GridPoint>& vertices,
                       const std::vector<std::vector<VertexId>>& polygons) {
@@ -22,9 +40,7 @@ inline Solid solid_of(const std::vector<GridPoint>& vertices,
         static_cast<std::uint32_t>(data.corners.size()));
     data.colors.push_back({});
   }
-  auto scene = make_scene(std::move(data));
-  EXPECT_TRUE(scene) << scene.error().message;
-  auto solid = make_solid(*std::move(scene));
+  auto solid = make_solid(made(std::move(data)));
   EXPECT_TRUE(solid) << solid.error().message;
   return to_solid(*solid);
 }

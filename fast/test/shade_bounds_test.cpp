@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel.hpp"
+#include "scenes.hpp"
 #include "screen.hpp"
 #include "shader.hpp"
 #include "view.hpp"
@@ -218,10 +219,7 @@ struct Shot {
       return LatticeVector{p.x, p.y, p.z};
     };
     SceneData data;
-    data.vertices = {point(0x1p24), point(0x1p24), point(0x1p24)};
-    data.corners = {0, 1, 2};
-    data.first_corner.push_back(3);
-    data.colors.push_back({});
+    add_polygon(data, {point(0x1p24), point(0x1p24), point(0x1p24)});
     data.corner_colors = {{255, 0, 0}, {0, 255, 0}, {100, 0, 255}};
     scene = make_scene(std::move(data));
     CameraData seen;

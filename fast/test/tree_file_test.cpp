@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "halfspace/fast/display_tree.hpp"
+#include "scenes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -19,22 +20,10 @@ Scene walls(std::int64_t count, std::int64_t at) {
   SceneData data;
   for (std::int64_t k = 0; k < count; ++k) {
     const std::int64_t x = 10 * k + at;
-    const GridPoint corners[2][3] = {
-        {{x, -500, -500}, {x + 1, 500, -500}, {x, 0, 500}},
-        {{-500, x, -500}, {500, x + 1, -500}, {0, x, 500}}};
-    for (const auto& triangle : corners) {
-      for (const GridPoint& p : triangle) {
-        data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
-        data.vertices.push_back(p);
-      }
-      data.first_corner.push_back(
-          static_cast<std::uint32_t>(data.corners.size()));
-      data.colors.push_back({});
-    }
+    add_polygon(data, {{x, -500, -500}, {x + 1, 500, -500}, {x, 0, 500}});
+    add_polygon(data, {{-500, x, -500}, {500, x + 1, -500}, {0, x, 500}});
   }
-  Result<Scene> scene = make_scene(std::move(data));
-  EXPECT_TRUE(scene.has_value());
-  return std::move(scene).value();
+  return made(std::move(data));
 }
 
 BspTree tree_of(const Scene& scene) {

@@ -9,6 +9,7 @@
 #include "depth.hpp"
 #include "drawer.hpp"
 #include "noisy.hpp"
+#include "scenes.hpp"
 #include "screen.hpp"
 #include "view.hpp"
 
@@ -183,11 +184,8 @@ class Fixture {
  private:
   static Scene one_triangle() {
     SceneData data;
-    data.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    data.corners = {0, 1, 2};
-    data.first_corner.push_back(3);
-    data.colors.push_back({});
-    return *make_scene(std::move(data));
+    add_polygon(data, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    return made(std::move(data));
   }
 
   Scene scene_;
