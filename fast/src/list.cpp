@@ -6,16 +6,10 @@
 #include <mutex>
 #include <new>
 
+#include "sanitized.hpp"
+
 #if defined(__linux__)
 #include <sys/mman.h>
-#endif
-
-#if defined(__SANITIZE_ADDRESS__)
-#define HALFSPACE_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer)
-#define HALFSPACE_SANITIZED 1
-#endif
 #endif
 
 namespace halfspace::fast {
@@ -104,13 +98,8 @@ Spare& spare() {
 /// What is shorter is left to the allocator, which keeps it, too. Sanitizers
 /// are to see what is used after it was given back.
 bool is_kept(std::size_t bytes) {
-#ifdef HALFSPACE_SANITIZED
-  static_cast<void>(bytes);
-  return false;
-#else
   constexpr std::size_t kShort = std::size_t{1} << 16;
-  return bytes >= kShort && bytes <= Spare::kMost / 2;
-#endif
+  return !kSanitized && bytes >= kShort && bytes <= Spare::kMost / 2;
 }
 
 /// Few sizes, so that what is given back fits: eight for each power of two, or

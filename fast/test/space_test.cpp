@@ -7,13 +7,11 @@
 #include <cstdint>
 #include <random>
 #include <set>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "box_tree.hpp"
 #include "face_index.hpp"
-#include "halfspace/fast/list.hpp"
 #include "near_cells.hpp"
 
 namespace halfspace::fast {
@@ -163,37 +161,6 @@ TEST(FaceIndex, FindsWhatIsThere) {
   }
   EXPECT_GT(gone.size(), 200u);
   EXPECT_GT(found_in_all, 50000u);
-}
-
-/// Lists of all lengths come and go, each full of its own number.
-void expect_lists_apart(std::uint32_t own) {
-  std::mt19937_64 random(own);
-  std::vector<List<std::uint32_t>> lists(6);
-  std::vector<std::uint32_t> numbers(lists.size());
-  for (int step = 0; step < 60; ++step) {
-    const std::size_t at = random() % lists.size();
-    for (const std::uint32_t number : {0u, 1u}) {
-      // The ends, and here and there between.
-      for (std::size_t i = 0; i < lists[at].size();
-           i += std::max<std::size_t>(1, lists[at].size() / 7 + number))
-        ASSERT_EQ(lists[at][i], numbers[at]);
-    }
-    // From 64 KiB, where they are kept, to large pages; seldom too long a one.
-    const std::size_t length =
-        own == 0 && step == 30
-            ? std::size_t{17} << 20
-            : (std::size_t{1} << 12) << random() % 9 | random() % 4096;
-    numbers[at] = own + 16 * static_cast<std::uint32_t>(step);
-    List<std::uint32_t>().swap(lists[at]);
-    lists[at].assign(length, numbers[at]);
-  }
-}
-
-TEST(List, HasMemoryOfItsOwn) {
-  std::vector<std::thread> threads;
-  for (std::uint32_t own = 0; own < 4; ++own)
-    threads.emplace_back(expect_lists_apart, own);
-  for (std::thread& thread : threads) thread.join();
 }
 
 TEST(Space, PointsAddedTogetherAreThoseAddedAlone) {

@@ -1,0 +1,79 @@
+#include "halfspace/fast/list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "sanitized.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// Lists of all lengths come and go, each full of its own number.
+void expect_lists_apart(std::uint32_t own) {
+  std::mt19937_64 random(own);
+  std::vector<List<std::uint32_t>> lists(6);
+  std::vector<std::uint32_t> numbers(lists.size());
+  for (int step = 0; step < 60; ++step) {
+    const std::size_t at = random() % lists.size();
+    for (const std::uint32_t number : {0u, 1u}) {
+      // The ends, and here and there between.
+      for (std::size_t i = 0; i < lists[at].size();
+           i += std::max<std::size_t>(1, lists[at].size() / 7 + number))
+        ASSERT_EQ(lists[at][i], numbers[at]);
+    }
+    // From 64 KiB, where they are kept, to large pages; seldom too long a one.
+    const std::size_t length =
+        own == 0 && step == 30
+            ? std::size_t{17} << 20
+            : (std::size_t{1} << 12) << random() % 9 | random() % 4096;
+    numbers[at] = own + 16 * static_cast<std::uint32_t>(step);
+    List<std::uint32_t>().swap(lists[at]);
+    lists[at].assign(length, numbers[at]);
+  }
+}
+
+TEST(List, HasMemoryOfItsOwn) {
+  std::vector<std::thread> threads;
+  for (std::uint32_t own = 0; own < 4; ++own)
+    threads.emplace_back(expect_lists_apart, own);
+  for (std::thread& thread : threads) thread.join();
+}
+
+/// Under sanitizers nothing is kept, so that they see what is used too late.
+TEST(List, GivesBackWhatTheNextOneTakes) {
+  if (kSanitized) return;
+  constexpr std::size_t kShortest = std::size_t{1} << 16;
+  constexpr std::size_t kLongest = std::size_t{1} << 26;
+  std::vector<void*> other;
+  for (std::size_t bytes = kShortest; bytes <= kLongest; bytes *= 2) {
+    void* const memory = allocate_list(bytes);
+    // What else is free of that size shall not be what is found.
+    other.push_back(allocate_list(bytes));
+    free_list(memory, bytes);
+    EXPECT_EQ(allocate_list(bytes), memory) << bytes;
+    free_list(memory, bytes);
+    free_list(other.back(), bytes);
+    // The last that was given back is the first to be taken.
+    EXPECT_EQ(allocate_list(bytes), other.back()) << bytes;
+    free_list(other.back(), bytes);
+  }
+}
+
+TEST(List, BeginsWithALargePageWhereItIsLong) {
+  constexpr std::size_t kPage = std::size_t{1} << 21;
+  for (const std::size_t bytes :
+       {kPage / 2, kPage - 1, kPage, 3 * kPage + 5, 32 * kPage, 40 * kPage}) {
+    void* const memory = allocate_list(bytes);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory) % kPage, 0u) << bytes;
+    std::fill_n(static_cast<char*>(memory), bytes, 'x');
+    free_list(memory, bytes);
+  }
+}
+
+}  // namespace
+}  // namespace halfspace::fast
