@@ -5,15 +5,6 @@
 
 namespace halfspace::io {
 
-std::string in_quotes(std::string_view token) {
-  constexpr std::size_t kLongest = 40;
-  std::string text = "'";
-  for (const char c : token.substr(0, kLongest)) {
-    text.push_back(c >= ' ' && c <= '~' ? c : '?');
-  }
-  return text + (token.size() > kLongest ? "...'" : "'");
-}
-
 bool is_word(std::string_view token, std::string_view lower) {
   return std::equal(token.begin(), token.end(), lower.begin(), lower.end(),
                     [](char a, char b) {

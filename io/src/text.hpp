@@ -8,12 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "halfspace/message.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::io {
-
-/// A token as it may stand in a message: short, and printable ASCII only.
-std::string in_quotes(std::string_view token);
 
 /// Whether the two are equal but for the case of letters.
 /// Requires: `lower` is lower case.

@@ -9,14 +9,6 @@ namespace {
 
 using samples::expect_error;
 
-TEST(Text, QuotesAreShortAndPrintable) {
-  EXPECT_EQ(in_quotes(""), "''");
-  EXPECT_EQ(in_quotes(" ~a\x1f\x7f\xff\n"), "' ~a" + std::string(4, '?') + "'");
-  const std::string forty(40, 'x');
-  EXPECT_EQ(in_quotes(forty), "'" + forty + "'");
-  EXPECT_EQ(in_quotes(forty + "y"), "'" + forty + "...'");
-}
-
 TEST(Text, WordsDifferByLettersAlone) {
   EXPECT_TRUE(is_word("AZaz1@[`{", "azaz1@[`{"));
   EXPECT_TRUE(is_word("", ""));

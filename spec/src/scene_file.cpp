@@ -46,7 +46,7 @@ class Reader : private TokenLines {
 bool Reader::once(bool& seen) {
   if (seen) {
     return fail(ErrorCode::kSyntax,
-                "there is a second " + quoted(tokens_[0]) + " line");
+                "there is a second " + in_quotes(tokens_[0]) + " line");
   }
   seen = true;
   return true;
@@ -61,7 +61,7 @@ bool Reader::header_line(std::string_view keyword, std::size_t values) {
   }
   if (tokens_[0] != keyword) {
     return fail(ErrorCode::kSyntax, "there should be '" + std::string(keyword) +
-                                        "', not " + quoted(tokens_[0]));
+                                        "', not " + in_quotes(tokens_[0]));
   }
   return count_is(values);
 }
@@ -70,13 +70,13 @@ bool Reader::header() {
   if (!header_line(kMagic, 1)) return false;
   if (tokens_[1] != kVersion) {
     return fail(ErrorCode::kSyntax,
-                "version " + quoted(tokens_[1]) + " is not known");
+                "version " + in_quotes(tokens_[1]) + " is not known");
   }
   if (!header_line("unit", 2)) return false;
   if (!integer(1, 2, 10, scene_.unit.base)) return false;
   if (scene_.unit.base != 2 && scene_.unit.base != 10) {
     return fail(ErrorCode::kOutOfRange,
-                "the base of a unit is 2 or 10, not " + quoted(tokens_[1]));
+                "the base of a unit is 2 or 10, not " + in_quotes(tokens_[1]));
   }
   if (!integer(2, -4096, 4096, scene_.unit.exponent)) return false;
   if (!header_line("grid", 1)) return false;
@@ -84,7 +84,7 @@ bool Reader::header() {
   if (std::count(std::begin(kGridBits), std::end(kGridBits),
                  scene_.grid_bits) == 0) {
     return fail(ErrorCode::kOutOfRange,
-                "a grid has 26, 40 or 54 bits, not " + quoted(tokens_[1]));
+                "a grid has 26, 40 or 54 bits, not " + in_quotes(tokens_[1]));
   }
   return true;
 }
@@ -146,11 +146,11 @@ bool Reader::polygon() {
     VertexId vertex = 0;
     if (!is_integer(tokens_[token])) {
       return fail(ErrorCode::kSyntax,
-                  quoted(tokens_[token]) + " is not a vertex, nor 'color'");
+                  in_quotes(tokens_[token]) + " is not a vertex, nor 'color'");
     }
     if (!integer(token, 0, vertices - 1, vertex)) {
       return fail(ErrorCode::kBadIndex,
-                  "there is no vertex " + quoted(tokens_[token]) +
+                  "there is no vertex " + in_quotes(tokens_[token]) +
                       " above, only " + to_string(vertices) + " vertices");
     }
     scene_.corners.push_back(vertex);
@@ -215,7 +215,7 @@ bool Reader::option_line() {
   if (!once(seen_.shade) || !count_is(1)) return false;
   if (tokens_[1] != "flat" && tokens_[1] != "gouraud") {
     return fail(ErrorCode::kSyntax,
-                "shading is 'flat' or 'gouraud', not " + quoted(tokens_[1]));
+                "shading is 'flat' or 'gouraud', not " + in_quotes(tokens_[1]));
   }
   options_.shading = tokens_[1] == "flat" ? Shading::kFlat : Shading::kGouraud;
   return true;
@@ -231,7 +231,7 @@ bool Reader::body_line() {
     return camera_line();
   }
   if (is_one_of({"cull", "shade", "background"})) return option_line();
-  return fail(ErrorCode::kSyntax, quoted(tokens_[0]) + " is no keyword");
+  return fail(ErrorCode::kSyntax, in_quotes(tokens_[0]) + " is no keyword");
 }
 
 /// Whether the camera is there as a whole, or not at all.

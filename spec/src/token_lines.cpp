@@ -4,15 +4,6 @@
 
 namespace halfspace {
 
-std::string quoted(std::string_view token) {
-  constexpr std::size_t kLongest = 40;
-  std::string text = "'";
-  for (const char c : token.substr(0, kLongest)) {
-    text.push_back(c >= ' ' && c <= '~' ? c : '?');
-  }
-  return text + (token.size() > kLongest ? "...'" : "'");
-}
-
 bool is_integer(std::string_view token) {
   if (!token.empty() && (token[0] == '-' || token[0] == '+')) {
     token.remove_prefix(1);
@@ -57,10 +48,10 @@ bool TokenLines::integer(std::size_t token, Int128 least, Int128 most,
                          Int128& value) {
   const std::string_view text = tokens_[token];
   if (!is_integer(text)) {
-    return fail(ErrorCode::kSyntax, quoted(text) + " is not an integer");
+    return fail(ErrorCode::kSyntax, in_quotes(text) + " is not an integer");
   }
   if (!parse_int128(text, value) || value < least || value > most) {
-    return fail(ErrorCode::kOutOfRange, quoted(text) + " is not from " +
+    return fail(ErrorCode::kOutOfRange, in_quotes(text) + " is not from " +
                                             to_string(least) + " to " +
                                             to_string(most));
   }
@@ -69,10 +60,11 @@ bool TokenLines::integer(std::size_t token, Int128 least, Int128 most,
 
 bool TokenLines::count_is(std::size_t values) {
   if (tokens_.size() == values + 1) return true;
-  return fail(ErrorCode::kSyntax,
-              quoted(tokens_[0]) + " is followed by " + std::to_string(values) +
-                  (values == 1 ? " value" : " values") + ", not " +
-                  std::to_string(tokens_.size() - 1));
+  return fail(ErrorCode::kSyntax, in_quotes(tokens_[0]) + " is followed by " +
+                                      std::to_string(values) +
+                                      (values == 1 ? " value" : " values") +
+                                      ", not " +
+                                      std::to_string(tokens_.size() - 1));
 }
 
 }  // namespace halfspace

@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "halfspace/int128.hpp"
+#include "halfspace/message.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace {
-
-/// A token as it may stand in a message: short, and printable ASCII only.
-std::string quoted(std::string_view token);
 
 /// Whether a token has a digit, only digits, and perhaps a sign before them.
 bool is_integer(std::string_view token);
