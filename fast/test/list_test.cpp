@@ -1,9 +1,12 @@
 #include "halfspace/fast/list.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <fstream>
 #include <random>
 #include <thread>
 #include <vector>
@@ -62,6 +65,36 @@ TEST(List, GivesBackWhatTheNextOneTakes) {
     EXPECT_EQ(allocate_list(bytes), other.back()) << bytes;
     free_list(other.back(), bytes);
   }
+}
+
+/// What this process has in memory.
+std::size_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t all = 0;
+  std::size_t resident = 0;
+  file >> all >> resident;
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+TEST(List, KeepsNoMoreThanItSays) {
+  if (kSanitized) return;
+  constexpr std::size_t kMost = std::size_t{1} << 27;
+  constexpr std::size_t kEach = std::size_t{1} << 25;
+  const auto use_six = [] {
+    std::array<void*, 6> memory;
+    for (void*& m : memory) {
+      m = allocate_list(kEach);
+      std::fill_n(static_cast<char*>(m), kEach, 'x');
+    }
+    const std::size_t used = resident_bytes();
+    for (void* m : memory) free_list(m, kEach);
+    return used;
+  };
+  const std::size_t used = use_six();
+  const double given_back = double(used) - double(resident_bytes());
+  EXPECT_NEAR(given_back, double(6 * kEach - kMost), 0x1p20);
+  // What is kept is used: it takes no more than the first time.
+  EXPECT_LT(use_six(), used + kEach);
 }
 
 TEST(List, BeginsWithALargePageWhereItIsLong) {
