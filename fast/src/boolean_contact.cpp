@@ -226,19 +226,15 @@ void Contact::meet_edge(std::size_t o, std::int32_t id) {
 
 /// The points at which either face meets the other.
 void Contact::report_cuts() {
-  State before = start_;
   for (const Mark& mark : marks_) {
     for (std::size_t o = 0; o < 2; ++o) {
-      const std::size_t p = 1 - o;
-      if (!mark.present[o] || !mark.has(p)) continue;
+      if (!mark.present[o] || !mark.has(1 - o)) continue;
       if (mark.edge[o] < 0) {
         put_on_other(o, mark.vertex);
-        continue;
+      } else {
+        cut(o, mark.edge[o], mark.vertex);
       }
-      const bool through = !mark.present[p] && before[p][0] && before[p][1];
-      cut(o, mark.edge[o], mark.vertex, through);
     }
-    before = mark.after;
   }
 }
 
@@ -253,7 +249,7 @@ void Contact::report_along(std::size_t o, std::int32_t id,
   const bool reversed = marks_[first].vertex == edge.high;
   for (std::size_t i = first; i < last; ++i) {
     const Mark& mark = marks_[i];
-    if (i > first && mark.has(p)) cut(o, id, mark.vertex, /*through=*/false);
+    if (i > first && mark.has(p)) cut(o, id, mark.vertex);
     if (!mark.after[p][0] && !mark.after[p][1]) continue;
     Cover cover{id, mark.vertex, marks_[i + 1].vertex, faces_[p]};
     if (reversed) std::swap(cover.low, cover.high);
@@ -266,12 +262,11 @@ void Contact::report_along(std::size_t o, std::int32_t id,
   }
 }
 
-void Contact::cut(std::size_t o, std::int32_t edge, std::int32_t vertex,
-                  bool through) {
+void Contact::cut(std::size_t o, std::int32_t edge, std::int32_t vertex) {
   operands_[o]->touched[static_cast<std::size_t>(faces_[o])] = 1;
   operands_[1 - o]->touched[static_cast<std::size_t>(faces_[1 - o])] = 1;
   if (operands_[o]->edge(edge).owner == faces_[o])
-    operands_[o]->cuts.push_back({edge, vertex, faces_[1 - o], through});
+    operands_[o]->cuts.push_back({edge, vertex, faces_[1 - o]});
 }
 
 void Contact::put_on_other(std::size_t o, std::int32_t vertex) {

@@ -93,7 +93,7 @@ class Contact {
   void meet_edge(std::size_t o, std::int32_t edge);
   void report_cuts();
   void report_along(std::size_t o, std::int32_t edge, bool positive_is_left);
-  void cut(std::size_t o, std::int32_t edge, std::int32_t vertex, bool through);
+  void cut(std::size_t o, std::int32_t edge, std::int32_t vertex);
   void put_on_other(std::size_t o, std::int32_t vertex);
 
   std::array<Operand*, 2> operands_;

@@ -94,7 +94,8 @@ void Engine::sort_records(std::size_t o) {
   index(operand.covers, first_cover_[o]);
 }
 
-/// What an edge meets is reported by one of its faces: it touches them all.
+/// What an edge meets is reported by one of its faces: it touches them all. A
+/// face that lies within another in its plane may be told so by this alone.
 void Engine::mark_touched(std::size_t o) {
   const Operand& operand = operands_[o];
   for (std::size_t e = 0; e < operand.edges.size(); ++e) {
@@ -253,12 +254,13 @@ void Engine::find_points(std::size_t o, std::int32_t id) {
 }
 
 /// Whether the part of the edge from the cut `at` to `towards` is inside, if
-/// the edge passes through the interior of just one face there.
+/// the edge meets just one face there. It passes through that one's interior:
+/// at an edge or a vertex of the other solid it would meet more.
 std::optional<bool> Engine::crossing_tells(std::size_t o, std::int32_t edge,
                                            std::int32_t at,
                                            std::int32_t towards) const {
   const auto cuts = cuts_at(o, edge, at);
-  if (cuts.size() != 1 || !cuts[0].through) return std::nullopt;
+  if (cuts.size() != 1) return std::nullopt;
   const Face& face = operands_[1 - o].face(cuts[0].face);
   const int side = space_.side(face.plane, towards);
   return face.turned ? side > 0 : side < 0;

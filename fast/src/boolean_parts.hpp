@@ -45,7 +45,6 @@ struct Cut {
   std::int32_t edge = 0;
   std::int32_t vertex = 0;
   std::int32_t face = 0;
-  bool through = false;  ///< it passes through the face's interior there
 };
 
 /// A part of an edge that lies in a face of the other operand.
