@@ -46,12 +46,15 @@ class LoopWalk {
       std::size_t at = start;
       while (true) {
         Piece whole = pieces_[at];
+        std::int32_t from = whole.from;  // of the last piece of it
         used_[at] = 1;
         at = next(at);
         // There is one that goes on, and not back to where this one began (a
         // run may be a loop), unless an operand is no solid (S6.2).
-        while (at != pieces_.size() && is_straight(whole.to)) {
+        while (at != pieces_.size() &&
+               hubs_.goes_straight(from, whole.to, pieces_[at].to)) {
           used_[at] = 1;
+          from = pieces_[at].from;
           whole.to = pieces_[at].to;
           whole.other = std::max(whole.other, pieces_[at].other);
           at = next(at);

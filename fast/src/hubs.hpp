@@ -51,6 +51,14 @@ class Hubs {
   bool is_straight(std::int32_t v) const {
     return any_ && states_[places_.find(v)] == kStraight;
   }
+  /// Whether the vertex is, and the edges there are from the one end and to the
+  /// other. Of a closed surface no others are.
+  /// Requires: as is_straight().
+  bool goes_straight(std::int32_t from, std::int32_t v, std::int32_t to) const {
+    if (!is_straight(v)) return false;
+    const auto& [s, t] = pairs_[ends_[places_.find(v)].pair()].spokes;
+    return (s.end == from && t.end == to) || (s.end == to && t.end == from);
+  }
 
  private:
   enum State : std::uint8_t { kFew, kMore, kAsked, kStraight };

@@ -16,6 +16,7 @@
 #include "halfspace/fast/export.hpp"
 #include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/repair.hpp"
+#include "space.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -129,9 +130,27 @@ Solid nonsense(std::uint64_t seed, const Solid* with = nullptr) {
   return surface.solid(with);
 }
 
+/// Whether both planes of every edge hold its ends.
+bool is_held(const Solid& solid) {
+  const auto is_in = [&](std::int32_t v, std::int32_t plane) {
+    return plane < 0 || solid.space->side(plane, v) == 0;
+  };
+  for (const Face& face : solid.faces) {
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      const SolidEdge& edge = solid.edges[face.first_edge + i];
+      for (const std::int32_t v : {edge.from, edge.to}) {
+        if (!is_in(v, face.plane) || !is_in(v, edge.other)) return false;
+      }
+    }
+  }
+  return true;
+}
+
 TEST(FastNonsense, EveryBooleanOfClosedSurfacesEnds) {
   std::size_t refused = 0, open = 0;
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  // Of the last one an open surface is merged.
+  for (std::uint64_t i = 1; i <= 150; ++i) {
+    const std::uint64_t seed = i < 150 ? i : 20254;
     SCOPED_TRACE("seed " + std::to_string(seed));
     Solid a = nonsense(seed);
     Solid b = nonsense(seed + 7000, &a);
@@ -153,11 +172,12 @@ TEST(FastNonsense, EveryBooleanOfClosedSurfacesEnds) {
       const Result<Done> said = check_operand(result);
       EXPECT_TRUE(said || !said.error().message.empty());
       const Solid least = merged(result, Merge::kPlane);
+      EXPECT_TRUE(is_held(result) && is_held(least));
       if (is_closed) exported(least, {.triangles = true});
-      boolean(operation, least, b);
+      EXPECT_TRUE(is_held(boolean(operation, least, b)));
       Chain chain(result);
       chain.apply(operation, b);
-      chain.solid();
+      EXPECT_TRUE(is_held(chain.solid()));
     }
     symmetric_difference(a, b);
     split(a, {GridPoint{0, 0, 1}, GridPoint{1, 0, 1}, GridPoint{0, 1, 2}});
