@@ -3,7 +3,8 @@ add_library(halfspace_agree_scenes
   ${CMAKE_CURRENT_LIST_DIR}/agree_scenes.cpp
   ${CMAKE_CURRENT_LIST_DIR}/agree_solids.cpp)
 halfspace_target(halfspace_agree_scenes)
-target_link_libraries(halfspace_agree_scenes PUBLIC halfspace::spec)
+target_link_libraries(halfspace_agree_scenes PUBLIC halfspace::fast
+                                                    halfspace::spec)
 
 foreach(stem IN ITEMS agree_blend agree_boolean agree_boolean_shadow
                 agree_display_tree agree_image

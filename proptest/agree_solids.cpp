@@ -5,6 +5,8 @@
 #include <map>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/solid.hpp"
 
 namespace halfspace::agree {
 namespace {
@@ -138,6 +140,58 @@ void add_box(const GridPoint& low, const GridPoint& high, bool inwards,
   }
 }
 
+/// A wedge between two corners, of one edge of which nothing is left but where
+/// it stands, at `foot` along the axis after the next one.
+void add_wedge(const GridPoint& low, const GridPoint& high, int axis,
+               std::int64_t foot, std::vector<Polygon>& polygons) {
+  const auto at = [&](int end, int corner) {
+    std::array<std::int64_t, 3> l{low.x, low.y, low.z};
+    std::array<std::int64_t, 3> h{high.x, high.y, high.z};
+    const auto k = static_cast<std::size_t>(axis);
+    const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+    std::array<std::int64_t, 3> c{};
+    c[k] = end == 0 ? l[k] : h[k];
+    c[u] = corner == 0 ? l[u] : h[u];
+    c[v] = corner == 0 ? foot : corner == 1 ? l[v] : h[v];
+    return GridPoint{c[0], c[1], c[2]};
+  };
+  polygons.push_back({at(0, 2), at(0, 1), at(0, 0)});
+  polygons.push_back({at(1, 0), at(1, 1), at(1, 2)});
+  for (int corner = 0; corner < 3; ++corner) {
+    const int next = (corner + 1) % 3;
+    polygons.push_back(
+        {at(0, corner), at(0, next), at(1, next), at(1, corner)});
+  }
+}
+
+/// Boxes and wedges that do not overlap (S6.2), and so touch here and there.
+std::vector<Polygon> touching(Draws& draws) {
+  std::vector<Polygon> polygons;
+  const auto corner = [&] {
+    const std::int64_t x = draws.from_to(0, 3);
+    const std::int64_t y = draws.from_to(0, 3);
+    return GridPoint{x, y, draws.from_to(0, 3)};
+  };
+  for (int left = 2; left > 0;) {
+    const GridPoint low = corner();
+    const GridPoint high{low.x + draws.from_to(1, 3),
+                         low.y + draws.from_to(1, 3),
+                         low.z + draws.from_to(1, 3)};
+    std::vector<Polygon> more = polygons;
+    if (draws.one_in(2)) {
+      add_box(low, high, false, nullptr, more);
+    } else {
+      const int axis = static_cast<int>(draws.from_to(0, 2));
+      const std::int64_t from = axis == 0 ? low.z : axis == 1 ? low.x : low.y;
+      add_wedge(low, high, axis, from + draws.from_to(0, 1), more);
+    }
+    if (!fast::check_operand(fast::to_solid(solid_of(more)))) continue;
+    polygons = more;
+    --left;
+  }
+  return polygons;
+}
+
 }  // namespace
 
 Solid random_solid(SolidKind kind, std::int64_t scale, Draws& draws) {
@@ -157,6 +211,9 @@ Solid random_solid(SolidKind kind, std::int64_t scale, Draws& draws) {
       break;
     case SolidKind::kBox:
       add_box(low, high, false, &draws, polygons);
+      break;
+    case SolidKind::kTouching:
+      polygons = touching(draws);
       break;
     case SolidKind::kHollow:
       add_box({-1, -1, -1}, {draws.from_to(5, 7), 6, 7}, false, &draws,

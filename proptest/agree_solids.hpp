@@ -15,10 +15,11 @@ enum class SolidKind {
   kTetrahedra,  ///< one or two, side by side
   kBox,         ///< its faces in one or two polygons
   kHollow,      ///< a box in a box
+  kTouching,    ///< boxes and wedges that touch anywhere, not only at corners
 };
-constexpr SolidKind kSolidKinds[] = {SolidKind::kCubes, SolidKind::kSkewed,
-                                     SolidKind::kTetrahedra, SolidKind::kBox,
-                                     SolidKind::kHollow};
+constexpr SolidKind kSolidKinds[] = {
+    SolidKind::kCubes, SolidKind::kSkewed, SolidKind::kTetrahedra,
+    SolidKind::kBox,   SolidKind::kHollow, SolidKind::kTouching};
 
 /// A random solid in a small part of the grid, `scale` steps wide; of two of
 /// them many faces, edges and corners coincide.

@@ -64,25 +64,40 @@ Solid moved_to(const Solid& solid, const std::shared_ptr<Space>& space) {
 
 namespace {
 
+/// Of solids in one table.
 Solid carried_out(const Truth& truth, const Solid& a, const Solid& b,
                   int threads) {
-  if (a.space == b.space) return Engine(truth, a, b, *a.space, threads).run();
+  Engine engine(truth, a, b, *a.space, threads);
+  engine.find_contacts();
+  if (engine.has_nodes(0) && engine.has_nodes(1)) return engine.run();
+  const Solid first = engine.has_nodes(0) ? a : noded(a);
+  const Solid second = engine.has_nodes(1) ? b : noded(b);
+  Solid result = carried_out(truth, first, second, threads);
+  for (Face& face : result.faces) {
+    const Solid& from = face.from_first ? first : second;
+    if (!engine.has_nodes(face.from_first ? 0 : 1))
+      face.source = from.faces[static_cast<std::size_t>(face.source)].source;
+  }
+  return result;
+}
+
+Solid in_one_table(const Truth& truth, const Solid& a, const Solid& b,
+                   int threads) {
+  if (a.space == b.space) return carried_out(truth, a, b, threads);
   const auto space = std::make_shared<Space>(
       std::max(a.space->grid_bits(), b.space->grid_bits()));
-  const Solid first = moved_to(a, space);
-  const Solid second = moved_to(b, space);
-  return Engine(truth, first, second, *space, threads).run();
+  return carried_out(truth, moved_to(a, space), moved_to(b, space), threads);
 }
 
 }  // namespace
 
 Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
               int threads) {
-  return carried_out(truth_of(operation), a, b, threads);
+  return in_one_table(truth_of(operation), a, b, threads);
 }
 
 Solid symmetric_difference(const Solid& a, const Solid& b, int threads) {
-  return carried_out({false, true, true}, a, b, threads);
+  return in_one_table({false, true, true}, a, b, threads);
 }
 
 Halves split(const Solid& solid, const std::array<GridPoint, 3>& corners) {

@@ -16,6 +16,7 @@ Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
     : truth_(truth), threads_(threads), space_(space), notes_(space.notes()) {
   operands_[0].solid = &a;
   operands_[1].solid = &b;
+  is_noded_ = {is_known_noded(a), is_known_noded(b)};
 }
 
 Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
@@ -29,7 +30,6 @@ Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
 }
 
 Solid Engine::run() {
-  find_contacts();
   for (std::size_t o = 0; o < 2; ++o) {
     sort_records(o);
     mark_touched(o);
@@ -49,6 +49,9 @@ void Engine::find_contacts() {
   for (Operand& operand : operands_) add_edges(operand, space_);
   Contact contact(operands_[0], operands_[1], space_, traces_);
   for (const auto& [f, g] : pairs) contact.meet(f, g);
+  for (std::size_t o = 0; o < 2; ++o) {
+    has_nodes_[o] = is_noded_[o] || add_nodes(o, operands_, traces_, space_);
+  }
 }
 
 /// Drops the pairs of faces that have nothing in common, which are most. Only

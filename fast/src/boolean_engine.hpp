@@ -12,6 +12,7 @@
 #include "boolean_result.hpp"
 #include "boolean_truth.hpp"
 #include "boolean_wings.hpp"
+#include "noding.hpp"
 
 namespace halfspace::fast {
 
@@ -44,7 +45,14 @@ class Engine {
   /// Likewise if `a` is only a part.
   Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
          const Whole& whole);
+  /// Finds what the operands have in common.
+  void find_contacts();
+  /// Whether an operand has no part of an edge but at edges, where it meets the
+  /// other one (add_nodes()).
+  /// Requires: find_contacts() was called.
+  bool has_nodes(std::size_t o) const { return has_nodes_[o]; }
   /// The faces of the result, of one source each.
+  /// Requires: likewise, and both operands have nodes; else it may be wrong.
   Solid run();
   /// Of the result's edges.
   EdgeBlocks& blocks() { return result_blocks_; }
@@ -63,7 +71,6 @@ class Engine {
     bool inside = false;
   };
 
-  void find_contacts();
   void drop_apart(std::vector<std::pair<std::int32_t, std::int32_t>>& pairs);
   Solid result();
   void sort_records(std::size_t o);
@@ -136,6 +143,8 @@ class Engine {
   Space& space_;
   Notes& notes_;
   std::array<Operand, 2> operands_;
+  std::array<bool, 2> is_noded_{};   ///< known to be, all over
+  std::array<bool, 2> has_nodes_{};  ///< where the operands meet
   std::vector<Trace> traces_;
   /// By edge: where its cuts and covers begin.
   std::array<std::vector<std::uint32_t>, 2> first_cut_, first_cover_;

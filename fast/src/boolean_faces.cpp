@@ -24,6 +24,7 @@ Solid Engine::result() {
   Solid result;
   result.unit = operands_[0].solid->unit;
   result.space = operands_[0].solid->space;
+  result.is_noded = is_noded_[0] && is_noded_[1];
   result.unbounded =
       truth_(operands_[0].solid->unbounded, operands_[1].solid->unbounded);
   notes_.pinned.forget();

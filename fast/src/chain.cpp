@@ -27,7 +27,7 @@ void append(const Solid& from, const Face& face, Solid& to) {
 }
 
 Solid without_faces(const Solid& solid) {
-  return {{}, {}, solid.unbounded, solid.unit, solid.space};
+  return {{}, {}, solid.unbounded, solid.unit, solid.space, solid.is_noded};
 }
 
 /// A solid with some of the faces of another.
@@ -55,6 +55,7 @@ struct Chain::State {
 
   /// With another solid.
   void restart() {
+    solid.is_noded = is_known_noded(solid);
     blocks = std::make_shared<EdgeBlocks>(solid);
     begin();
   }
@@ -132,12 +133,21 @@ void Chain::State::apply(const Truth& truth, const Solid& other) {
     whole.part_blocks = std::make_shared<const EdgeBlocks>(*blocks, near);
   // Step 2: what becomes of them.
   Engine engine(truth, all_near ? solid : part, other, *solid.space, whole);
+  engine.find_contacts();
+  if (!engine.has_nodes(0)) {
+    solid = noded(present());
+    restart();
+    return apply(truth, other);
+  }
+  if (!engine.has_nodes(1)) return apply(truth, noded(other));
   Solid result = engine.run();
+  solid.is_noded = solid.is_noded && result.is_noded;
   // Step 3: the others are all beyond the other solid's box.
   const bool beyond = other.unbounded;
   const bool stay = truth(true, beyond) && !truth(false, beyond);
   solid.unbounded = result.unbounded;
   if (!stay || all_near) {
+    result.is_noded = solid.is_noded;
     solid = std::move(result);
     *blocks = std::move(engine.blocks());
     begin();

@@ -232,7 +232,7 @@ void Resolver::emit(const Segment& segment) {
 }
 
 Solid Resolver::result(Repaired& repaired) {
-  Solid result{{}, {}, false, solid_.unit, solid_.space};
+  Solid result{{}, {}, false, solid_.unit, solid_.space, true};
   // Step 1: the faces that nothing cuts, as they are.
   const std::vector<std::int32_t> part = parts_of_surface(operand_, is_cut_);
   std::vector<std::uint8_t> stay(solid_.faces.size());

@@ -284,6 +284,7 @@ TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
       for (const bool swapped : {false, true}) {
         Engine engine(truth_of(operation), swapped ? tool : whole,
                       swapped ? whole : tool, *whole.space, 1);
+        engine.find_contacts();
         const Solid result = engine.run();
         for (std::size_t f = 0; f < result.faces.size(); ++f) {
           const Face& face = result.faces[f];

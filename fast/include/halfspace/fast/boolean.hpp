@@ -17,6 +17,9 @@ namespace halfspace::fast {
 ///        does not touch are as they were. The others have no more edges than
 ///        the point set asks for: no vertex at which nothing turns, no edge
 ///        within a face, and every vertex on an edge is an end of it.
+///        Of an operand that is not noded the last is so only where the other
+///        one is; if one of its faces has a part of an edge in it there, that
+///        is no edge of its own, it is noded as repair() does it first.
 /// Keeps: planes and colours, and where faces came from.
 /// Exact: yes. Of closed surfaces that check_operand() refuses the result may be
 ///        anything, and open, but there is one.

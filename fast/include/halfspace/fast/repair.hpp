@@ -19,7 +19,8 @@ struct Repaired {
 
 /// The surface of the points that the solid's surface winds round at least
 /// once (S6.2), which does not cross itself. A solid that needs no repair comes
-/// out as it is.
+/// out as it is, if it is noded: where its surface touches itself along a
+/// segment, or a vertex lies on an edge, faces are parted and edges cut.
 ///
 /// Requires: bounded, and closed: bad_edges(solid) is empty. No face's own edges
 ///           cross each other: none of to_solid() has such.

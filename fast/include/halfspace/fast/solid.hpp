@@ -60,6 +60,11 @@ struct Solid {
   bool unbounded = false;  ///< what is far away is inside
   Unit unit;
   std::shared_ptr<Space> space;
+  /// Known to be noded: wherever a vertex lies on an edge it is an end of it,
+  /// and no face has a part of an edge in it that is not one of its own edges
+  /// from end to end. Results of booleans of such solids are. Of others a
+  /// boolean finds out what it has to know.
+  bool is_noded = false;
 };
 
 /// The same solid, its points and planes in a table of its own. Face `p` is

@@ -1,0 +1,349 @@
+#include "noding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "boolean_wings.hpp"
+#include "box_tree.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/repair.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// Whether no point of the surface is beyond the plane of any of its faces.
+bool is_convex(const Solid& solid) {
+  return std::all_of(
+      solid.faces.begin(), solid.faces.end(), [&](const Face& face) {
+        return std::all_of(
+            solid.edges.begin(), solid.edges.end(), [&](const SolidEdge& edge) {
+              const int side = solid.space->side(face.plane, edge.from);
+              return face.turned ? side >= 0 : side <= 0;
+            });
+      });
+}
+
+Box box_of(const Space& space, std::int32_t low, std::int32_t high) {
+  Box box = kEmptyBox;
+  extend(box, space.vertex(low).approximate);
+  extend(box, space.vertex(high).approximate);
+  return box;
+}
+
+/// What a face has in common with a line in its plane: points, and parts of the
+/// line from one to another.
+class Section {
+ public:
+  explicit Section(Space& space) : space_(space) {}
+
+  /// With the line along `axis` in the face's plane and another one, `across`.
+  void find(const Face& face, std::span<const SolidEdge> edges,
+            std::int32_t across, int axis) {
+    parts_.clear();
+    turns_.clear();
+    for (const SolidEdge& edge : edges) {
+      const int from = space_.side(across, edge.from);
+      const int to = space_.side(across, edge.to);
+      if (from == 0 && to == 0) {
+        parts_.push_back(std::pair(edge.from, edge.to));
+        if (space_.compare(axis, edge.from, edge.to) > 0)
+          std::swap(parts_.back().first, parts_.back().second);
+      } else if (from == 0 || to == 0 || from != to) {
+        // Where nothing toggles the face has a point there.
+        const std::int32_t at =
+            from == 0 ? edge.from
+            : to == 0 ? edge.to
+                      : space_.meet(face.plane,
+                                    plane_athwart(edge, face, space_), across);
+        turns_.push_back({at, (from > 0) != (to > 0), (from < 0) != (to < 0)});
+      }
+    }
+    std::sort(turns_.begin(), turns_.end(), [&](const Turn& t, const Turn& u) {
+      return space_.compare(axis, t.vertex, u.vertex) < 0;
+    });
+    bool positive = false, negative = false;
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+      const std::int32_t at = turns_[i].vertex;
+      positive = positive != turns_[i].positive;
+      negative = negative != turns_[i].negative;
+      const bool goes_on = i + 1 < turns_.size() && (positive || negative);
+      parts_.push_back({at, goes_on ? turns_[i + 1].vertex : at});
+    }
+  }
+  /// In no order; they may overlap.
+  std::span<const std::pair<std::int32_t, std::int32_t>> parts() const {
+    return parts_;
+  }
+
+ private:
+  /// Where an edge meets the line, and on which sides of it the face begins or
+  /// ends there.
+  struct Turn {
+    std::int32_t vertex;
+    bool positive;
+    bool negative;
+  };
+
+  Space& space_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> parts_;
+  std::vector<Turn> turns_;
+};
+
+class Noder {
+ public:
+  Noder(std::size_t o, std::array<Operand, 2>& operands,
+        std::vector<Trace>& traces, Space& space)
+      : o_(o),
+        operand_(operands[o]),
+        other_(operands[1 - o]),
+        traces_(traces),
+        space_(space),
+        section_(space) {}
+
+  bool run() {
+    if (!operand_.covers.empty() && !cut_covered_edges()) return false;
+    if (!traces_.empty()) split_traces();
+    return true;
+  }
+
+ private:
+  bool cut_covered_edges();
+  bool add_points(std::int32_t edge, std::int32_t face);
+  void split_traces();
+  void find_cuts_on_traces();
+  void find_vertices_on_traces();
+  void find_on_trace(std::size_t trace, std::int32_t vertex);
+  void find_on_any_trace(std::int32_t vertex);
+  std::int32_t own_face(const Trace& trace) const {
+    return o_ == 0 ? trace.first : trace.second;
+  }
+  std::int32_t other_face(const Trace& trace) const {
+    return o_ == 0 ? trace.second : trace.first;
+  }
+  bool is_between(int axis, std::int32_t low, std::int32_t v,
+                  std::int32_t high) const {
+    return space_.compare(axis, low, v) < 0 &&
+           space_.compare(axis, v, high) < 0;
+  }
+
+  std::size_t o_;
+  Operand& operand_;
+  const Operand& other_;
+  std::vector<Trace>& traces_;
+  Space& space_;
+  Section section_;
+  std::vector<std::int32_t> points_;  ///< within the edge at hand
+  std::optional<BoxTree> trace_tree_;
+  /// Traces and points within them.
+  std::vector<std::pair<std::size_t, std::int32_t>> nodes_;
+};
+
+/// False: there is an edge of which a part lies in a face that has it not.
+bool Noder::cut_covered_edges() {
+  std::vector<Cover>& covers = operand_.covers;
+  std::sort(covers.begin(), covers.end(), [](const Cover& x, const Cover& y) {
+    return std::tie(x.edge, x.face) < std::tie(y.edge, y.face);
+  });
+  const BoxTree tree(
+      [&](std::int32_t f) -> const Box& { return operand_.face(f).box; },
+      operand_.active);
+  std::vector<Cut> more;
+  for (std::size_t i = 0; i < covers.size();) {
+    const std::int32_t id = covers[i].edge;
+    const LineEdge edge = operand_.edge(id);
+    points_.clear();
+    bool is_alone = true;
+    tree.find(box_of(space_, edge.low, edge.high), [&](std::int32_t f) {
+      is_alone = is_alone && add_points(id, f);
+    });
+    if (!is_alone) return false;
+    std::sort(points_.begin(), points_.end());
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    for (; i < covers.size() && covers[i].edge == id; ++i) {
+      for (const std::int32_t v : points_) {
+        if (is_between(edge.axis, covers[i].low, v, covers[i].high))
+          more.push_back({id, v, covers[i].face});
+      }
+    }
+  }
+  if (more.empty()) return true;
+  // Some may be known.
+  std::vector<Cut>& cuts = operand_.cuts;
+  cuts.insert(cuts.end(), more.begin(), more.end());
+  const auto key = [](const Cut& cut) {
+    return std::tie(cut.edge, cut.vertex, cut.face);
+  };
+  std::sort(cuts.begin(), cuts.end(),
+            [&](const Cut& x, const Cut& y) { return key(x) < key(y); });
+  cuts.erase(
+      std::unique(cuts.begin(), cuts.end(),
+                  [&](const Cut& x, const Cut& y) { return key(x) == key(y); }),
+      cuts.end());
+  return true;
+}
+
+/// Adds the points within an edge at which a face that has it not touches it.
+/// False if it has more of the edge in it than points.
+bool Noder::add_points(std::int32_t id, std::int32_t f) {
+  LineEdge& edge = operand_.edge(id);
+  const Face& face = operand_.face(f);
+  const int low = space_.side(face.plane, edge.low);
+  const int high = space_.side(face.plane, edge.high);
+  // At an end there is a vertex of the edge.
+  if (low * high > 0 || (low == 0) != (high == 0)) return true;
+  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
+    if (operand_.uses[edge.first_use + u].face == f) return true;
+  }
+  const std::array<std::int32_t, 2> planes{
+      edge.plane, second_plane(edge, operand_, space_)};
+  const std::int32_t across = other_than(face.plane, planes);
+  const auto edges = std::span(operand_.edges_of(f), face.edge_count);
+  if (low != 0) {
+    const std::int32_t at = space_.meet(planes[0], planes[1], face.plane);
+    int axis = 0;
+    space_.line_axis(face.plane, across, axis);
+    section_.find(face, edges, across, axis);
+    for (const auto& [from, to] : section_.parts()) {
+      if (from == at || to == at || is_between(axis, from, at, to)) {
+        points_.push_back(at);
+        break;
+      }
+    }
+    return true;
+  }
+  section_.find(face, edges, across, edge.axis);
+  for (const auto& [from, to] : section_.parts()) {
+    if (from == to) {
+      if (is_between(edge.axis, edge.low, from, edge.high))
+        points_.push_back(from);
+    } else if (space_.compare(edge.axis, from, edge.high) < 0 &&
+               space_.compare(edge.axis, edge.low, to) < 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Within a trace neither of its faces has a vertex.
+void Noder::split_traces() {
+  find_cuts_on_traces();
+  find_vertices_on_traces();
+  std::sort(nodes_.begin(), nodes_.end(), [&](const auto& x, const auto& y) {
+    if (x.first != y.first) return x.first < y.first;
+    return space_.compare(traces_[x.first].axis, x.second, y.second) < 0;
+  });
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  for (const auto& [t, vertex] : nodes_) {
+    // The part up to the point stands aside, what is left here.
+    Trace part = traces_[t];
+    part.high = vertex;
+    traces_[t].low = vertex;
+    traces_.push_back(part);
+  }
+}
+
+/// If the point is within the trace, notes that.
+void Noder::find_on_trace(std::size_t t, std::int32_t vertex) {
+  const Trace& trace = traces_[t];
+  if (vertex == trace.low || vertex == trace.high) return;
+  if (is_between(trace.axis, trace.low, vertex, trace.high) &&
+      space_.side(operand_.face(own_face(trace)).plane, vertex) == 0 &&
+      space_.side(other_.face(other_face(trace)).plane, vertex) == 0)
+    nodes_.emplace_back(t, vertex);
+}
+
+void Noder::find_on_any_trace(std::int32_t vertex) {
+  if (!trace_tree_) {
+    std::vector<Box> boxes;
+    for (const Trace& trace : traces_)
+      boxes.push_back(box_of(space_, trace.low, trace.high));
+    std::vector<std::int32_t> items(boxes.size());
+    std::iota(items.begin(), items.end(), 0);
+    trace_tree_.emplace(
+        [&](std::int32_t t) { return boxes[static_cast<std::size_t>(t)]; },
+        items);
+  }
+  trace_tree_->find(box_of(space_, vertex, vertex), [&](std::int32_t t) {
+    find_on_trace(static_cast<std::size_t>(t), vertex);
+  });
+}
+
+/// Where edges meet the other operand's faces, those may have traces.
+void Noder::find_cuts_on_traces() {
+  if (operand_.cuts.empty()) return;
+  // Step 1: the traces by the other operand's faces.
+  std::vector<std::uint32_t> first(other_.solid->faces.size() + 1);
+  const auto count_of = [&](std::int32_t f) -> std::uint32_t& {
+    return first[static_cast<std::size_t>(f) + 1];
+  };
+  for (const Trace& trace : traces_) ++count_of(other_face(trace));
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> by_face(traces_.size());
+  for (std::size_t t = traces_.size(); t-- > 0;) {
+    by_face[--count_of(other_face(traces_[t]))] = static_cast<std::uint32_t>(t);
+  }
+  // Step 2: the points on each. Its traces begin now where those of the face
+  // before it end.
+  constexpr std::uint32_t kMany = 16;
+  for (const Cut& cut : operand_.cuts) {
+    const std::uint32_t begin = count_of(cut.face);
+    const auto f = static_cast<std::size_t>(cut.face);
+    const std::uint32_t end = f + 2 < first.size()
+                                  ? first[f + 2]
+                                  : static_cast<std::uint32_t>(traces_.size());
+    if (end - begin > kMany) {
+      find_on_any_trace(cut.vertex);
+      continue;
+    }
+    for (std::uint32_t i = begin; i < end; ++i)
+      find_on_trace(by_face[i], cut.vertex);
+  }
+}
+
+void Noder::find_vertices_on_traces() {
+  std::vector<std::int32_t> vertices;
+  for (const LineEdge& edge : operand_.edges) {
+    for (const std::int32_t v : {edge.low, edge.high}) {
+      if (operand_.is_on_other(v)) vertices.push_back(v);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (const std::int32_t v : vertices) find_on_any_trace(v);
+}
+
+}  // namespace
+
+bool is_known_noded(const Solid& solid) {
+  // Beyond so much it is sooner to look at what matters.
+  constexpr std::size_t kMost = 2048;
+  return solid.is_noded ||
+         (solid.faces.size() * solid.edges.size() <= kMost && is_convex(solid));
+}
+
+bool add_nodes(std::size_t o, std::array<Operand, 2>& operands,
+               std::vector<Trace>& traces, Space& space) {
+  return Noder(o, operands, traces, space).run();
+}
+
+Solid noded(const Solid& solid) {
+  const bool is_bounded_by_edges =
+      std::none_of(solid.faces.begin(), solid.faces.end(),
+                   [](const Face& face) { return face.edge_count == 0; });
+  if (!is_bounded_by_edges || !bad_edges(solid).empty() ||
+      !open_faces(solid).empty()) {
+    Solid same = solid;
+    same.is_noded = true;
+    return same;
+  }
+  return solid.unbounded ? complement(repair(complement(solid)).solid)
+                         : repair(solid).solid;
+}
+
+}  // namespace halfspace::fast

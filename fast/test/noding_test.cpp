@@ -1,0 +1,264 @@
+#include "noding.hpp"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/chain.hpp"
+#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/repair.hpp"
+#include "scenes.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+using Block = std::pair<GridPoint, GridPoint>;
+
+/// Blocks between two corners each, as one surface.
+Solid blocks(std::initializer_list<Block> list) {
+  std::vector<GridPoint> vertices;
+  std::vector<std::vector<VertexId>> polygons;
+  for (const auto& [p, q] : list) {
+    const auto first = static_cast<VertexId>(vertices.size());
+    for (int i = 0; i < 8; ++i) {
+      vertices.push_back(
+          {i & 1 ? q.x : p.x, i & 2 ? q.y : p.y, i & 4 ? q.z : p.z});
+    }
+    for (const std::vector<VertexId>& face : {std::vector<VertexId>{0, 2, 3, 1},
+                                              {4, 5, 7, 6},
+                                              {0, 1, 5, 4},
+                                              {2, 6, 7, 3},
+                                              {0, 4, 6, 2},
+                                              {1, 3, 7, 5}}) {
+      std::vector<VertexId>& corners = polygons.emplace_back();
+      for (const VertexId v : face) corners.push_back(first + v);
+    }
+  }
+  return solid_of(vertices, polygons);
+}
+
+/// Two blocks of which an edge of either lies in part in one of the other's.
+Solid two_that_touch() {
+  return blocks({{{0, 2, 0}, {2, 4, 1}}, {{2, 0, 0}, {4, 2, 3}}});
+}
+
+/// A block, and a prism with one edge on the middle of it.
+Solid prism_on_block() {
+  return solid_of({{0, 0, 0},
+                   {4, 0, 0},
+                   {4, 4, 0},
+                   {0, 4, 0},
+                   {0, 0, 2},
+                   {4, 0, 2},
+                   {4, 4, 2},
+                   {0, 4, 2},
+                   {1, 2, 2},
+                   {3, 2, 2},
+                   {1, 1, 4},
+                   {3, 1, 4},
+                   {1, 3, 4},
+                   {3, 3, 4}},
+                  {{0, 3, 2, 1},
+                   {4, 5, 6, 7},
+                   {0, 1, 5, 4},
+                   {1, 2, 6, 5},
+                   {2, 3, 7, 6},
+                   {3, 0, 4, 7},
+                   {8, 9, 11, 10},
+                   {9, 8, 12, 13},
+                   {10, 11, 13, 12},
+                   {8, 10, 12},
+                   {9, 13, 11}});
+}
+
+double volume(const Solid& solid) {
+  const ExportedMesh mesh = exported(solid, {.triangles = true});
+  double sum = 0;
+  for (std::size_t i = 0; i + 2 < mesh.corners.size(); i += 3) {
+    const auto at = [&](std::size_t k) {
+      return mesh.vertices[static_cast<std::size_t>(mesh.corners[i + k])];
+    };
+    const auto p = at(0), q = at(1), r = at(2);
+    sum += p[0] * (q[1] * r[2] - q[2] * r[1]) +
+           p[1] * (q[2] * r[0] - q[0] * r[2]) +
+           p[2] * (q[0] * r[1] - q[1] * r[0]);
+  }
+  // In thousandths.
+  return sum * 1e9 / 6;
+}
+
+/// Whether every face lies in the plane of the face that it comes from, which
+/// is the operand's.
+bool has_right_sources(const Solid& result, const Solid& a, const Solid& b) {
+  for (const Face& face : result.faces) {
+    const auto& faces = (face.from_first ? a : b).faces;
+    const auto source = static_cast<std::size_t>(face.source);
+    if (source >= faces.size() || faces[source].polygon != face.polygon)
+      return false;
+  }
+  return true;
+}
+
+/// The booleans of a solid that touches itself, and their volumes: what both
+/// have in common is `common`.
+void expect_right(const Solid& a, const Solid& b, double common) {
+  const double of_a = volume(a), of_b = volume(b);
+  const std::pair<BooleanOp, double> expected[] = {
+      {BooleanOp::kUnion, of_a + of_b - common},
+      {BooleanOp::kIntersection, common},
+      {BooleanOp::kDifference, of_a - common}};
+  for (const auto& [operation, size] : expected) {
+    SCOPED_TRACE("operation " + std::to_string(static_cast<int>(operation)));
+    const Solid result = boolean(operation, a, b);
+    const Result<Done> fine = check_operand(result);
+    ASSERT_TRUE(fine) << fine.error().message;
+    EXPECT_NEAR(volume(result), size, 1e-6);
+    EXPECT_TRUE(has_right_sources(result, a, b));
+    Chain chain(a);
+    chain.apply(operation, b);
+    EXPECT_NEAR(volume(chain.solid()), size, 1e-6);
+    EXPECT_TRUE(check_operand(chain.solid()));
+  }
+  const Solid turned = boolean(BooleanOp::kDifference, b, a);
+  EXPECT_TRUE(check_operand(turned));
+  EXPECT_NEAR(volume(turned), of_b - common, 1e-6);
+  EXPECT_TRUE(has_right_sources(turned, b, a));
+  Chain chain(b);
+  chain.apply(BooleanOp::kDifference, a);
+  EXPECT_NEAR(volume(chain.solid()), of_b - common, 1e-6);
+  const Solid outside = boolean(BooleanOp::kIntersection, complement(a), b);
+  EXPECT_TRUE(check_operand(outside));
+  EXPECT_NEAR(volume(outside), of_b - common, 1e-6);
+}
+
+TEST(FastNoding, IsKnownOfWhatIsConvexAndSmall) {
+  EXPECT_TRUE(is_known_noded(blocks({})));
+  EXPECT_TRUE(is_known_noded(blocks({{{0, 0, 0}, {1, 2, 3}}})));
+  EXPECT_FALSE(is_known_noded(two_that_touch()));
+  EXPECT_FALSE(is_known_noded(prism_on_block()));
+  EXPECT_FALSE(is_known_noded(complement(blocks({{{0, 0, 0}, {1, 2, 3}}}))));
+}
+
+TEST(FastNoding, IsPassedOnFromOperandsToResults) {
+  const Solid a = blocks({{{0, 0, 0}, {2, 2, 2}}});
+  const Solid b = blocks({{{1, 1, 1}, {3, 3, 3}}});
+  const Solid both = boolean(BooleanOp::kUnion, a, b);
+  EXPECT_TRUE(both.is_noded);
+  EXPECT_TRUE(merged(complement(both), Merge::kPlane).is_noded);
+  EXPECT_TRUE(boolean(BooleanOp::kDifference, both, b).is_noded);
+  // Nothing has to be known of what nothing is near.
+  const Solid far = blocks({{{9, 9, 9}, {10, 10, 10}}});
+  const Solid some = boolean(BooleanOp::kUnion, two_that_touch(), far);
+  EXPECT_FALSE(some.is_noded);
+  Chain chain(far);
+  chain.apply(BooleanOp::kUnion, blocks({{{8, 8, 8}, {9, 9, 9}}}));
+  EXPECT_TRUE(chain.solid().is_noded);
+  chain.apply(BooleanOp::kUnion, some);
+  EXPECT_FALSE(chain.solid().is_noded);
+}
+
+TEST(FastNoding, PartsFacesWhereTheSurfaceTouchesItself) {
+  for (const Solid& solid : {two_that_touch(), prism_on_block()}) {
+    const Solid parted = noded(solid);
+    EXPECT_TRUE(parted.is_noded);
+    EXPECT_TRUE(check_operand(parted));
+    EXPECT_GT(parted.edges.size(), solid.edges.size());
+    EXPECT_NEAR(volume(parted), volume(solid), 1e-6);
+    const Solid again = noded(parted);
+    EXPECT_EQ(again.edges, parted.edges);
+    EXPECT_EQ(noded(complement(solid)).edges, complement(parted).edges);
+  }
+  Solid open = two_that_touch();
+  open.edges.resize(open.edges.size() - open.faces.back().edge_count);
+  open.faces.pop_back();
+  EXPECT_EQ(noded(open).edges, open.edges);
+  EXPECT_TRUE(noded(open).is_noded);
+}
+
+TEST(FastNoding, BooleansAreRightWhereEdgesLieInEdgesInPart) {
+  const Solid a = two_that_touch();
+  // Between the two, at the edges that lie in each other.
+  expect_right(a, blocks({{{1, 1, 0}, {2, 2, 1}}}), 0);
+  expect_right(a, blocks({{{1, 1, 0}, {2, 2, 3}}}), 0);
+  // Right through, with a face through both edges.
+  expect_right(a, blocks({{{1, 1, 0}, {2, 4, 1}}}), 2);
+  expect_right(a, blocks({{{2, 1, 0}, {3, 3, 3}}}), 3);
+  // Another that touches itself there, and itself.
+  expect_right(a, blocks({{{0, 1, 0}, {2, 2, 2}}, {{2, 2, 1}, {3, 3, 3}}}), 0);
+  expect_right(a, a, volume(a));
+}
+
+TEST(FastNoding, BooleansAreRightWhereAnEdgeLiesInAFace) {
+  const Solid a = prism_on_block();
+  // Beside the edge, on the face: right at it, and beyond its ends.
+  expect_right(a, blocks({{{1, 2, 2}, {3, 3, 3}}}), 0.5);
+  expect_right(a, blocks({{{0, 2, 2}, {4, 3, 3}}}), 0.5);
+  // Across the face, with faces in its plane and in the edge's.
+  expect_right(a, blocks({{{2, 1, 1}, {4, 3, 2}}}), 4);
+  expect_right(a, blocks({{{0, 2, 0}, {4, 4, 3}}}), 16.5);
+  expect_right(a, blocks({{{0, 0, 2}, {4, 4, 5}}}), volume(a) - 32);
+  // Through the edge.
+  expect_right(a, blocks({{{2, -1, -1}, {5, 5, 5}}}), volume(a) / 2);
+}
+
+/// Whether every vertex of the boolean that lies on an edge is a corner there,
+/// whichever operand is the first.
+void expect_corners(const Solid& a, const Solid& b) {
+  for (const BooleanOp operation :
+       {BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference}) {
+    for (const bool swapped : {false, true}) {
+      const Solid result =
+          swapped ? boolean(operation, b, a) : boolean(operation, a, b);
+      EXPECT_EQ(repair(result).faces_cut, 0u);
+    }
+  }
+}
+
+/// A block and a tetrahedron with a corner on it.
+Solid tetrahedron_on_block(const Block& block,
+                           const std::vector<GridPoint>& corners) {
+  Solid solid = blocks({block});
+  const Solid more = to_solid(*make_solid([&] {
+    SceneData data;
+    data.unit = {10, -3};
+    data.vertices = corners;
+    data.corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    data.first_corner = {0, 3, 6, 9, 12};
+    data.colors.resize(4);
+    return made(std::move(data));
+  }()),
+                              solid);
+  const auto edges = static_cast<std::uint32_t>(solid.edges.size());
+  for (Face face : more.faces) {
+    face.first_edge += edges;
+    solid.faces.push_back(face);
+  }
+  solid.edges.insert(solid.edges.end(), more.edges.begin(), more.edges.end());
+  return solid;
+}
+
+TEST(FastNoding, APointOnAnEdgeThatTheOtherCoversIsACorner) {
+  const Solid a = tetrahedron_on_block(
+      {{0, 0, 0}, {1, 1, 3}}, {{1, 1, 1}, {3, 2, 0}, {3, 3, 1}, {3, 2, 2}});
+  ASSERT_TRUE(check_operand(a));
+  const Solid prism = solid_of(
+      {{1, 1, 0}, {0, 2, 0}, {0, 1, 0}, {1, 1, 3}, {0, 2, 3}, {0, 1, 3}},
+      {{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}});
+  ASSERT_TRUE(check_operand(prism));
+  expect_corners(a, prism);
+}
+
+TEST(FastNoding, APointOnAFaceWhereTheOtherCutsItIsACorner) {
+  const Solid a = tetrahedron_on_block(
+      {{0, 0, 0}, {4, 4, 2}}, {{2, 2, 2}, {1, 1, 4}, {3, 1, 4}, {2, 3, 4}});
+  ASSERT_TRUE(check_operand(a));
+  expect_corners(a, blocks({{{2, -1, -1}, {5, 5, 5}}}));
+}
+
+}  // namespace
+}  // namespace halfspace::fast
