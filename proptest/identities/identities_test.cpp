@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -49,7 +50,7 @@ TEST(Identities, HoldInEveryPosition) {
       }
     }
   }
-  EXPECT_EQ(positions, 5u * (4 + 8));
+  EXPECT_EQ(positions, std::size(kSolidKinds) * (4 + 8));
 }
 
 TEST(Identities, HoldForTroubledPairs) {
