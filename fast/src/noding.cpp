@@ -114,6 +114,8 @@ class Noder {
 
  private:
   bool cut_covered_edges();
+  void add_cuts();
+  int side_of(std::int32_t face, std::int32_t vertex) const;
   bool add_points(std::int32_t edge, std::int32_t face);
   void split_traces();
   void find_cuts_on_traces();
@@ -138,7 +140,8 @@ class Noder {
   std::vector<Trace>& traces_;
   Space& space_;
   Section section_;
-  std::vector<std::int32_t> points_;  ///< within the edge at hand
+  /// Covered edges and points within them.
+  std::vector<std::pair<std::int32_t, std::int32_t>> points_;
   std::optional<BoxTree> trace_tree_;
   /// Traces and points within them.
   std::vector<std::pair<std::size_t, std::int32_t>> nodes_;
@@ -146,36 +149,39 @@ class Noder {
 
 /// False: there is an edge of which a part lies in a face that has it not.
 bool Noder::cut_covered_edges() {
-  std::vector<Cover>& covers = operand_.covers;
-  std::sort(covers.begin(), covers.end(), [](const Cover& x, const Cover& y) {
-    return std::tie(x.edge, x.face) < std::tie(y.edge, y.face);
-  });
   const BoxTree tree(
       [&](std::int32_t f) -> const Box& { return operand_.face(f).box; },
       operand_.active);
-  std::vector<Cut> more;
-  for (std::size_t i = 0; i < covers.size();) {
-    const std::int32_t id = covers[i].edge;
-    const LineEdge edge = operand_.edge(id);
-    points_.clear();
+  std::vector<std::uint8_t> is_done(operand_.edges.size());
+  for (const Cover& cover : operand_.covers) {
+    std::uint8_t& done = is_done[static_cast<std::size_t>(cover.edge)];
+    if (done != 0) continue;
+    done = 1;
+    const LineEdge& edge = operand_.edge(cover.edge);
     bool is_alone = true;
     tree.find(box_of(space_, edge.low, edge.high), [&](std::int32_t f) {
-      is_alone = is_alone && add_points(id, f);
+      is_alone = is_alone && add_points(cover.edge, f);
     });
     if (!is_alone) return false;
-    std::sort(points_.begin(), points_.end());
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-    for (; i < covers.size() && covers[i].edge == id; ++i) {
-      for (const std::int32_t v : points_) {
-        if (is_between(edge.axis, covers[i].low, v, covers[i].high))
-          more.push_back({id, v, covers[i].face});
-      }
+  }
+  if (!points_.empty()) add_cuts();
+  return true;
+}
+
+/// Cuts the edges at the points, where they are covered.
+void Noder::add_cuts() {
+  std::vector<Cut>& cuts = operand_.cuts;
+  std::sort(points_.begin(), points_.end());
+  for (const Cover& cover : operand_.covers) {
+    const int axis = operand_.edge(cover.edge).axis;
+    auto point = std::lower_bound(points_.begin(), points_.end(),
+                                  std::pair(cover.edge, -1));
+    for (; point != points_.end() && point->first == cover.edge; ++point) {
+      if (is_between(axis, cover.low, point->second, cover.high))
+        cuts.push_back({cover.edge, point->second, cover.face});
     }
   }
-  if (more.empty()) return true;
-  // Some may be known.
-  std::vector<Cut>& cuts = operand_.cuts;
-  cuts.insert(cuts.end(), more.begin(), more.end());
+  // Some were known.
   const auto key = [](const Cut& cut) {
     return std::tie(cut.edge, cut.vertex, cut.face);
   };
@@ -185,21 +191,32 @@ bool Noder::cut_covered_edges() {
       std::unique(cuts.begin(), cuts.end(),
                   [&](const Cut& x, const Cut& y) { return key(x) == key(y); }),
       cuts.end());
-  return true;
+}
+
+/// On which side of a face's plane the vertex is. Most are asked of the faces
+/// around them.
+int Noder::side_of(std::int32_t f, std::int32_t vertex) const {
+  constexpr std::uint32_t kFew = 8;
+  const Face& face = operand_.face(f);
+  const SolidEdge* edges = operand_.edges_of(f);
+  for (std::uint32_t i = 0; i < std::min(face.edge_count, kFew); ++i) {
+    if (edges[i].from == vertex) return 0;
+  }
+  return space_.side(face.plane, vertex);
 }
 
 /// Adds the points within an edge at which a face that has it not touches it.
 /// False if it has more of the edge in it than points.
 bool Noder::add_points(std::int32_t id, std::int32_t f) {
   LineEdge& edge = operand_.edge(id);
-  const Face& face = operand_.face(f);
-  const int low = space_.side(face.plane, edge.low);
-  const int high = space_.side(face.plane, edge.high);
-  // At an end there is a vertex of the edge.
-  if (low * high > 0 || (low == 0) != (high == 0)) return true;
   for (std::uint32_t u = 0; u < edge.use_count; ++u) {
     if (operand_.uses[edge.first_use + u].face == f) return true;
   }
+  const Face& face = operand_.face(f);
+  const int low = side_of(f, edge.low);
+  const int high = side_of(f, edge.high);
+  // At an end there is a vertex of the edge.
+  if (low * high > 0 || (low == 0) != (high == 0)) return true;
   const std::array<std::int32_t, 2> planes{
       edge.plane, second_plane(edge, operand_, space_)};
   const std::int32_t across = other_than(face.plane, planes);
@@ -211,7 +228,7 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
     section_.find(face, edges, across, axis);
     for (const auto& [from, to] : section_.parts()) {
       if (from == at || to == at || is_between(axis, from, at, to)) {
-        points_.push_back(at);
+        points_.emplace_back(id, at);
         break;
       }
     }
@@ -221,7 +238,7 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
   for (const auto& [from, to] : section_.parts()) {
     if (from == to) {
       if (is_between(edge.axis, edge.low, from, edge.high))
-        points_.push_back(from);
+        points_.emplace_back(id, from);
     } else if (space_.compare(edge.axis, from, edge.high) < 0 &&
                space_.compare(edge.axis, edge.low, to) < 0) {
       return false;
