@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "boolean_parts.hpp"
+#include "boolean_result.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
@@ -185,6 +186,18 @@ TEST(FastNonsense, EveryBooleanOfClosedSurfacesEnds) {
   // Most are what they are meant to be.
   EXPECT_GT(refused, 100u);
   EXPECT_GT(open, 150u);
+}
+
+TEST(FastNonsense, ALoopAlongALineIsNothing) {
+  Space space(26);
+  const std::int32_t p = space.add_point({0, 0, 0});
+  const std::int32_t q = space.add_point({3, 0, 0});
+  const std::int32_t r = space.add_point({9, 0, 0});
+  List<Piece> pieces{{0, 0, p, r}, {0, 0, r, q}, {0, 0, q, p}};
+  // Nothing turns at the others.
+  straighten(
+      pieces, [p](std::int32_t v) { return v == p; }, space);
+  EXPECT_TRUE(pieces.empty());
 }
 
 TEST(FastNonsense, RepairKeepsWhatIsWoundRound) {
