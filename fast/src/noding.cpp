@@ -13,6 +13,7 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/repair.hpp"
+#include "section.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -35,65 +36,6 @@ Box box_of(const Space& space, std::int32_t low, std::int32_t high) {
   extend(box, space.vertex(high).approximate);
   return box;
 }
-
-/// What a face has in common with a line in its plane: points, and parts of the
-/// line from one to another.
-class Section {
- public:
-  explicit Section(Space& space) : space_(space) {}
-
-  /// With the line along `axis` in the face's plane and another one, `across`.
-  void find(const Face& face, std::span<const SolidEdge> edges,
-            std::int32_t across, int axis) {
-    parts_.clear();
-    turns_.clear();
-    for (const SolidEdge& edge : edges) {
-      const int from = space_.side(across, edge.from);
-      const int to = space_.side(across, edge.to);
-      if (from == 0 && to == 0) {
-        parts_.push_back(std::pair(edge.from, edge.to));
-        if (space_.compare(axis, edge.from, edge.to) > 0)
-          std::swap(parts_.back().first, parts_.back().second);
-      } else if (from == 0 || to == 0 || from != to) {
-        // Where nothing toggles the face has a point there.
-        const std::int32_t at =
-            from == 0 ? edge.from
-            : to == 0 ? edge.to
-                      : space_.meet(face.plane,
-                                    plane_athwart(edge, face, space_), across);
-        turns_.push_back({at, (from > 0) != (to > 0), (from < 0) != (to < 0)});
-      }
-    }
-    std::sort(turns_.begin(), turns_.end(), [&](const Turn& t, const Turn& u) {
-      return space_.compare(axis, t.vertex, u.vertex) < 0;
-    });
-    bool positive = false, negative = false;
-    for (std::size_t i = 0; i < turns_.size(); ++i) {
-      const std::int32_t at = turns_[i].vertex;
-      positive = positive != turns_[i].positive;
-      negative = negative != turns_[i].negative;
-      const bool goes_on = i + 1 < turns_.size() && (positive || negative);
-      parts_.push_back({at, goes_on ? turns_[i + 1].vertex : at});
-    }
-  }
-  /// In no order; they may overlap.
-  std::span<const std::pair<std::int32_t, std::int32_t>> parts() const {
-    return parts_;
-  }
-
- private:
-  /// Where an edge meets the line, and on which sides of it the face begins or
-  /// ends there.
-  struct Turn {
-    std::int32_t vertex;
-    bool positive;
-    bool negative;
-  };
-
-  Space& space_;
-  std::vector<std::pair<std::int32_t, std::int32_t>> parts_;
-  std::vector<Turn> turns_;
-};
 
 class Noder {
  public:

@@ -2,16 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "boolean_engine.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"
 #include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/repair.hpp"
+#include "lattice.hpp"
 #include "scenes.hpp"
 
 namespace halfspace::fast {
@@ -178,6 +181,45 @@ TEST(FastNoding, PartsFacesWhereTheSurfaceTouchesItself) {
   open.faces.pop_back();
   EXPECT_EQ(noded(open).edges, open.edges);
   EXPECT_TRUE(noded(open).is_noded);
+}
+
+/// Whether either operand has nodes where the other one meets it.
+std::array<bool, 2> have_nodes(const Solid& a, const Solid& b) {
+  const Solid tool = moved_to(b, a.space);
+  Engine engine(truth_of(BooleanOp::kUnion), a, tool, *a.space);
+  engine.find_contacts();
+  return {engine.has_nodes(0), engine.has_nodes(1)};
+}
+
+constexpr std::array<bool, 2> kBoth{true, true};
+
+TEST(FastNoding, IsAskedForOnlyWhereAFaceHasAnEdgeThatIsNotItsOwn) {
+  const std::array<bool, 2> not_first{false, true}, not_second{true, false};
+  const Solid a = two_that_touch();
+  const Solid beside = blocks({{{1, 1, 0}, {2, 2, 1}}});
+  EXPECT_EQ(have_nodes(a, beside), not_first);
+  EXPECT_EQ(have_nodes(beside, a), not_second);
+  EXPECT_EQ(have_nodes(a, a), (std::array{false, false}));
+  // Beyond the part that both have: near it, and where nothing is near it.
+  EXPECT_EQ(have_nodes(a, blocks({{{1, 1, 1}, {2, 2, 3}}})), not_first);
+  EXPECT_EQ(have_nodes(a, blocks({{{1, 1, 2}, {2, 2, 3}}})), kBoth);
+  // Along a side, and across.
+  EXPECT_EQ(have_nodes(a, blocks({{{0, 3, 0}, {1, 4, 1}}})), kBoth);
+  EXPECT_EQ(have_nodes(a, blocks({{{1, 1, -1}, {3, 3, 5}}})), kBoth);
+  const Solid c = prism_on_block();
+  EXPECT_EQ(have_nodes(c, blocks({{{1, 2, 2}, {3, 3, 3}}})), not_first);
+  EXPECT_EQ(have_nodes(c, blocks({{{0, 0, 2}, {4, 1, 3}}})), kBoth);
+  // Neither edges nor points that faces share by right.
+  std::uint64_t state = 11;
+  for (int i = 0; i < 40; ++i) {
+    const Solid x =
+        to_solid(lattice::surface(lattice::random_cubes(1 + i % 3, state)));
+    const Solid y =
+        to_solid(lattice::surface(lattice::random_cubes(1 + i % 2, state)));
+    EXPECT_EQ(have_nodes(x, x), kBoth);
+    EXPECT_EQ(have_nodes(x, y), kBoth);
+    EXPECT_EQ(have_nodes(merged(x, Merge::kPlane), y), kBoth);
+  }
 }
 
 TEST(FastNoding, BooleansAreRightWhereEdgesLieInEdgesInPart) {
