@@ -116,11 +116,11 @@ void Noder::add_cuts() {
   std::sort(points_.begin(), points_.end());
   for (const Cover& cover : operand_.covers) {
     const int axis = operand_.edge(cover.edge).axis;
-    auto point = std::lower_bound(points_.begin(), points_.end(),
-                                  std::pair(cover.edge, -1));
-    for (; point != points_.end() && point->first == cover.edge; ++point) {
-      if (is_between(axis, cover.low, point->second, cover.high))
-        cuts.push_back({cover.edge, point->second, cover.face});
+    for (const auto& [edge, point] : std::ranges::equal_range(
+             points_, cover.edge, {},
+             &std::pair<std::int32_t, std::int32_t>::first)) {
+      if (is_between(axis, cover.low, point, cover.high))
+        cuts.push_back({edge, point, cover.face});
     }
   }
   // Some were known.
@@ -176,17 +176,14 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
     }
     return true;
   }
+  // Where it has just a point of the edge, another face there crosses it.
   section_.find(face, edges, across, edge.axis);
-  for (const auto& [from, to] : section_.parts()) {
-    if (from == to) {
-      if (is_between(edge.axis, edge.low, from, edge.high))
-        points_.emplace_back(id, from);
-    } else if (space_.compare(edge.axis, from, edge.high) < 0 &&
-               space_.compare(edge.axis, edge.low, to) < 0) {
-      return false;
-    }
-  }
-  return true;
+  return std::none_of(
+      section_.parts().begin(), section_.parts().end(), [&](const auto& part) {
+        const auto& [from, to] = part;
+        return from != to && space_.compare(edge.axis, from, edge.high) < 0 &&
+               space_.compare(edge.axis, edge.low, to) < 0;
+      });
 }
 
 /// Within a trace neither of its faces has a vertex.

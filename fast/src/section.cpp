@@ -10,7 +10,7 @@ void Section::find(const Face& face, std::span<const SolidEdge> edges,
                    std::int32_t across, int axis) {
   parts_.clear();
   turns_.clear();
-  for (const SolidEdge& edge : edges) add(face, edge, across, axis);
+  for (const SolidEdge& edge : edges) add(face, edge, across);
   std::sort(turns_.begin(), turns_.end(), [&](const Turn& t, const Turn& u) {
     return space_.compare(axis, t.vertex, u.vertex) < 0;
   });
@@ -24,18 +24,13 @@ void Section::find(const Face& face, std::span<const SolidEdge> edges,
   }
 }
 
-/// Adds what the edge and the line have in common.
-void Section::add(const Face& face, const SolidEdge& edge, std::int32_t across,
-                  int axis) {
+/// Adds the point at which the edge and the line meet.
+void Section::add(const Face& face, const SolidEdge& edge,
+                  std::int32_t across) {
   const int from = space_.side(across, edge.from);
   const int to = space_.side(across, edge.to);
-  if (from * to > 0) return;
-  if (from == 0 && to == 0) {
-    const bool goes_up = space_.compare(axis, edge.from, edge.to) < 0;
-    parts_.emplace_back(goes_up ? edge.from : edge.to,
-                        goes_up ? edge.to : edge.from);
-    return;
-  }
+  // Along the line it is for those before and after it to tell.
+  if (from == to) return;
   const std::int32_t at =
       from == 0 ? edge.from
       : to == 0

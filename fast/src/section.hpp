@@ -34,8 +34,7 @@ class Section {
     bool negative;
   };
 
-  void add(const Face& face, const SolidEdge& edge, std::int32_t across,
-           int axis);
+  void add(const Face& face, const SolidEdge& edge, std::int32_t across);
 
   Space& space_;
   std::vector<std::pair<std::int32_t, std::int32_t>> parts_;

@@ -145,6 +145,15 @@ TEST(FastNoding, IsKnownOfWhatIsConvexAndSmall) {
   EXPECT_FALSE(is_known_noded(two_that_touch()));
   EXPECT_FALSE(is_known_noded(prism_on_block()));
   EXPECT_FALSE(is_known_noded(complement(blocks({{{0, 0, 0}, {1, 2, 3}}}))));
+  // Only faces that look up are not convex, or only such as look down.
+  constexpr std::size_t kRow = lattice::kSize;
+  constexpr std::size_t kFour[] = {0, kRow, kRow * kRow, kRow * (kRow + 1)};
+  for (const std::size_t left_out : {kFour[0], kFour[3]}) {
+    lattice::Cubes cubes;
+    for (const std::size_t at : kFour) cubes.full[at] = at != left_out;
+    EXPECT_FALSE(is_known_noded(
+        merged(to_solid(lattice::surface(cubes)), Merge::kPlane)));
+  }
 }
 
 TEST(FastNoding, IsPassedOnFromOperandsToResults) {
@@ -248,6 +257,48 @@ TEST(FastNoding, BooleansAreRightWhereAnEdgeLiesInAFace) {
   expect_right(a, blocks({{{2, -1, -1}, {5, 5, 5}}}), volume(a) / 2);
 }
 
+TEST(FastNoding, BooleansAreRightWhereManyEdgesLieInAFace) {
+  constexpr int kPrisms = 12;
+  std::vector<GridPoint> vertices;
+  std::vector<std::vector<VertexId>> polygons;
+  const auto add = [&](const std::vector<GridPoint>& points,
+                       const std::vector<std::vector<VertexId>>& faces) {
+    const auto first = static_cast<VertexId>(vertices.size());
+    vertices.insert(vertices.end(), points.begin(), points.end());
+    for (std::vector<VertexId> face : faces) {
+      for (VertexId& v : face) v += first;
+      polygons.push_back(face);
+    }
+  };
+  constexpr std::int64_t kLong = 2 * kPrisms;
+  add({{0, 0, 0},
+       {0, kLong, 0},
+       {0, kLong, 1},
+       {0, 0, 1},
+       {4, 0, 0},
+       {4, kLong, 0},
+       {4, kLong, 1},
+       {4, 0, 1}},
+      {{3, 2, 1, 0},
+       {4, 5, 6, 7},
+       {0, 1, 5, 4},
+       {1, 2, 6, 5},
+       {2, 3, 7, 6},
+       {3, 0, 4, 7}});
+  for (std::int64_t y = 1; y < kLong; y += 2) {
+    add({{1, y, 1},
+         {1, y + 1, 2},
+         {1, y, 2},
+         {3, y, 1},
+         {3, y + 1, 2},
+         {3, y, 2}},
+        {{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}});
+  }
+  const Solid a = solid_of(vertices, polygons);
+  ASSERT_TRUE(check_operand(a));
+  expect_right(a, blocks({{{2, -1, -1}, {5, kLong + 1, 5}}}), volume(a) / 2);
+}
+
 /// Whether every vertex of the boolean that lies on an edge is a corner there,
 /// whichever operand is the first.
 void expect_corners(const Solid& a, const Solid& b) {
@@ -261,45 +312,60 @@ void expect_corners(const Solid& a, const Solid& b) {
   }
 }
 
-/// A block and a tetrahedron with a corner on it.
-Solid tetrahedron_on_block(const Block& block,
-                           const std::vector<GridPoint>& corners) {
+/// A block and tetrahedra.
+Solid with_tetrahedra(const Block& block,
+                      const std::vector<std::array<GridPoint, 4>>& list) {
   Solid solid = blocks({block});
-  const Solid more = to_solid(*make_solid([&] {
+  for (const auto& corners : list) {
     SceneData data;
     data.unit = {10, -3};
-    data.vertices = corners;
+    data.vertices.assign(corners.begin(), corners.end());
     data.corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
     data.first_corner = {0, 3, 6, 9, 12};
     data.colors.resize(4);
-    return made(std::move(data));
-  }()),
-                              solid);
-  const auto edges = static_cast<std::uint32_t>(solid.edges.size());
-  for (Face face : more.faces) {
-    face.first_edge += edges;
-    solid.faces.push_back(face);
+    const Solid more = to_solid(*make_solid(made(std::move(data))), solid);
+    const auto edges = static_cast<std::uint32_t>(solid.edges.size());
+    for (Face face : more.faces) {
+      face.first_edge += edges;
+      solid.faces.push_back(face);
+    }
+    solid.edges.insert(solid.edges.end(), more.edges.begin(), more.edges.end());
   }
-  solid.edges.insert(solid.edges.end(), more.edges.begin(), more.edges.end());
   return solid;
 }
 
 TEST(FastNoding, APointOnAnEdgeThatTheOtherCoversIsACorner) {
-  const Solid a = tetrahedron_on_block(
-      {{0, 0, 0}, {1, 1, 3}}, {{1, 1, 1}, {3, 2, 0}, {3, 3, 1}, {3, 2, 2}});
-  ASSERT_TRUE(check_operand(a));
+  // One with a face along the edge, one with none, and one that has an edge
+  // across it.
+  const std::array<GridPoint, 4> first{
+      {{1, 1, 1}, {3, 2, 0}, {3, 3, 1}, {3, 2, 2}}};
+  const std::array<GridPoint, 4> second{
+      {{1, 1, 4}, {4, 2, 3}, {5, 5, 4}, {3, 4, 6}}};
+  const std::array<GridPoint, 4> third{
+      {{0, 2, 7}, {2, 0, 7}, {3, 3, 6}, {3, 3, 8}}};
   const Solid prism = solid_of(
-      {{1, 1, 0}, {0, 2, 0}, {0, 1, 0}, {1, 1, 3}, {0, 2, 3}, {0, 1, 3}},
+      {{1, 1, 0}, {0, 2, 0}, {0, 1, 0}, {1, 1, 9}, {0, 2, 9}, {0, 1, 9}},
       {{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}});
   ASSERT_TRUE(check_operand(prism));
-  expect_corners(a, prism);
+  for (const auto& list :
+       {std::vector{first}, std::vector{second}, std::vector{third},
+        std::vector{first, second}, std::vector{second, first},
+        std::vector{third, first, second}}) {
+    const Solid a = with_tetrahedra({{0, 0, 0}, {1, 1, 9}}, list);
+    ASSERT_TRUE(check_operand(a));
+    expect_corners(a, prism);
+  }
 }
 
 TEST(FastNoding, APointOnAFaceWhereTheOtherCutsItIsACorner) {
-  const Solid a = tetrahedron_on_block(
-      {{0, 0, 0}, {4, 4, 2}}, {{2, 2, 2}, {1, 1, 4}, {3, 1, 4}, {2, 3, 4}});
-  ASSERT_TRUE(check_operand(a));
-  expect_corners(a, blocks({{{2, -1, -1}, {5, 5, 5}}}));
+  std::vector<std::array<GridPoint, 4>> list;
+  for (const std::int64_t y : {8, 2, 5}) {
+    list.push_back({{{2, y, 2}, {1, y - 1, 4}, {3, y - 1, 4}, {2, y + 1, 4}}});
+    const Solid a = with_tetrahedra({{0, 0, 0}, {4, 9, 2}}, list);
+    ASSERT_TRUE(check_operand(a));
+    expect_corners(a, blocks({{{2, -1, -1}, {5, 10, 5}}}));
+    expect_corners(a, blocks({{{2, 3, -1}, {5, 10, 5}}}));
+  }
 }
 
 }  // namespace

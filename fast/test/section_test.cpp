@@ -58,7 +58,8 @@ bool holds(const Board& board, int u, int v) {
 
 /// Checks which points of the line, step by step, the face has. How many.
 int check_line(const Board& board, const std::array<int, 2>& from,
-               const std::array<int, 2>& step, Space& space, int& axis_count) {
+               const std::array<int, 2>& step, Space& space, Section& section,
+               int& axis_count) {
   const auto at = [&](int k) {
     return point_at(from[0] + k * step[0], from[1] + k * step[1]);
   };
@@ -73,9 +74,6 @@ int check_line(const Board& board, const std::array<int, 2>& from,
   Face face;
   face.plane = plane;
   const std::vector<SolidEdge> edges = edges_of(board, space);
-  Section section(space);
-  // What was found before is forgotten.
-  section.find(face, edges, across, axis);
   section.find(face, edges, across, axis);
   int count = 0;
   constexpr int kLong = 5 * kSize;
@@ -99,6 +97,7 @@ TEST(Section, IsWhatTheFaceAndTheLineHaveInCommon) {
   int points = 0, axes = 0;
   for (int round = 0; round < 60; ++round) {
     Space space(26);
+    Section section(space);
     Board board;
     for (auto& row : board) {
       for (bool& square : row) square = mix(++state) % 2 == 0;
@@ -106,12 +105,13 @@ TEST(Section, IsWhatTheFaceAndTheLineHaveInCommon) {
     SCOPED_TRACE("round " + std::to_string(round));
     for (int start = 0; start <= 2 * kSize; ++start) {
       // Along edges, through squares, and through corners.
-      points += check_line(board, {start, 0}, {0, 1}, space, axes);
-      points += check_line(board, {0, start}, {-1, 0}, space, axes);
-      points += check_line(board, {start, 0}, {1, 1}, space, axes);
-      points += check_line(board, {start, 0}, {-1, 1}, space, axes);
-      points += check_line(board, {start, 0}, {1, -2}, space, axes);
-      points += check_line(board, {start, 2 * kSize}, {3, -1}, space, axes);
+      points += check_line(board, {start, 0}, {0, 1}, space, section, axes);
+      points += check_line(board, {0, start}, {-1, 0}, space, section, axes);
+      points += check_line(board, {start, 0}, {1, 1}, space, section, axes);
+      points += check_line(board, {start, 0}, {-1, 1}, space, section, axes);
+      points += check_line(board, {start, 0}, {1, -2}, space, section, axes);
+      points +=
+          check_line(board, {start, 2 * kSize}, {3, -1}, space, section, axes);
     }
     if (::testing::Test::HasFailure()) return;
   }
