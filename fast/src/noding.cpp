@@ -116,11 +116,12 @@ void Noder::add_cuts() {
   std::sort(points_.begin(), points_.end());
   for (const Cover& cover : operand_.covers) {
     const int axis = operand_.edge(cover.edge).axis;
-    for (const auto& [edge, point] : std::ranges::equal_range(
-             points_, cover.edge, {},
-             &std::pair<std::int32_t, std::int32_t>::first)) {
-      if (is_between(axis, cover.low, point, cover.high))
-        cuts.push_back({edge, point, cover.face});
+    auto point = std::lower_bound(
+        points_.begin(), points_.end(), cover.edge,
+        [](const auto& p, std::int32_t edge) { return p.first < edge; });
+    for (; point != points_.end() && point->first == cover.edge; ++point) {
+      if (is_between(axis, cover.low, point->second, cover.high))
+        cuts.push_back({cover.edge, point->second, cover.face});
     }
   }
   // Some were known.
