@@ -170,7 +170,7 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
     space_.line_axis(face.plane, across, axis);
     section_.find(face, edges, across, axis);
     for (const auto& [from, to] : section_.parts()) {
-      if (from == at || to == at || is_between(axis, from, at, to)) {
+      if (from == at || is_between(axis, from, at, to)) {
         points_.emplace_back(id, at);
         break;
       }

@@ -334,26 +334,42 @@ Solid with_tetrahedra(const Block& block,
   return solid;
 }
 
+/// The point with its coordinates passed on to the next axes.
+GridPoint turned(const GridPoint& p, int times) {
+  GridPoint q = p;
+  for (; times > 0; --times) q = {q.z, q.x, q.y};
+  return q;
+}
+
 TEST(FastNoding, APointOnAnEdgeThatTheOtherCoversIsACorner) {
-  // One with a face along the edge, one with none, and one that has an edge
-  // across it.
-  const std::array<GridPoint, 4> first{
-      {{1, 1, 1}, {3, 2, 0}, {3, 3, 1}, {3, 2, 2}}};
-  const std::array<GridPoint, 4> second{
-      {{1, 1, 4}, {4, 2, 3}, {5, 5, 4}, {3, 4, 6}}};
-  const std::array<GridPoint, 4> third{
-      {{0, 2, 7}, {2, 0, 7}, {3, 3, 6}, {3, 3, 8}}};
-  const Solid prism = solid_of(
-      {{1, 1, 0}, {0, 2, 0}, {0, 1, 0}, {1, 1, 9}, {0, 2, 9}, {0, 1, 9}},
-      {{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}});
-  ASSERT_TRUE(check_operand(prism));
-  for (const auto& list :
-       {std::vector{first}, std::vector{second}, std::vector{third},
-        std::vector{first, second}, std::vector{second, first},
-        std::vector{third, first, second}}) {
-    const Solid a = with_tetrahedra({{0, 0, 0}, {1, 1, 9}}, list);
-    ASSERT_TRUE(check_operand(a));
-    expect_corners(a, prism);
+  using Tetrahedron = std::array<GridPoint, 4>;
+  // With a face along the edge, with none, with an edge across it, and at
+  // another edge.
+  const Tetrahedron along{{{1, 1, 1}, {3, 2, 0}, {3, 3, 1}, {3, 2, 2}}};
+  const Tetrahedron askew{{{1, 1, 4}, {4, 2, 3}, {5, 5, 4}, {3, 4, 6}}};
+  const Tetrahedron across{{{0, 2, 7}, {2, 0, 7}, {3, 3, 6}, {3, 3, 8}}};
+  const Tetrahedron beside{{{0, 1, 5}, {-4, 0, 4}, {-3, 2, 7}, {-5, 2, 5}}};
+  const std::vector<GridPoint> prism{{1, 1, 0}, {0, 2, 0}, {0, 1, 0},
+                                     {1, 1, 9}, {0, 2, 9}, {0, 1, 9}};
+  for (int times = 0; times < 3; ++times) {
+    std::vector<GridPoint> corners;
+    for (const GridPoint& p : prism) corners.push_back(turned(p, times));
+    const Solid b = solid_of(
+        corners,
+        {{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}});
+    ASSERT_TRUE(check_operand(b));
+    for (std::vector<Tetrahedron> list :
+         {std::vector{along}, std::vector{askew}, std::vector{across},
+          std::vector{beside, askew}, std::vector{along, askew, beside},
+          std::vector{across, askew, along}}) {
+      for (Tetrahedron& tetrahedron : list) {
+        for (GridPoint& p : tetrahedron) p = turned(p, times);
+      }
+      const Solid a =
+          with_tetrahedra({{0, 0, 0}, turned({1, 1, 9}, times)}, list);
+      ASSERT_TRUE(check_operand(a));
+      expect_corners(a, b);
+    }
   }
 }
 
