@@ -98,4 +98,17 @@ void EdgeBlocks::set(std::size_t face, Shared list) {
   lists_[face] = std::move(list);
 }
 
+int known_side(const FilterPlane& plane, const Box& box, double rounding) {
+  double at[3];
+  double radius = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    at[k] = (double{box.low[k]} + double{box.high[k]}) / 2;
+    radius = std::max(radius, double{box.high[k]} - double{box.low[k]});
+  }
+  // No point of the box is off its middle by more than half of that; the
+  // middle is rounded by less than 2^-20 of it, where it is rounded at all.
+  const Vertex middle{at[0], at[1], at[2], radius * (0.5 + 0x1p-20)};
+  return known_sign(value_at(plane, middle, rounding));
+}
+
 }  // namespace halfspace::fast

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxes.hpp"
+#include "filter.hpp"
 #include "halfspace/fast/solid.hpp"
 
 /// Where the edges of faces with many of them are: so a boolean need not walk
@@ -86,5 +87,8 @@ class EdgeBlocks {
 
   std::vector<Shared> lists_;  ///< by face, as far as there are any
 };
+
+/// Which side of the plane the box is on, or 0 if it may meet it.
+int known_side(const FilterPlane& plane, const Box& box, double rounding);
 
 }  // namespace halfspace::fast

@@ -58,6 +58,7 @@ class Noder {
   bool cut_covered_edges();
   void add_cuts();
   int side_of(std::int32_t face, std::int32_t vertex) const;
+  std::span<const SolidEdge> edges_near(std::int32_t face, std::int32_t plane);
   bool add_points(std::int32_t edge, std::int32_t face);
   void split_traces();
   void find_cuts_on_traces();
@@ -82,6 +83,7 @@ class Noder {
   std::vector<Trace>& traces_;
   Space& space_;
   Section section_;
+  std::vector<SolidEdge> near_edges_;  ///< of the face at hand
   /// Covered edges and points within them.
   std::vector<std::pair<std::int32_t, std::int32_t>> points_;
   std::optional<BoxTree> trace_tree_;
@@ -148,6 +150,25 @@ int Noder::side_of(std::int32_t f, std::int32_t vertex) const {
   return space_.side(face.plane, vertex);
 }
 
+/// Those edges of a face that may meet a plane, in their order.
+std::span<const SolidEdge> Noder::edges_near(std::int32_t f,
+                                             std::int32_t plane) {
+  const SolidEdge* edges = operand_.edges_of(f);
+  const BlockList* list = operand_.blocks->of(f);
+  if (list == nullptr) return {edges, operand_.face(f).edge_count};
+  near_edges_.clear();
+  list->visit(
+      [&](const Box& box) {
+        return known_side(space_.plane(plane).filter, box, space_.rounding()) ==
+               0;
+      },
+      [&](const EdgeBlock& block) {
+        near_edges_.insert(near_edges_.end(), edges + block.first,
+                           edges + block.first + block.count);
+      });
+  return near_edges_;
+}
+
 /// Adds the points within an edge at which a face that has it not touches it.
 /// False if it has more of the edge in it than points.
 bool Noder::add_points(std::int32_t id, std::int32_t f) {
@@ -163,7 +184,7 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
   const std::array<std::int32_t, 2> planes{
       edge.plane, second_plane(edge, operand_, space_)};
   const std::int32_t across = other_than(face.plane, planes);
-  const auto edges = std::span(operand_.edges_of(f), face.edge_count);
+  const auto edges = edges_near(f, across);
   if (low != 0) {
     const std::int32_t at = space_.meet(planes[0], planes[1], face.plane);
     int axis = 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <string>
@@ -77,6 +78,27 @@ Solid prism_on_block() {
                    {10, 11, 13, 12},
                    {8, 10, 12},
                    {9, 13, 11}});
+}
+
+/// A solid and tetrahedra.
+Solid with_tetrahedra(Solid solid,
+                      const std::vector<std::array<GridPoint, 4>>& list) {
+  for (const auto& corners : list) {
+    SceneData data;
+    data.unit = {10, -3};
+    data.vertices.assign(corners.begin(), corners.end());
+    data.corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    data.first_corner = {0, 3, 6, 9, 12};
+    data.colors.resize(4);
+    const Solid more = to_solid(*make_solid(made(std::move(data))), solid);
+    const auto edges = static_cast<std::uint32_t>(solid.edges.size());
+    for (Face face : more.faces) {
+      face.first_edge += edges;
+      solid.faces.push_back(face);
+    }
+    solid.edges.insert(solid.edges.end(), more.edges.begin(), more.edges.end());
+  }
+  return solid;
 }
 
 double volume(const Solid& solid) {
@@ -299,6 +321,31 @@ TEST(FastNoding, BooleansAreRightWhereManyEdgesLieInAFace) {
   expect_right(a, blocks({{{2, -1, -1}, {5, kLong + 1, 5}}}), volume(a) / 2);
 }
 
+TEST(FastNoding, BooleansAreRightWhereAnEdgeLiesInAFaceWithManyEdges) {
+  lattice::Cubes board;
+  for (std::size_t i = 0; i < lattice::kSize; ++i) {
+    for (std::size_t j = 0; j < lattice::kSize; ++j) {
+      board.full[(i * lattice::kSize + j) * lattice::kSize] =
+          i % 2 == 0 || j % 2 == 0;
+    }
+  }
+  const Solid whole = merged(to_solid(lattice::surface(board)), Merge::kPlane);
+  const Solid a =
+      with_tetrahedra(whole, {{{{2, 2, 1}, {3, 3, 1}, {2, 3, 3}, {3, 2, 3}}}});
+  ASSERT_TRUE(check_operand(a));
+  EXPECT_TRUE(
+      std::any_of(a.faces.begin(), a.faces.end(), EdgeBlocks::has_many));
+  Solid b = blocks({{{2, 2, 1}, {3, 3, 2}}});
+  b.unit = a.unit;
+  EXPECT_EQ(have_nodes(a, b), (std::array{false, true}));
+  const Solid any = boolean(BooleanOp::kUnion, a, b);
+  const Solid common = boolean(BooleanOp::kIntersection, a, b);
+  EXPECT_TRUE(check_operand(any));
+  EXPECT_TRUE(check_operand(common));
+  EXPECT_GT(volume(common), 0);
+  EXPECT_DOUBLE_EQ(volume(any) + volume(common), volume(a) + volume(b));
+}
+
 /// Whether every vertex of the boolean that lies on an edge is a corner there,
 /// whichever operand is the first.
 void expect_corners(const Solid& a, const Solid& b) {
@@ -310,28 +357,6 @@ void expect_corners(const Solid& a, const Solid& b) {
       EXPECT_EQ(repair(result).faces_cut, 0u);
     }
   }
-}
-
-/// A block and tetrahedra.
-Solid with_tetrahedra(const Block& block,
-                      const std::vector<std::array<GridPoint, 4>>& list) {
-  Solid solid = blocks({block});
-  for (const auto& corners : list) {
-    SceneData data;
-    data.unit = {10, -3};
-    data.vertices.assign(corners.begin(), corners.end());
-    data.corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
-    data.first_corner = {0, 3, 6, 9, 12};
-    data.colors.resize(4);
-    const Solid more = to_solid(*make_solid(made(std::move(data))), solid);
-    const auto edges = static_cast<std::uint32_t>(solid.edges.size());
-    for (Face face : more.faces) {
-      face.first_edge += edges;
-      solid.faces.push_back(face);
-    }
-    solid.edges.insert(solid.edges.end(), more.edges.begin(), more.edges.end());
-  }
-  return solid;
 }
 
 /// The point with its coordinates passed on to the next axes.
@@ -365,8 +390,8 @@ TEST(FastNoding, APointOnAnEdgeThatTheOtherCoversIsACorner) {
       for (Tetrahedron& tetrahedron : list) {
         for (GridPoint& p : tetrahedron) p = turned(p, times);
       }
-      const Solid a =
-          with_tetrahedra({{0, 0, 0}, turned({1, 1, 9}, times)}, list);
+      const Solid a = with_tetrahedra(
+          blocks({{{0, 0, 0}, turned({1, 1, 9}, times)}}), list);
       ASSERT_TRUE(check_operand(a));
       expect_corners(a, b);
     }
@@ -377,7 +402,7 @@ TEST(FastNoding, APointOnAFaceWhereTheOtherCutsItIsACorner) {
   std::vector<std::array<GridPoint, 4>> list;
   for (const std::int64_t y : {8, 2, 5}) {
     list.push_back({{{2, y, 2}, {1, y - 1, 4}, {3, y - 1, 4}, {2, y + 1, 4}}});
-    const Solid a = with_tetrahedra({{0, 0, 0}, {4, 9, 2}}, list);
+    const Solid a = with_tetrahedra(blocks({{{0, 0, 0}, {4, 9, 2}}}), list);
     ASSERT_TRUE(check_operand(a));
     expect_corners(a, blocks({{{2, -1, -1}, {5, 10, 5}}}));
     expect_corners(a, blocks({{{2, 3, -1}, {5, 10, 5}}}));
