@@ -37,6 +37,7 @@ Box box_of(const Space& space, std::int32_t low, std::int32_t high) {
   return box;
 }
 
+/// Finds where an operand touches itself on the other one's surface.
 class Noder {
  public:
   Noder(std::size_t o, std::array<Operand, 2>& operands,
