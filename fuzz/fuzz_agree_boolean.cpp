@@ -5,7 +5,10 @@
 #include "both_solid.hpp"
 #include "definition.hpp"
 #include "fuzz.hpp"
+#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/repair.hpp"
 #include "halfspace/ref/boolean.hpp"
+#include "halfspace/ref/winding.hpp"
 #include "shapes.hpp"
 
 namespace halfspace {
@@ -113,12 +116,31 @@ void expect_volumes(const Pair& a, const Pair& b, const BuildOptions& options) {
                         b.volume);
 }
 
+/// What both libraries say of the two surfaces as one: whether it is that of a
+/// solid, and what it is resolved to (S6.6, S6.7).
+void expect_resolved(generate::Polygons polygons,
+                     const generate::Polygons& more) {
+  polygons.insert(polygons.end(), more.begin(), more.end());
+  const auto soup = made(polygons);
+  const ref::Solid reference = ref::to_solid(soup);
+  const fast::Solid fast = fast::to_solid(soup);
+  HALFSPACE_FUZZ_EXPECT(fast::check_operand(fast).has_value() ==
+                        ref::is_solid(reference));
+  const fast::Solid resolved = fast::repair(fast).solid;
+  const auto expected = polygons_of(ref::resolve(reference));
+  HALFSPACE_FUZZ_EXPECT(fast::bad_edges(resolved).empty());
+  HALFSPACE_FUZZ_EXPECT(fast::check_operand(resolved).has_value());
+  HALFSPACE_FUZZ_EXPECT(volume6_of(resolved) == definition::volume6(expected));
+  HALFSPACE_FUZZ_EXPECT(areas_of(halfspace::polygons_of(resolved)) ==
+                        areas_of(expected));
+}
+
 }  // namespace
 }  // namespace halfspace
 
 /// Booleans of small solids, and of their results with a third, are closed,
 /// have the same surface by reference and fast library, and the volumes of
-/// sets.
+/// sets. Two of them in one scene are resolved to the same surface by both.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   using namespace halfspace;
@@ -129,9 +151,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   options.candidates = 1 + static_cast<std::uint32_t>(bytes.below(6));
   options.seed = bytes.next();
   const auto operation = static_cast<BooleanOp>(bytes.below(3));
-  const auto a = pair_of(made(solid_of(bytes)));
-  const auto b = pair_of(made(solid_of(bytes)));
+  const auto first = solid_of(bytes);
+  const auto second = solid_of(bytes);
+  const auto a = pair_of(made(first));
+  const auto b = pair_of(made(second));
   if (bytes.empty()) {
+    expect_resolved(first, second);
     expect_volumes(a, b, options);
     return 0;
   }

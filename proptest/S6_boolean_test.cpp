@@ -22,17 +22,6 @@ template <class Impl>
 class S6Boolean : public ::testing::Test {};
 TYPED_TEST_SUITE(S6Boolean, BooleanImplementations);
 
-/// Points all over the small solids, off the planes of most of them.
-std::vector<Point> some_points() {
-  std::vector<Point> points;
-  for (int k = 0; k < 90; ++k) {
-    // Sevenths of grid steps from -6 to 8, without order.
-    points.push_back({Integer(k * 37 % 97 - 41), Integer(k * 53 % 97 - 40),
-                      Integer(k * 71 % 97 - 42), Integer(7)});
-  }
-  return points;
-}
-
 bool is_on_any_plane(const std::vector<Facet>& facets, const Point& point) {
   return std::any_of(facets.begin(), facets.end(), [&](const Facet& facet) {
     return definition::side_of(facet.support, point) == 0;
@@ -259,25 +248,6 @@ TYPED_TEST(S6Boolean, L9AChainHasTheVolumeAndMembersOfItsSets) {
         }
       },
       40);
-}
-
-/// Whether two convex polygons lie in one plane and overlap there: no edge of
-/// either has all of the other on its far side.
-bool overlap(const std::vector<Point>& p, const std::vector<Point>& q) {
-  const Facet f = definition::facet_of(p);
-  const Facet g = definition::facet_of(q);
-  if (definition::relation(q, f.support) != Relation::kCoincident) return false;
-  const auto separates = [](const Facet& facet,
-                            const std::vector<Point>& points) {
-    return std::any_of(
-        facet.edges.begin(), facet.edges.end(), [&](const Plane& edge) {
-          return std::all_of(points.begin(), points.end(),
-                             [&](const Point& point) {
-                               return definition::side_of(edge, point) <= 0;
-                             });
-        });
-  };
-  return !separates(f, q) && !separates(g, p);
 }
 
 TYPED_TEST(S6Boolean, L11NoTwoFragmentsOfAResultOverlap) {

@@ -20,6 +20,7 @@
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/split.hpp"
 #include "halfspace/ref/traverse.hpp"
+#include "halfspace/ref/winding.hpp"
 #include "halfspace/ref/zbuffer.hpp"
 #include "halfspace/scene.hpp"
 #include "picture.hpp"
@@ -137,6 +138,8 @@ struct Ref {
                        const BuildOptions& options = {}) {
     return ref::boolean(operation, a, b, options);
   }
+  static bool is_solid(const Solid& solid) { return ref::is_solid(solid); }
+  static Solid resolve(const Solid& solid) { return ref::resolve(solid); }
   static std::vector<std::vector<definition::Point>> polygons_of(
       const Solid& solid) {
     std::vector<std::vector<definition::Point>> polygons;

@@ -6,6 +6,8 @@
 #include "definition.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/repair.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/scene.hpp"
 
@@ -34,6 +36,10 @@ struct FastSolids {
   static Solid boolean(BooleanOp operation, const Solid& a, const Solid& b) {
     return fast::boolean(operation, a, b);
   }
+  static bool is_solid(const Solid& solid) {
+    return fast::check_operand(solid).has_value();
+  }
+  static Solid resolve(const Solid& solid) { return fast::repair(solid).solid; }
   static std::vector<std::vector<definition::Point>> polygons_of(
       const Solid& solid) {
     return halfspace::polygons_of(solid);

@@ -72,6 +72,11 @@ SolidPair solids_of(const SceneFile& file);
 /// with flush faces, crossing, equal, empty; straight and sheared.
 rc::Gen<SolidPair> solid_pairs();
 
+/// Closed scenes of two to four convex parts, which may overlap, touch each
+/// other anywhere, and pass through each other along edges, at vertices and in
+/// parts of faces. The red of a polygon's colour is the number of its part.
+rc::Gen<SceneFile> soups();
+
 /// Sorted runs of pixels without overlap, as a mask: bit i is pixel i.
 std::vector<Span> spans_of(std::uint64_t mask);
 std::uint64_t mask_of(const std::vector<Span>& spans);

@@ -187,4 +187,13 @@ void for_all_solids(
                count, of_file);
 }
 
+void for_all_soups(const std::function<void(const Scene&)>& property,
+                   int count) {
+  const auto of_file = [&](const SceneFile& file) { property(file.scene); };
+  replay(fs::path(HALFSPACE_REGRESSIONS) / "soups", /*needs_camera=*/false,
+         of_file);
+  if (only_scene() != nullptr) end_test();
+  check_saving([] { return *generate::soups(); }, count, of_file);
+}
+
 }  // namespace halfspace::law

@@ -72,6 +72,11 @@ void for_all_views(const std::function<void(const SceneFile&)>& property,
 void for_all_solids(
     const std::function<void(const generate::SolidPair&)>& property, int count);
 
+/// The same for soups (generate::soups()); saved ones are in
+/// regressions/soups/.
+void for_all_soups(const std::function<void(const Scene&)>& property,
+                   int count);
+
 /// Counts the cases that a run has met, by name.
 class Cases {
  public:

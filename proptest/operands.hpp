@@ -50,6 +50,42 @@ bool same_points(const typename Impl::Solid& a, const typename Impl::Solid& b) {
          is_empty<Impl>(Impl::boolean(BooleanOp::kDifference, b, a));
 }
 
+/// `count` points in sevenths of grid steps, from `low` sevenths on over
+/// `range` of them along each axis, without order: off the planes of most small
+/// solids. Requires: 37, 53 and 71 have no factor in common with `range`.
+inline std::vector<definition::Point> some_points(int count = 90, int low = -41,
+                                                  int range = 97) {
+  std::vector<definition::Point> points;
+  for (int k = 0; k < count; ++k) {
+    points.push_back({definition::Integer(k * 37 % range + low),
+                      definition::Integer(k * 53 % range + low),
+                      definition::Integer(k * 71 % range + low),
+                      definition::Integer(7)});
+  }
+  return points;
+}
+
+/// Whether two convex polygons lie in one plane and overlap there: no edge of
+/// either has all of the other on its far side.
+inline bool overlap(const std::vector<definition::Point>& p,
+                    const std::vector<definition::Point>& q) {
+  const definition::Facet f = definition::facet_of(p);
+  const definition::Facet g = definition::facet_of(q);
+  if (definition::relation(q, f.support) != Relation::kCoincident) return false;
+  const auto separates = [](const definition::Facet& facet,
+                            const std::vector<definition::Point>& points) {
+    return std::any_of(facet.edges.begin(), facet.edges.end(),
+                       [&](const definition::Plane& edge) {
+                         return std::all_of(
+                             points.begin(), points.end(),
+                             [&](const definition::Point& point) {
+                               return definition::side_of(edge, point) <= 0;
+                             });
+                       });
+  };
+  return !separates(f, q) && !separates(g, p);
+}
+
 /// How two solids may lie against each other.
 inline const std::set<std::string> kSituations = {
     "a polygon of the first spans the second's planes",

@@ -27,6 +27,7 @@ ALONE = {
     },
     ("ref", "boolean"): {
         "keep": "fast decides by memberships round an edge, not by classes",
+        "close_junctions": "fast's results are made so; no step of its own",
         "volume6": "a rational; fast has none",
         "rounded": "fast has exported(), of triangles",
     },

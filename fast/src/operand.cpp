@@ -75,8 +75,8 @@ Error crossed(const Solid& solid, const std::vector<Crossing>& found) {
   return not_closed(sentence, first.first);
 }
 
-/// Of a surface that does not cross itself each part has the same outside all
-/// over, round which nothing may be wound.
+/// Where a surface does not pass through itself, each connected part of it has
+/// one winding number in front of all its faces, which must be 0 (S6.6).
 Result<Done> check_windings(const Solid& solid, SelfWings& wings) {
   const auto parts = parts_of_surface(
       wings.contacts().operand, std::vector<std::uint8_t>(solid.faces.size()));

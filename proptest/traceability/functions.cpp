@@ -5,9 +5,12 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
+#include "halfspace/fast/crossings.hpp"
+#include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/repair.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/solid.hpp"
@@ -29,6 +32,7 @@
 #include "halfspace/ref/split.hpp"
 #include "halfspace/ref/splitter.hpp"
 #include "halfspace/ref/traverse.hpp"
+#include "halfspace/ref/winding.hpp"
 #include "halfspace/ref/zbuffer.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/scene_file.hpp"
@@ -182,17 +186,24 @@ void take_all() {
   take(&ref::bad_edges);  // S6.1
   take(&fast::bad_edges);  // S6.1
   take(&ref::to_solid);  // S6.2
+  take(&ref::winding_beside);  // S6.2
+  take(&ref::is_solid);  // S6.2
   {  // S6.2
     using namespace fast;
     using Kind = fast::Solid(const halfspace::Solid&, std::int32_t);
     take<Kind>(&fast::to_solid);
   }
+  take(&fast::check_operand);  // S6.2
   take(&ref::classify);  // S6.3
   take(&fast::boolean);  // S6.3
   take(&ref::keep);  // S6.4
   take(&fast::boolean);  // S6.4
   take(&ref::boolean);  // S6.5
   take(&fast::boolean);  // S6.5
+  take(&ref::is_solid);  // S6.6
+  take(&fast::crossings);  // S6.6
+  take(&ref::resolve);  // S6.7
+  take(&fast::repair);  // S6.7
 }
 
 }  // namespace
@@ -201,5 +212,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 81 ? 0 : 1;
+  return halfspace::taken == 88 ? 0 : 1;
 }

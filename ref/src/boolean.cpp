@@ -71,24 +71,6 @@ std::vector<Point> inside_edge(const std::vector<Point>& vertices,
   return found;
 }
 
-/// Makes every vertex that lies on an edge a corner there (S6.5).
-void close(Solid& solid) {
-  const std::vector<Point> vertices = vertices_of(solid);
-  for (Face& face : solid.faces) {
-    std::vector<Point> corners;
-    const std::size_t count = face.vertices.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const Point& p = face.vertices[i];
-      const Point& q = face.vertices[(i + 1) % count];
-      corners.push_back(p);
-      for (Point& point : inside_edge(vertices, p, q)) {
-        corners.push_back(std::move(point));
-      }
-    }
-    face.vertices = std::move(corners);
-  }
-}
-
 /// One grid step in model units (S1.1).
 Rational step_of(Unit unit) {
   Rational step = 1;
@@ -129,6 +111,23 @@ Keep keep(BooleanOp operation, SolidClass solid_class, bool first_operand) {
   return o;
 }
 
+void close_junctions(Solid& solid) {
+  const std::vector<Point> vertices = vertices_of(solid);
+  for (Face& face : solid.faces) {
+    std::vector<Point> corners;
+    const std::size_t count = face.vertices.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point& p = face.vertices[i];
+      const Point& q = face.vertices[(i + 1) % count];
+      corners.push_back(p);
+      for (Point& point : inside_edge(vertices, p, q)) {
+        corners.push_back(std::move(point));
+      }
+    }
+    face.vertices = std::move(corners);
+  }
+}
+
 Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
               const BuildOptions& options) {
   Solid result;
@@ -137,7 +136,7 @@ Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
   take(operation, a, /*first_operand=*/true, build(b, options), result);
   take(operation, b, /*first_operand=*/false, build(a, options), result);
   // Step 2: where cuts ended in mid-edge, make them meet.
-  close(result);
+  close_junctions(result);
   return result;
 }
 

@@ -28,9 +28,10 @@ class Exact {
     return at->second;
   }
 
-  /// Whether the point is inside; nothing if it is on the surface, or if the
-  /// ray from it along the first axis meets an edge.
-  std::optional<bool> holds(const Point& p, const std::array<double, 3>& near) {
+  /// The winding number of the point; nothing if it is on the surface, or if
+  /// the ray from it along the first axis meets an edge.
+  std::optional<int> winding(const Point& p,
+                             const std::array<double, 3>& near) {
     int winding = solid_.unbounded ? 1 : 0;
     for (const fast::Face& face : solid_.faces) {
       if (is_aside(face.box, near)) continue;
@@ -46,7 +47,7 @@ class Exact {
       if (!*covers || sign(value) * sign(a) > 0) continue;
       winding += (sign(a) > 0) != face.turned ? 1 : -1;
     }
-    return winding > 0;
+    return winding;
   }
 
  private:
@@ -203,11 +204,15 @@ void check(BooleanOp operation, const fast::Solid& a, const fast::Solid& b,
     const Point p = point_near(of, stream);
     const std::array<double, 3> near{nearest_double(p.x), nearest_double(p.y),
                                      nearest_double(p.z)};
-    std::array<std::optional<bool>, 3> in;
-    for (std::size_t s = 0; s < 3; ++s) in[s] = solids[s].holds(p, near);
+    std::array<std::optional<int>, 3> in;
+    for (std::size_t s = 0; s < 3; ++s) in[s] = solids[s].winding(p, near);
     if (!in[0] || !in[1] || !in[2]) continue;
     ++report.points;
-    if (*in[2] == holds(operation, *in[0], *in[1])) continue;
+    const bool are_solids = std::all_of(
+        in.begin(), in.end(), [](const auto& w) { return *w == 0 || *w == 1; });
+    if (are_solids &&
+        (*in[2] == 1) == holds(operation, *in[0] == 1, *in[1] == 1))
+      continue;
     ++report.mismatches;
     if (report.first.size() >= how.kept) continue;
     std::ostringstream text;
@@ -216,9 +221,7 @@ void check(BooleanOp operation, const fast::Solid& a, const fast::Solid& b,
     describe(solids[1], text);
     report.first.push_back({report.operations,
                             {text_of(p.x), text_of(p.y), text_of(p.z)},
-                            *in[0],
-                            *in[1],
-                            *in[2],
+                            {*in[0], *in[1], *in[2]},
                             text.str()});
   }
 }
@@ -259,12 +262,17 @@ fast::Solid symmetric_difference(const fast::Solid& a, const fast::Solid& b,
 }
 
 std::string to_string(const PointMismatch& mismatch) {
-  const auto where = [](bool inside) { return inside ? "inside" : "outside"; };
+  const auto where = [&](std::size_t s, const char* name) {
+    const int winding = mismatch.windings[s];
+    return winding == 0   ? std::string("outside ") + name
+           : winding == 1 ? std::string("inside ") + name
+                          : std::string("with winding number ") +
+                                std::to_string(winding) + " in " + name;
+  };
   return "operation " + std::to_string(mismatch.operation) + ": (" +
          mismatch.point[0] + ", " + mismatch.point[1] + ", " +
-         mismatch.point[2] + ") is " + where(mismatch.in_first) +
-         " the first operand, " + where(mismatch.in_second) +
-         " the second and " + where(mismatch.in_result) + " the result";
+         mismatch.point[2] + ") is " + where(0, "the first operand") + ", " +
+         where(1, "the second") + " and " + where(2, "the result");
 }
 
 }  // namespace halfspace::shadow

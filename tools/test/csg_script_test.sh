@@ -229,6 +229,59 @@ expect 0 'repaired: X: 6 pairs' csg X X=crossed.off --repair \
 expect 0 'volume 101,' csg X X=crossed.off --repair -o out.off
 expect 2 'repairs nothing' csg X X=crossed.off --repair -o o.off --impl ref
 expect 2 'crossed.off.*5 more' csg '"crossed.off"' -o out.off --impl ref
+# One that passes through itself along edges alone: an octahedron whose equator
+# lies in a face of a box. As two operands they make no difference.
+cat >box.off <<END
+OFF
+8 6 0
+-3 -3 -6
+3 -3 -6
+3 3 -6
+-3 3 -6
+-3 -3 0
+3 -3 0
+3 3 0
+-3 3 0
+4 3 2 1 0
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+END
+cat >octahedron.off <<END
+OFF
+6 8 0
+1 0 0
+-1 0 0
+0 1 0
+0 -1 0
+0 0 1
+0 0 -1
+3 0 2 4
+3 2 1 4
+3 1 3 4
+3 3 0 4
+3 2 0 5
+3 1 2 5
+3 3 1 5
+3 0 3 5
+END
+{
+  echo OFF
+  echo 14 14 0
+  sed -n '3,10p' box.off
+  sed -n '3,8p' octahedron.off
+  sed -n '11,16p' box.off
+  sed -n '9,16p' octahedron.off |
+    awk '{ print $1, $2 + 8, $3 + 8, $4 + 8 }'
+} >sunk.off
+for impl in fast ref; do
+  expect 2 'sunk.off.*polygons 1 and 6 cross near.*7 more' csg X X=sunk.off \
+    --impl $impl -o out.off
+done
+expect 0 'volume 216.666666667,' csg X X=sunk.off --repair -o out.off
+expect 0 'volume 216.666666667,' csg 'A | B' A=box.off B=octahedron.off -o o.off
 sed '$d' a.off | sed 's/^8 6/8 5/' >lid.off
 expect 2 'lid.off.*4 bad edges' csg 'A - X' A=a.off X=lid.off -o out.off
 # But where vertices lie within edges, as where import drops a polygon without

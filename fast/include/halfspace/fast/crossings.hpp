@@ -7,8 +7,9 @@
 
 namespace halfspace::fast {
 
-/// Two faces of one solid that have more in common than a solid allows (S6.2):
-/// they cross each other's interior, or overlap in one plane.
+/// Two faces at a place where a surface passes through itself (S6.6): they cross
+/// each other's interior, overlap in one plane, or are neighbours in the radial
+/// order round a segment that both enter there, or both leave.
 struct Crossing {
   std::int32_t first = 0;
   std::int32_t second = 0;
@@ -17,12 +18,15 @@ struct Crossing {
   friend bool operator==(const Crossing&, const Crossing&) = default;
 };
 
-/// The crossings of the solid's faces, by the lower face and then the other.
-/// Empty: its surface does not cross itself, which booleans require, unless it
-/// does so just where the edges of all the faces there are. check_operand()
-/// finds that, too.
+/// Where the solid's surface passes through itself, one place for each pair of
+/// faces, by the lower face and then the other. Empty: the surface only touches
+/// itself, if at all. That no part of it lies within another one the wrong way
+/// round is left to check_operand().
 ///
-/// Exact: yes.
+/// Requires: nothing; at the boundary of an open surface nothing is found but
+///           faces that cross or overlap.
+/// Exact:    yes.
+/// Source:   S6.6; radial order as in Weiler's radial edge structure.
 std::vector<Crossing> crossings(const Solid& solid);
 
 }  // namespace halfspace::fast

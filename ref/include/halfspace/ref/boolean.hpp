@@ -27,6 +27,10 @@ Keep keep(BooleanOp operation, SolidClass solid_class, bool first_operand);
 Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
               const BuildOptions& options = {});
 
+/// Makes every vertex of the solid that lies on an edge a corner there, so that
+/// edges cancel in pairs (S6.5).
+void close_junctions(Solid& solid);
+
 /// An edge that keeps a surface from being closed: as halfspace::BadEdge, with
 /// rational ends (S6.1).
 struct BadEdge {

@@ -22,13 +22,13 @@ struct BooleanOptions {
   int threads = 1;          ///< of fast::boolean()
 };
 
-/// A point that is in the result and should not be, or the other way round.
+/// A point that is in the result and should not be, or the other way round; or
+/// at which a surface has a winding number that no solid's has (S6.2).
 struct PointMismatch {
   std::uint64_t operation = 0;       ///< which one in the row, from 0 on
   std::array<std::string, 3> point;  ///< exact. Units: grid steps
-  bool in_first = false;
-  bool in_second = false;
-  bool in_result = false;
+  /// Of the first operand, the second, and the result; 1 is inside.
+  std::array<int, 3> windings{};
   std::string reproducer;  ///< the operation and the operands, exactly
 };
 
@@ -43,7 +43,7 @@ struct BooleanReport {
 
 /// Checks a result, whoever made it, at points near the faces of all three
 /// solids: what is in it must be what the operation makes of what is in the
-/// operands (S6.2, S6.4).
+/// operands, and the winding numbers of all three must be 0 or 1 (S6.2, S6.4).
 ///
 /// Exact: yes: points are rational and so are rays, by the reference's numbers,
 ///        and by none of the fast library's decisions. A ray that meets an edge
