@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -74,16 +75,40 @@ Polygons box(const Coordinates& low, const Coordinates& size) {
   return polygons;
 }
 
-/// A convex part by eight numbers below 4.
-Polygons part_of(const std::vector<int>& numbers) {
+/// An octahedron half sunk into a face of the box round the polygons: its
+/// square lies in that face, often with nothing else in common, and passes
+/// through it.
+Polygons sunk(const Polygons& polygons, const std::vector<int>& numbers) {
+  Coordinates low{100, 100, 100}, high{-100, -100, -100};
+  for (const auto& polygon : polygons) {
+    for (const GridPoint& p : polygon) {
+      const Coordinates c{p.x, p.y, p.z};
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], c[k]);
+        high[k] = std::max(high[k], c[k]);
+      }
+    }
+  }
+  Coordinates centre;
+  for (std::size_t k = 0; k < 3; ++k) centre[k] = (low[k] + high[k]) / 2;
+  const auto axis = static_cast<std::size_t>(numbers[7] % 3);
+  centre[axis] = numbers[0] % 2 == 0 ? high[axis] : low[axis];
+  const std::int64_t radius = numbers[1] == 0 ? 2 : 1;
+  return octahedron(centre, {radius, radius, radius});
+}
+
+/// A convex part by eight numbers below 4, `first` being there already.
+Polygons part_of(const std::vector<int>& numbers, const Polygons& first) {
   const Coordinates low{numbers[0], numbers[1], numbers[2]};
   const Coordinates size{1 + numbers[3], 1 + numbers[4], 1 + numbers[5]};
   switch (numbers[6]) {
     case 0:
       return wedge(low, size, static_cast<std::size_t>(numbers[7] % 3));
     case 1:
-    case 2:
       return octahedron(low, size);
+    case 2:
+      if (!first.empty()) return sunk(first, numbers);
+      return box({0, 0, 0}, {4, 4, 4});
     default:
       return box(low, size);
   }
@@ -102,8 +127,11 @@ rc::Gen<SceneFile> soups() {
   return gen::map(parts, [](const std::vector<std::vector<int>>& drawn) {
     Polygons all;
     std::vector<Rgb> colors;
+    Polygons first;
     for (std::size_t k = 0; k < drawn.size(); ++k) {
-      for (auto& polygon : part_of(drawn[k])) {
+      Polygons part = part_of(drawn[k], first);
+      if (k == 0) first = part;
+      for (auto& polygon : part) {
         all.push_back(std::move(polygon));
         colors.push_back({static_cast<std::uint8_t>(k), 0, 0});
       }
