@@ -2,42 +2,32 @@
 #
 #   need_meshes NAME...    puts data/meshes/NAME of the package in out/models/
 
-# The archive of meshes, as installed; empty where there is none.
-mesh_archive() {
-  local path
-  path=$(dpkg -L libcgal-demo 2>/dev/null | grep '/data\.tar\.gz$' || true)
-  [ -f "$path" ] && echo "$path"
-  # Small images of Debian leave out what is below /usr/share/doc.
-  [ -f out/package/data.tar.gz ] && echo out/package/data.tar.gz
-  return 0
-}
-
-# The archive out of the package's file, where installing it left it out.
-unpack_package() {
-  echo "Fetching libcgal-demo again: documentation is not installed here."
+# Fetches the package's file and takes the archive of meshes out of it. Nothing
+# is installed: the package depends on a whole geometry library.
+fetch_archive() {
+  missing=(libcgal-demo)
+  lists_are_there || update_lists
+  missing=()
+  echo "Fetching meshes: the package libcgal-demo, which is not installed."
   mkdir -p out/package
-  (cd out/package && apt-get -q download libcgal-demo >/dev/null) &&
-    dpkg-deb --fsys-tarfile out/package/libcgal-demo_*.deb |
-    tar -x -C out/package --strip-components=5 --wildcards '*/data.tar.gz'
+  (cd out/package && apt-get -q -o APT::Sandbox::User=root download \
+    libcgal-demo >/dev/null) ||
+    fail "apt-get could not download libcgal-demo"
+  dpkg-deb --fsys-tarfile out/package/libcgal-demo_*.deb |
+    tar -x -C out/package --strip-components=5 --wildcards '*/data.tar.gz' ||
+    fail "libcgal-demo has no data.tar.gz"
+  rm out/package/libcgal-demo_*.deb
 }
 
 need_meshes() {
-  local name archive
+  local name
+  local archive=out/package/data.tar.gz
   local absent=()
   for name in "$@"; do
     [ -s "out/models/$name" ] || absent+=("data/meshes/$name")
   done
   [ ${#absent[@]} -gt 0 ] || return 0
-  archive=$(mesh_archive | head -n 1)
-  if [ -z "$archive" ]; then
-    need libcgal-demo "real meshes to render (CC0)"
-    install_needed
-    archive=$(mesh_archive | head -n 1)
-  fi
-  if [ -z "$archive" ]; then
-    unpack_package || fail "libcgal-demo has no data.tar.gz"
-    archive=out/package/data.tar.gz
-  fi
+  [ -s "$archive" ] || fetch_archive
   mkdir -p out/models
   tar -x -z -f "$archive" -C out/models --strip-components=2 "${absent[@]}" ||
     fail "$archive does not hold ${absent[*]}"
