@@ -253,9 +253,8 @@ Status Job::shadow_status() const {
 Status run_csg(const CsgArguments& arguments) {
   const std::string& output = arguments.output;
   if (!io::is_scene_name(output) && !io::format_of(output)) {
-    return fail(output +
-                ": the name must end in .obj, .stl, .ply, .off or "
-                ".scene");
+    return fail(output + ": the name must end in " +
+                io::format_extensions(".scene"));
   }
   const bool by_ref =
       library_of(arguments.build, Library::kFast) == Library::kRef;
@@ -303,7 +302,7 @@ void add_csg(CLI::App& program, Status& status) {
                   "and two files")
       ->type_name("");
   app->add_option("-o,--output", arguments->output,
-                  "The result: OBJ, STL, PLY, OFF or .scene")
+                  "The result: " + io::format_names() + " or .scene")
       ->required()
       ->type_name("OUT");
   app->add_option("--script", arguments->script,
