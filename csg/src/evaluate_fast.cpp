@@ -40,15 +40,7 @@ class FastAlgebra {
                            operands_.polygons_of(id));
     if (!operands_.to_repair(id)) return value;
     fast::Repaired repaired = fast::repair(value);
-    if (repaired.solid.faces.empty()) {
-      return io::error_about(
-          operands_.path_of(id),
-          {ErrorCode::kNotClosed,
-           operands_.repair_word() +
-               " leaves nothing of it: its surface winds round no "
-               "place as it should, so it is empty or inside "
-               "out"});
-    }
+    if (repaired.solid.faces.empty()) return operands_.nothing_left(id);
     repairs_.push_back({id, repaired.crossings.size(), repaired.faces_cut,
                         repaired.faces_dropped});
     return std::move(repaired.solid);

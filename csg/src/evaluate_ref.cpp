@@ -6,6 +6,7 @@
 #include "halfspace/csg/evaluate.hpp"
 #include "halfspace/csg/outcome.hpp"
 #include "halfspace/ref/boolean.hpp"
+#include "halfspace/ref/winding.hpp"
 
 namespace halfspace::csg {
 namespace {
@@ -24,8 +25,25 @@ class RefAlgebra {
   Result<Value> leaf(std::int32_t id) {
     const Result<Solid> solid = operands_.leaf(id);
     if (!solid) return solid.error();
-    return Value{ref::to_solid(*solid), false};
+    Value value{ref::to_solid(*solid), false};
+    if (!operands_.to_repair(id)) return value;
+    ref::Solid resolved = ref::resolve(value.solid, options_);
+    if (resolved.faces.empty()) return operands_.nothing_left(id);
+    std::vector<std::size_t> parts(value.solid.faces.size());
+    for (const ref::Face& face : resolved.faces)
+      ++parts[static_cast<std::size_t>(face.source)];
+    const auto faces_with = [&](auto&& count_is) {
+      return static_cast<std::size_t>(
+          std::count_if(parts.begin(), parts.end(), count_is));
+    };
+    repairs_.push_back({id,
+                        {},
+                        faces_with([](std::size_t n) { return n > 1; }),
+                        faces_with([](std::size_t n) { return n == 0; })});
+    return Value{std::move(resolved), false};
   }
+
+  const std::vector<Repair>& repairs() const { return repairs_; }
 
   Result<Value> plane(std::int32_t) {
     return Error{ErrorCode::kUnknownFormat,
@@ -68,6 +86,7 @@ class RefAlgebra {
 
   Operands& operands_;
   BuildOptions options_;
+  std::vector<Repair> repairs_;
 };
 
 /// The coordinate in grid steps, if it is one of the widest grid's.
@@ -139,6 +158,7 @@ Result<std::optional<Outcome>> evaluate_ref(const Plan& plan,
   result.faces = result.polygons = solid.faces.size();
   result.bad_edges = ref::bad_edges(solid).size();
   result.volume = volume_of(solid, unit);
+  result.repairs = algebra.repairs();
   return std::optional<Outcome>(std::move(result));
 }
 

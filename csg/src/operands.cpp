@@ -211,6 +211,15 @@ Result<Scene> Operands::moved_scene(const Leaf& leaf,
   return make_scene(std::move(data));
 }
 
+Error Operands::nothing_left(std::int32_t leaf) const {
+  return io::error_about(
+      path_of(leaf),
+      {ErrorCode::kNotClosed,
+       options_.repair_word +
+           " leaves nothing of it: its surface winds round no place as it "
+           "should, so it is empty or inside out"});
+}
+
 Result<Solid> Operands::leaf(std::int32_t id) {
   const Leaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
   const auto located = [&](Error error) {

@@ -262,8 +262,6 @@ Status run_csg(const CsgArguments& arguments) {
     return fail("--origin: the reference does not know it; use --impl fast");
   if (by_ref && arguments.shadow)
     return fail("--shadow: it is the reference that checks; use --impl fast");
-  if (by_ref && arguments.repair)
-    return fail("--repair: the reference repairs nothing; use --impl fast");
   if (arguments.trust && arguments.repair)
     return fail("--trust finds nothing that --repair could resolve");
   Result<Request> request = request_of(arguments);

@@ -183,11 +183,13 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
         "the result may be wrong\n");
   }
   for (const csg::Repair& repair : result.repairs) {
-    std::printf(
-        "repaired: %s: %zu pairs of polygons crossed; %zu polygons cut, %zu "
-        "dropped\n",
-        context.operands.name_of(repair.leaf).c_str(), repair.crossings,
-        repair.faces_cut, repair.faces_dropped);
+    const std::string crossed =
+        repair.crossings
+            ? std::to_string(*repair.crossings) + " pairs of polygons crossed; "
+            : std::string();
+    std::printf("repaired: %s: %s%zu polygons cut, %zu dropped\n",
+                context.operands.name_of(repair.leaf).c_str(), crossed.c_str(),
+                repair.faces_cut, repair.faces_dropped);
   }
   if (context.checks) {
     std::printf(

@@ -72,7 +72,8 @@ class Operands {
   }
 
   /// The word by which a user asks for that.
-  const std::string& repair_word() const { return options_.repair_word; }
+  /// The error of a leaf of which a repair leaves no surface.
+  Error nothing_left(std::int32_t leaf) const;
 
   /// Whether nobody looked for that.
   bool are_trusted() const { return !options_.find_crossings; }

@@ -54,8 +54,10 @@ struct Origin {
 
 /// A solid that was repaired before it was used, and what that did.
 struct Repair {
-  std::int32_t leaf = 0;          ///< of the plan
-  std::size_t crossings = 0;      ///< pairs of faces
+  std::int32_t leaf = 0;  ///< of the plan
+  /// Pairs of faces; the reference, which looks at winding numbers alone, does
+  /// not know them.
+  std::optional<std::size_t> crossings;
   std::size_t faces_cut = 0;      ///< of which parts are left
   std::size_t faces_dropped = 0;  ///< of which nothing is left
 };
