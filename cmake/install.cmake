@@ -1,11 +1,12 @@
 # Installs the libraries so that find_package(halfspace) gives halfspace::spec,
-# halfspace::ref, halfspace::fast, halfspace::shadow and halfspace::io.
+# halfspace::ref, halfspace::fast, halfspace::shadow, halfspace::io and
+# halfspace::csg.
 include(CMakePackageConfigHelpers)
 
 set(HALFSPACE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/halfspace)
 
 install(TARGETS halfspace_spec halfspace_ref halfspace_fast halfspace_io
-                halfspace_shadow
+                halfspace_shadow halfspace_csg
         EXPORT halfspaceTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -14,6 +15,7 @@ install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/spec/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/fast/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/shadow/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/io/include/
+                  ${CMAKE_CURRENT_SOURCE_DIR}/csg/include/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT halfspaceTargets
         NAMESPACE halfspace::

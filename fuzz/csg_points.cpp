@@ -4,17 +4,17 @@
 #include <cstdlib>
 #include <utility>
 
-#include "csg_evaluate.hpp"
+#include "halfspace/csg/evaluate.hpp"
 
 namespace halfspace::fuzz {
 namespace {
 
+using csg::Matrix;
+using csg::NodeKind;
+using csg::Numbers3;
+using csg::Plan;
+using csg::Script;
 using io::Number;
-using tools::CsgKind;
-using tools::CsgPlan;
-using tools::CsgScript;
-using tools::Matrix;
-using tools::Numbers3;
 
 /// The point at / w, or, where w is 0, what is far away in a direction.
 struct Point {
@@ -64,20 +64,20 @@ Number negative(Number number) {
 }
 
 Number difference(const Number& a, const Number& b) {
-  return tools::sum(a, negative(b));
+  return csg::sum(a, negative(b));
 }
 
 Number minor_of(const Numbers3& u, const Numbers3& v, std::size_t i) {
   const std::size_t j = (i + 1) % 3;
   const std::size_t k = (i + 2) % 3;
-  return difference(tools::product(u[j], v[k]), tools::product(u[k], v[j]));
+  return difference(csg::product(u[j], v[k]), csg::product(u[k], v[j]));
 }
 
 Number determinant(const std::array<Numbers3, 3>& rows) {
   Number value;
   for (std::size_t i = 0; i < 3; ++i) {
-    value = tools::sum(
-        value, tools::product(rows[0][i], minor_of(rows[1], rows[2], i)));
+    value = csg::sum(value,
+                     csg::product(rows[0][i], minor_of(rows[1], rows[2], i)));
   }
   return value;
 }
@@ -95,10 +95,10 @@ Points moved_back(const Matrix& matrix, const Points& points) {
     Numbers3 from_origin;
     for (std::size_t i = 0; i < 3; ++i) {
       from_origin[i] =
-          difference(p.at[i], tools::product(matrix.rows[i][3], p.w));
+          difference(p.at[i], csg::product(matrix.rows[i][3], p.w));
     }
     Point q;
-    q.w = tools::product(is_negative ? negative(whole) : whole, p.w);
+    q.w = csg::product(is_negative ? negative(whole) : whole, p.w);
     for (std::size_t j = 0; j < 3; ++j) {
       auto replaced = columns;
       replaced[j] = from_origin;
@@ -120,8 +120,8 @@ Mask in_box(const Box& box, const Points& points) {
     const Point& p = points[k];
     bool inside = p.w.mantissa.sign() > 0;
     for (std::size_t i = 0; i < 3 && inside; ++i) {
-      inside = !is_less(p.at[i], tools::product(integer(box.low[i]), p.w)) &&
-               is_less(p.at[i], tools::product(integer(box.high[i]), p.w));
+      inside = !is_less(p.at[i], csg::product(integer(box.low[i]), p.w)) &&
+               is_less(p.at[i], csg::product(integer(box.high[i]), p.w));
     }
     mask |= Mask{inside} << k;
   }
@@ -129,7 +129,7 @@ Mask in_box(const Box& box, const Points& points) {
 }
 
 /// On the side from which the three corners are not seen counterclockwise.
-Mask in_half(const tools::CsgHalf& half, const Points& points) {
+Mask in_half(const csg::HalfSpace& half, const Points& points) {
   std::array<Numbers3, 3> rows;
   for (std::size_t i = 0; i < 3; ++i) {
     rows[0][i] = difference(half[1][i], half[0][i]);
@@ -139,19 +139,19 @@ Mask in_half(const tools::CsgHalf& half, const Points& points) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point& p = points[k];
     for (std::size_t i = 0; i < 3; ++i)
-      rows[2][i] = difference(p.at[i], tools::product(half[0][i], p.w));
+      rows[2][i] = difference(p.at[i], csg::product(half[0][i], p.w));
     mask |= Mask{determinant(rows).mantissa.sign() < 0} << k;
   }
   return mask;
 }
 
-Mask combined(CsgKind kind, Mask a, Mask b) {
+Mask combined(NodeKind kind, Mask a, Mask b) {
   switch (kind) {
-    case CsgKind::kUnion:
+    case NodeKind::kUnion:
       return a | b;
-    case CsgKind::kIntersection:
+    case NodeKind::kIntersection:
       return a & b;
-    case CsgKind::kDifference:
+    case NodeKind::kDifference:
       return a & ~b;
     default:
       return a ^ b;
@@ -161,7 +161,7 @@ Mask combined(CsgKind kind, Mask a, Mask b) {
 /// The points go down through the transforms to files and half-spaces.
 class Reading {
  public:
-  explicit Reading(const CsgScript& script) : script_(script) {}
+  explicit Reading(const Script& script) : script_(script) {}
 
   std::optional<Mask> result() {
     for (const auto& matrix : script_.transforms) {
@@ -183,16 +183,16 @@ class Reading {
     is_long_ =
         is_long_ || ++steps_ > kMostSteps || transforms > kMostTransforms;
     if (is_long_) return 0;
-    const tools::CsgNode& node = script_.nodes[static_cast<std::size_t>(id)];
+    const csg::Node& node = script_.nodes[static_cast<std::size_t>(id)];
     const auto item = static_cast<std::size_t>(node.item);
     switch (node.kind) {
-      case CsgKind::kFile:
+      case NodeKind::kFile:
         return in_box(box_of(script_.files[item]), points);
-      case CsgKind::kHalf:
+      case NodeKind::kHalf:
         return in_half(script_.halves[item], points);
-      case CsgKind::kComplement:
+      case NodeKind::kComplement:
         return ~of(node.left, points, transforms);
-      case CsgKind::kTransform:
+      case NodeKind::kTransform:
         return of(node.left, moved_back(script_.transforms[item], points),
                   transforms + 1);
       default:
@@ -202,7 +202,7 @@ class Reading {
     return combined(node.kind, left, of(node.right, points, transforms));
   }
 
-  const CsgScript& script_;
+  const Script& script_;
   int steps_ = 0;
   bool is_long_ = false;
 };
@@ -210,8 +210,8 @@ class Reading {
 /// The solids of a plan, as sets of the points.
 struct PointAlgebra {
   using Value = Mask;
-  const CsgScript& script;
-  const CsgPlan& plan;
+  const Script& script;
+  const Plan& plan;
   const Points points = all_points();
 
   Result<Value> leaf(std::int32_t id) const {
@@ -225,7 +225,7 @@ struct PointAlgebra {
     return in_half(plan.planes[static_cast<std::size_t>(id)].points, points);
   }
   static Value complement(Value value) { return ~value; }
-  static Value combine(CsgKind kind, Value a, Value b) {
+  static Value combine(NodeKind kind, Value a, Value b) {
     return combined(kind, a, b);
   }
 };
@@ -237,7 +237,7 @@ std::array<std::int64_t, 3> twice_near_point(std::size_t k) {
   return {2 * (n % 4) + 1, 2 * (n / 4 % 3) + 1, 2 * (n / 12) + 1};
 }
 
-Box box_of(const tools::CsgFile& file) {
+Box box_of(const csg::File& file) {
   constexpr Box kBoxes[] = {{{0, 0, 0}, {2, 2, 2}},
                             {{1, 1, 0}, {3, 3, 1}},
                             {{0, 1, 1}, {4, 2, 3}},
@@ -245,14 +245,14 @@ Box box_of(const tools::CsgFile& file) {
   return kBoxes[(static_cast<unsigned char>(file.path.front()) - 'a') & 3];
 }
 
-std::optional<Mask> mask_of(const CsgScript& script) {
+std::optional<Mask> mask_of(const Script& script) {
   return Reading(script).result();
 }
 
-Mask mask_of(const CsgScript& script, const CsgPlan& plan) {
+Mask mask_of(const Script& script, const Plan& plan) {
   PointAlgebra algebra{script, plan};
-  tools::Evaluator<PointAlgebra> evaluator(plan, algebra,
-                                           [](double) { return true; });
+  csg::Evaluator<PointAlgebra> evaluator(plan, algebra,
+                                         [](double) { return true; });
   return **evaluator.result();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "csg_plan.hpp"
+#include "halfspace/csg/plan.hpp"
 
 /// What a script of booleans says of points, and what its plan does.
 namespace halfspace::fuzz {
@@ -27,14 +27,14 @@ struct Box {
 };
 
 /// What a file holds, by the first letter of its name.
-Box box_of(const tools::CsgFile& file);
+Box box_of(const csg::File& file);
 
 /// What a script says, node by node: nothing is put together before. Nothing
 /// where that would take long.
-std::optional<Mask> mask_of(const tools::CsgScript& script);
+std::optional<Mask> mask_of(const csg::Script& script);
 
 /// What a plan of the script does.
 /// Requires: mask_of(script) is something.
-Mask mask_of(const tools::CsgScript& script, const tools::CsgPlan& plan);
+Mask mask_of(const csg::Script& script, const csg::Plan& plan);
 
 }  // namespace halfspace::fuzz

@@ -7,17 +7,17 @@
 #include <tuple>
 #include <utility>
 
-#include "csg_lexer.hpp"
+#include "halfspace/csg/lexer.hpp"
 
 namespace halfspace::fuzz {
 namespace {
 
+using csg::HalfSpace;
+using csg::Matrix;
+using csg::Node;
+using csg::NodeKind;
+using csg::Script;
 using io::Number;
-using tools::CsgHalf;
-using tools::CsgKind;
-using tools::CsgNode;
-using tools::CsgScript;
-using tools::Matrix;
 
 /// The number, exactly: an integer times a power of ten.
 std::string text_of(const Number& number) {
@@ -38,11 +38,11 @@ std::string listed(const Numbers& numbers) {
 }
 
 /// `half(x < 5)`, for the half-spaces that such words make; else nine numbers.
-std::string text_of(const CsgHalf& half) {
+std::string text_of(const HalfSpace& half) {
   const Number one{1, 0, 0};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const bool less : {false, true}) {
-      CsgHalf wanted;
+      HalfSpace wanted;
       for (auto& point : wanted) point[axis] = half[0][axis];
       wanted[less ? 1 : 2][(axis + 1) % 3] = one;
       wanted[less ? 2 : 1][(axis + 2) % 3] = one;
@@ -79,19 +79,19 @@ std::string call_of(const Matrix& matrix, const std::string& operand) {
   return "matrix(" + operand + numbers + ")";
 }
 
-std::string text_of(const tools::CsgFile& file) {
+std::string text_of(const csg::File& file) {
   if (!file.name.empty()) return file.name;
   const char* quote = file.path.find('"') == std::string::npos ? "\"" : "'";
   return quote + file.path + quote;
 }
 
-char symbol_of(CsgKind kind) {
+char symbol_of(NodeKind kind) {
   switch (kind) {
-    case CsgKind::kIntersection:
+    case NodeKind::kIntersection:
       return '&';
-    case CsgKind::kDifference:
+    case NodeKind::kDifference:
       return '-';
-    case CsgKind::kSymmetricDifference:
+    case NodeKind::kSymmetricDifference:
       return '^';
     default:
       return '|';
@@ -99,15 +99,15 @@ char symbol_of(CsgKind kind) {
 }
 
 /// How strongly a node's operator holds its operands; 4: it needs no bracket.
-int strength_of(CsgKind kind) {
+int strength_of(NodeKind kind) {
   switch (kind) {
-    case CsgKind::kUnion:
-    case CsgKind::kDifference:
-    case CsgKind::kSymmetricDifference:
+    case NodeKind::kUnion:
+    case NodeKind::kDifference:
+    case NodeKind::kSymmetricDifference:
       return 1;
-    case CsgKind::kIntersection:
+    case NodeKind::kIntersection:
       return 2;
-    case CsgKind::kComplement:
+    case NodeKind::kComplement:
       return 3;
     default:
       return 4;
@@ -115,21 +115,21 @@ int strength_of(CsgKind kind) {
 }
 
 template <class T>
-const T& item_of(const std::vector<T>& items, const CsgNode& node) {
+const T& item_of(const std::vector<T>& items, const Node& node) {
   return items[static_cast<std::size_t>(node.item)];
 }
 
 /// A node whose operands are these texts.
-std::string text_of(const CsgScript& script, const CsgNode& node,
+std::string text_of(const Script& script, const Node& node,
                     const std::string& left, const std::string& right) {
   switch (node.kind) {
-    case CsgKind::kFile:
+    case NodeKind::kFile:
       return text_of(item_of(script.files, node));
-    case CsgKind::kHalf:
+    case NodeKind::kHalf:
       return text_of(item_of(script.halves, node));
-    case CsgKind::kTransform:
+    case NodeKind::kTransform:
       return call_of(item_of(script.transforms, node), left);
-    case CsgKind::kComplement:
+    case NodeKind::kComplement:
       return "~" + left;
     default:
       return left + " " + symbol_of(node.kind) + " " + right;
@@ -139,15 +139,15 @@ std::string text_of(const CsgScript& script, const CsgNode& node,
 /// The same number for nodes that mean the same, in whatever script.
 class Meanings {
  public:
-  std::int32_t of_result(const CsgScript& script) {
+  std::int32_t of_result(const Script& script) {
     std::vector<std::int32_t> ids;
-    for (const CsgNode& node : script.nodes) {
+    for (const Node& node : script.nodes) {
       const auto of = [&ids](std::int32_t id) {
         return id < 0 ? -1 : ids[static_cast<std::size_t>(id)];
       };
       std::string item;
-      if (node.kind == CsgKind::kFile) {
-        const tools::CsgFile& file = item_of(script.files, node);
+      if (node.kind == NodeKind::kFile) {
+        const csg::File& file = item_of(script.files, node);
         item = file.name + "\n" + file.path;
       } else if (node.item >= 0) {
         item = text_of(script, node, "", "");
@@ -162,21 +162,21 @@ class Meanings {
   }
 
  private:
-  std::map<std::tuple<CsgKind, std::int32_t, std::int32_t, std::string>,
+  std::map<std::tuple<NodeKind, std::int32_t, std::int32_t, std::string>,
            std::int32_t>
       ids_;
 };
 
 }  // namespace
 
-std::vector<tools::CsgBinding> bindings_of(std::string_view text) {
+std::vector<csg::Binding> bindings_of(std::string_view text) {
   std::set<std::string_view> used;
-  tools::Lexer lexer(text);
-  for (auto token = lexer.next();
-       token && token->kind != tools::TokenKind::kEnd; token = lexer.next()) {
-    if (token->kind == tools::TokenKind::kName) used.insert(token->text);
+  csg::Lexer lexer(text);
+  for (auto token = lexer.next(); token && token->kind != csg::TokenKind::kEnd;
+       token = lexer.next()) {
+    if (token->kind == csg::TokenKind::kName) used.insert(token->text);
   }
-  std::vector<tools::CsgBinding> bindings;
+  std::vector<csg::Binding> bindings;
   for (const char* name : {"a", "b", "c", "d"}) {
     if (used.contains(name))
       bindings.push_back({name, std::string(name) + ".off"});
@@ -184,26 +184,26 @@ std::vector<tools::CsgBinding> bindings_of(std::string_view text) {
   return bindings;
 }
 
-std::string statements_of(const CsgScript& script) {
+std::string statements_of(const Script& script) {
   const auto name = [](std::int32_t id) { return "n" + std::to_string(id); };
   std::string text;
   for (std::size_t id = 0; id < script.nodes.size(); ++id) {
-    const CsgNode& node = script.nodes[id];
+    const Node& node = script.nodes[id];
     text += name(static_cast<std::int32_t>(id)) + " = " +
             text_of(script, node, name(node.left), name(node.right)) + "\n";
   }
   return text + name(script.result);
 }
 
-std::optional<std::string> expression_of(const CsgScript& script,
+std::optional<std::string> expression_of(const Script& script,
                                          std::size_t most) {
   std::vector<std::string> texts;
-  for (const CsgNode& node : script.nodes) {
+  for (const Node& node : script.nodes) {
     const int strength = strength_of(node.kind);
     const auto operand = [&](std::int32_t id, int least) {
       if (id < 0) return std::string();
       const std::string& text = texts[static_cast<std::size_t>(id)];
-      const CsgKind kind = script.nodes[static_cast<std::size_t>(id)].kind;
+      const NodeKind kind = script.nodes[static_cast<std::size_t>(id)].kind;
       return least < 4 && strength_of(kind) < least ? "(" + text + ")" : text;
     };
     // Operators of one strength are done from left to right.
@@ -214,11 +214,11 @@ std::optional<std::string> expression_of(const CsgScript& script,
   return texts[static_cast<std::size_t>(script.result)];
 }
 
-bool same_nodes(const CsgScript& a, const CsgScript& b) {
+bool same_nodes(const Script& a, const Script& b) {
   const auto same_files = [](const auto& f, const auto& g) {
     return f.path == g.path && f.name == g.name;
   };
-  const auto same = [](const CsgNode& n, const CsgNode& m) {
+  const auto same = [](const Node& n, const Node& m) {
     return n.kind == m.kind && n.left == m.left && n.right == m.right &&
            n.item == m.item;
   };
@@ -230,7 +230,7 @@ bool same_nodes(const CsgScript& a, const CsgScript& b) {
                     b.nodes.end(), same);
 }
 
-bool same_result(const CsgScript& a, const CsgScript& b) {
+bool same_result(const Script& a, const Script& b) {
   Meanings meanings;
   return meanings.of_result(a) == meanings.of_result(b);
 }

@@ -4,22 +4,22 @@
 #include <optional>
 #include <utility>
 
-#include "csg_evaluate.hpp"
 #include "csg_points.hpp"
 #include "csg_text.hpp"
 #include "fuzz.hpp"
+#include "halfspace/csg/evaluate.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "shapes.hpp"
 
 namespace halfspace {
 namespace {
 
+using csg::HalfSpace;
+using csg::Matrix;
+using csg::NodeKind;
+using csg::Plan;
+using csg::Script;
 using fuzz::Mask;
-using tools::CsgHalf;
-using tools::CsgKind;
-using tools::CsgPlan;
-using tools::CsgScript;
-using tools::Matrix;
 
 /// The number, where it is an integer of a few digits.
 std::optional<std::int64_t> small_integer(const io::Number& number) {
@@ -47,7 +47,7 @@ std::optional<GridMap> grid_map_of(const Matrix& matrix) {
 }
 
 /// Three points of a plane across an axis; nothing if it is no such plane.
-std::optional<std::array<GridPoint, 3>> grid_plane_of(const CsgHalf& half) {
+std::optional<std::array<GridPoint, 3>> grid_plane_of(const HalfSpace& half) {
   std::array<std::array<std::int64_t, 3>, 3> at;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -102,8 +102,8 @@ halfspace::Solid solid_of(const fuzz::Box& box, const GridMap& map) {
 /// The plan's solids by the fast library.
 struct FastAlgebra {
   using Value = fast::Solid;
-  const CsgScript& script;
-  const CsgPlan& plan;
+  const Script& script;
+  const Plan& plan;
   const fast::Solid nothing =
       fast::to_solid(*make_solid(generate::scene_of({}, {})));
 
@@ -115,19 +115,19 @@ struct FastAlgebra {
                           nothing, id);
   }
   Result<Value> plane(std::int32_t id) const {
-    const CsgHalf& half = plan.planes[static_cast<std::size_t>(id)].points;
+    const HalfSpace& half = plan.planes[static_cast<std::size_t>(id)].points;
     return fast::half_space(*grid_plane_of(half), nothing);
   }
   static Value complement(Value value) {
     return fast::complement(std::move(value));
   }
-  static Value combine(CsgKind kind, const Value& a, const Value& b) {
+  static Value combine(NodeKind kind, const Value& a, const Value& b) {
     switch (kind) {
-      case CsgKind::kIntersection:
+      case NodeKind::kIntersection:
         return fast::boolean(BooleanOp::kIntersection, a, b);
-      case CsgKind::kDifference:
+      case NodeKind::kDifference:
         return fast::boolean(BooleanOp::kDifference, a, b);
-      case CsgKind::kSymmetricDifference:
+      case NodeKind::kSymmetricDifference:
         return fast::symmetric_difference(a, b);
       default:
         return fast::boolean(BooleanOp::kUnion, a, b);
@@ -184,7 +184,7 @@ Mask near_mask_of(const fast::Solid& solid) {
 
 /// Where all that the plan needs is boxes on the grid, the fast library's
 /// result has the points that the script says.
-void expect_solid(const CsgScript& script, const CsgPlan& plan, Mask mask,
+void expect_solid(const Script& script, const Plan& plan, Mask mask,
                   const std::string& text) {
   if (plan.steps.size() > 30) return;
   for (const auto& leaf : plan.leaves) {
@@ -195,8 +195,8 @@ void expect_solid(const CsgScript& script, const CsgPlan& plan, Mask mask,
     if (!grid_plane_of(plane.points)) return;
   }
   FastAlgebra algebra{script, plan};
-  tools::Evaluator<FastAlgebra> evaluator(plan, algebra,
-                                          [](double) { return true; });
+  csg::Evaluator<FastAlgebra> evaluator(plan, algebra,
+                                        [](double) { return true; });
   const fast::Solid solid = **evaluator.result();
   HALFSPACE_FUZZ_EXPECT(fast::bad_edges(solid).empty(), text);
   HALFSPACE_FUZZ_EXPECT(near_mask_of(solid) == (mask & fuzz::kNear), text);
@@ -205,8 +205,8 @@ void expect_solid(const CsgScript& script, const CsgPlan& plan, Mask mask,
 }
 
 /// The script means the same by its nodes as by its plan.
-void expect_plan(const CsgScript& script, const std::string& text) {
-  const auto plan = tools::plan_csg(script, /*most_steps=*/256);
+void expect_plan(const Script& script, const std::string& text) {
+  const auto plan = csg::make_plan(script, /*most_steps=*/256);
   if (!plan) {
     HALFSPACE_FUZZ_EXPECT(plan.error().message.starts_with("line "), text);
     return;
@@ -219,17 +219,17 @@ void expect_plan(const CsgScript& script, const std::string& text) {
   expect_solid(script, *plan, *mask, text);
 }
 
-CsgScript parsed(const std::string& text) {
+Script parsed(const std::string& text) {
   const auto bindings = fuzz::bindings_of(text);
-  auto script = tools::parse_csg(text, bindings);
+  auto script = csg::parse_script(text, bindings);
   HALFSPACE_FUZZ_EXPECT(script.has_value(), text + script.error().message);
   return *std::move(script);
 }
 
 /// The script reads back from what is written of it, in either way.
-void expect_script(const CsgScript& script) {
+void expect_script(const Script& script) {
   const std::string text = fuzz::statements_of(script);
-  const CsgScript again = parsed(text);
+  const Script again = parsed(text);
   HALFSPACE_FUZZ_EXPECT(fuzz::same_nodes(script, again), text);
   const auto expression = fuzz::expression_of(script, /*most=*/1 << 13);
   if (expression) {
@@ -244,7 +244,7 @@ class Maker {
  public:
   explicit Maker(fuzz::Bytes bytes) : bytes_(bytes) {}
 
-  CsgScript script() {
+  Script script() {
     add_file();
     while (!bytes_.empty() && script_.nodes.size() < 40) add_node();
     script_.result = last();
@@ -257,7 +257,7 @@ class Maker {
   }
   io::Number number() { return io::number_of(bytes_.below(9) - 3); }
 
-  void add(CsgKind kind, std::int32_t left, std::int32_t right,
+  void add(NodeKind kind, std::int32_t left, std::int32_t right,
            std::int32_t item) {
     script_.nodes.push_back({kind, left, right, item, {}});
   }
@@ -266,11 +266,11 @@ class Maker {
   void add_file() {
     const int which = bytes_.below(8);
     const std::string name(1, static_cast<char>('a' + which % 4));
-    const tools::CsgFile file{name + ".off", which < 4 ? name : ""};
-    for (const tools::CsgFile& other : script_.files) {
+    const csg::File file{name + ".off", which < 4 ? name : ""};
+    for (const csg::File& other : script_.files) {
       if (other.path == file.path && other.name == file.name) return;
     }
-    add(CsgKind::kFile, -1, -1,
+    add(NodeKind::kFile, -1, -1,
         static_cast<std::int32_t>(script_.files.size()));
     script_.files.push_back(file);
   }
@@ -278,13 +278,13 @@ class Maker {
   void add_half() {
     const auto axis = static_cast<std::size_t>(bytes_.below(3));
     const bool less = bytes_.below(2) == 0;
-    CsgHalf half;
+    HalfSpace half;
     const io::Number value = number();
     for (auto& point : half) point[axis] = value;
     // Seen from where it does not reach, they go round counterclockwise.
     half[less ? 1 : 2][(axis + 1) % 3] = io::number_of(1);
     half[less ? 2 : 1][(axis + 2) % 3] = io::number_of(1);
-    add(CsgKind::kHalf, -1, -1,
+    add(NodeKind::kHalf, -1, -1,
         static_cast<std::int32_t>(script_.halves.size()));
     script_.halves.push_back(half);
   }
@@ -292,7 +292,7 @@ class Maker {
   /// A signed permutation of the axes, or now and then a scale, and a move.
   void add_transform(std::int32_t of) {
     const int turn = bytes_.below(64);
-    Matrix matrix = tools::scaling({});
+    Matrix matrix = csg::scaling({});
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t shift = static_cast<std::size_t>(turn) / 16 % 3;
       matrix.rows[i][(i + shift) % 3] =
@@ -300,7 +300,7 @@ class Maker {
       matrix.rows[i][3] = (turn & 8) != 0 ? number() : io::Number{};
     }
     if (turn >= 48) matrix.rows[1][1] = io::number_of((turn - 47) / 2.0);
-    add(CsgKind::kTransform, of, -1,
+    add(NodeKind::kTransform, of, -1,
         static_cast<std::int32_t>(script_.transforms.size()));
     script_.transforms.push_back(matrix);
   }
@@ -312,15 +312,15 @@ class Maker {
     };
     if (what < 3) return add_file();
     if (what < 5) return add_half();
-    if (what < 6) return add(CsgKind::kComplement, last(), -1, -1);
+    if (what < 6) return add(NodeKind::kComplement, last(), -1, -1);
     if (what < 8) return add_transform(earlier(bytes_.below(3)));
-    const auto kind = static_cast<CsgKind>(2 + (what - 8) % 4);
+    const auto kind = static_cast<NodeKind>(2 + (what - 8) % 4);
     const int operands = bytes_.next();
     add(kind, earlier(operands % 16), earlier(operands / 16), -1);
   }
 
   fuzz::Bytes bytes_;
-  CsgScript script_;
+  Script script_;
 };
 
 }  // namespace
@@ -337,7 +337,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     return 0;
   }
   const auto text = fuzz::text_of(data, size);
-  const auto script = tools::parse_csg(text, fuzz::bindings_of(text));
+  const auto script = csg::parse_script(text, fuzz::bindings_of(text));
   if (script) {
     expect_script(*script);
   } else {

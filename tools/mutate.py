@@ -81,7 +81,7 @@ FILES = [
     "spec/src/scene_file.cpp", "spec/src/scene_file_write.cpp",
     "spec/src/token_lines.cpp",
     "io/src/automatic_view.cpp", "io/src/encode.cpp", "io/src/file.cpp",
-    "io/src/grid.cpp", "io/src/import.cpp", "io/src/join.cpp",
+    "io/src/format.cpp", "io/src/grid.cpp", "io/src/import.cpp", "io/src/join.cpp",
     "io/src/mesh_builder.cpp", "io/src/npy.cpp", "io/src/number.cpp",
     "io/src/ply_header.cpp", "io/src/png_rows.cpp", "io/src/read_mesh.cpp",
     "io/src/read_obj.cpp", "io/src/read_off.cpp", "io/src/read_ply.cpp",

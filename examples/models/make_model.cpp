@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "halfspace/io/format.hpp"
 #include "halfspace/io/write_mesh.hpp"
 #include "halfspace/scene_file.hpp"
 #include "models.hpp"
@@ -35,9 +36,8 @@ int write(const std::string& path, const Scene& scene) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Writes a model, made in code, as .off, .obj, .ply, .stl or "
-      ".scene.");
+  CLI::App app("Writes a model, made in code, as " +
+               halfspace::io::format_extensions(".scene") + ".");
   std::string name;
   std::string output;
   halfspace::models::ModelOptions options;

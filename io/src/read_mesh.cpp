@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "readers.hpp"
+#include "format_table.hpp"
 #include "text.hpp"
 
 namespace halfspace::io {
@@ -16,14 +16,6 @@ namespace {
 
 /// As much as a gzipped file may unpack to.
 constexpr std::uint64_t kMaxUnpacked = std::uint64_t{1} << 32;
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
-}
 
 Error named(const std::filesystem::path& path, Error error) {
   error.message = path.string() + ": " + error.message;
@@ -102,17 +94,6 @@ Result<std::string> unpacked(std::string_view bytes) {
 
 }  // namespace
 
-std::optional<Format> format_of(const std::filesystem::path& path) {
-  std::filesystem::path name = path.filename();
-  if (lower_extension(name) == ".gz") name = name.stem();
-  const std::string extension = lower_extension(name);
-  if (extension == ".obj") return Format::kObj;
-  if (extension == ".stl") return Format::kStl;
-  if (extension == ".ply") return Format::kPly;
-  if (extension == ".off") return Format::kOff;
-  return std::nullopt;
-}
-
 Result<std::string> read_file(const std::filesystem::path& path) {
   Result<std::string> bytes = read_bytes(path);
   if (!bytes || !is_gzipped(*bytes)) return bytes;
@@ -125,9 +106,8 @@ Result<Mesh> read_mesh(const std::filesystem::path& path) {
   const std::optional<Format> format = format_of(path);
   if (!format) {
     return Error{ErrorCode::kUnknownFormat,
-                 path.string() +
-                     ": a mesh file ends in .obj, .stl, .ply or .off, perhaps "
-                     "with .gz after it"};
+                 path.string() + ": a mesh file ends in " +
+                     format_extensions() + ", perhaps with .gz after it"};
   }
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return bytes.error();
@@ -138,17 +118,10 @@ Result<Mesh> read_mesh(const std::filesystem::path& path) {
 
 Result<Mesh> read_mesh(std::string_view bytes, Format format) {
   if (bytes.empty()) return Error{ErrorCode::kEmpty, "the file is empty", 0};
-  switch (format) {
-    case Format::kObj:
-      return read_obj(bytes);
-    case Format::kStl:
-      return read_stl(bytes);
-    case Format::kPly:
-      return read_ply(bytes);
-    case Format::kOff:
-      return read_off(bytes);
-  }
-  return Error{ErrorCode::kUnknownFormat, "the format is unknown"};
+  const FormatEntry* entry = entry_of(format);
+  if (entry == nullptr)
+    return Error{ErrorCode::kUnknownFormat, "the format is unknown"};
+  return entry->read(bytes);
 }
 
 }  // namespace halfspace::io

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "encode.hpp"
 #include "file.hpp"
+#include "format_table.hpp"
 #include "halfspace/io/number.hpp"
-#include "halfspace/io/read_mesh.hpp"
 #include "triangulate.hpp"
 
 namespace halfspace::io {
@@ -18,13 +17,13 @@ namespace {
 constexpr std::size_t kMaxExactLength = 80;
 
 /// The format of the file to write.
-Result<Format> output_format(const std::filesystem::path& path) {
+Result<const FormatEntry*> output_format(const std::filesystem::path& path) {
   const std::optional<Format> format = format_of(path);
   const std::string extension = path.extension().string();
-  if (format && extension != ".gz" && extension != ".GZ") return *format;
-  return Error{
-      ErrorCode::kUnknownFormat,
-      path.string() + ": a mesh is written to .obj, .stl, .ply or .off"};
+  if (format && extension != ".gz" && extension != ".GZ")
+    return entry_of(*format);
+  return Error{ErrorCode::kUnknownFormat,
+               path.string() + ": a mesh is written to " + format_extensions()};
 }
 
 Error named(const std::filesystem::path& path, Error error) {
@@ -76,14 +75,9 @@ std::optional<std::string> exact_decimal(const Number& number) {
   return text;
 }
 
-/// What is written, whatever it comes from.
-class Writer {
- public:
-  explicit Writer(Faces faces) : faces_(faces) {}
-
-  std::vector<std::string> texts;                  // for formats of text
-  std::vector<DoublePoint> doubles;                // for formats of bytes
-  std::vector<std::array<VertexId, 3>> triangles;  // for STL
+/// What is written, and what that did.
+struct Writer {
+  MeshContent content;
   ExportReport report;
 
   void note(double move) {
@@ -92,31 +86,13 @@ class Writer {
   }
 
   Result<ExportReport> write(const std::filesystem::path& path,
-                             Format format) const {
-    const Result<std::string> bytes = encoded(format);
+                             const FormatEntry& format) const {
+    const Result<std::string> bytes = format.encoded(content);
     if (!bytes) return named(path, bytes.error());
     const Result<Done> done = write_file(path, *bytes);
     if (!done) return done.error();
     return report;
   }
-
- private:
-  Result<std::string> encoded(Format format) const {
-    switch (format) {
-      case Format::kObj:
-        return obj_text(texts, faces_);
-      case Format::kOff:
-        return off_text(texts, faces_);
-      case Format::kPly:
-        return texts.empty() ? ply_binary(doubles, faces_)
-                             : ply_text(texts, faces_);
-      case Format::kStl:
-        return stl_binary(doubles, triangles);
-    }
-    return Error{ErrorCode::kUnknownFormat, "the format is unknown"};
-  }
-
-  Faces faces_;
 };
 
 Number coordinate_number(std::int64_t steps, const Unit& unit) {
@@ -153,7 +129,7 @@ std::optional<Error> cut_scene(const Scene& scene, Writer& writer) {
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
     const auto corners = scene.corners(static_cast<PolygonId>(p));
     if (corners.size() == 3) {
-      writer.triangles.push_back({corners[0], corners[1], corners[2]});
+      writer.content.triangles.push_back({corners[0], corners[1], corners[2]});
       continue;
     }
     if (corners.size() > kMaxEarCorners) {
@@ -169,7 +145,7 @@ std::optional<Error> cut_scene(const Scene& scene, Writer& writer) {
     }
     ++writer.report.triangulated;
     for (const auto& triangle : triangulate(points)) {
-      writer.triangles.push_back(
+      writer.content.triangles.push_back(
           {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
     }
   }
@@ -177,12 +153,12 @@ std::optional<Error> cut_scene(const Scene& scene, Writer& writer) {
 }
 
 /// Adds a vertex as doubles, and for STL tells how far floats move it.
-void add_doubles(const std::array<Number, 3>& point, Format format,
+void add_doubles(const std::array<Number, 3>& point, const FormatEntry& format,
                  Writer& writer) {
-  DoublePoint& doubles = writer.doubles.emplace_back();
+  DoublePoint& doubles = writer.content.doubles.emplace_back();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     doubles[axis] = to_double(point[axis]);
-    if (format != Format::kStl) continue;
+    if (format.coordinates != Coordinates::kFloats) continue;
     const double stored = double{static_cast<float>(doubles[axis])};
     if (!std::isfinite(stored)) continue;  // refused when it is encoded
     const Number number = number_of(stored);
@@ -196,7 +172,7 @@ void cut_mesh(const OutputMesh& mesh, Writer& writer) {
     const std::size_t first = mesh.first_corner[f];
     const std::size_t end = mesh.first_corner[f + 1];
     for (std::size_t i = first + 1; i + 1 < end; ++i) {
-      writer.triangles.push_back(
+      writer.content.triangles.push_back(
           {mesh.corners[first], mesh.corners[i], mesh.corners[i + 1]});
     }
     if (end - first > 3) ++writer.report.triangulated;
@@ -207,8 +183,9 @@ void cut_mesh(const OutputMesh& mesh, Writer& writer) {
 
 Result<ExportReport> write_mesh(const std::filesystem::path& path,
                                 const OutputMesh& mesh) {
-  const Result<Format> format = output_format(path);
-  if (!format) return format.error();
+  const Result<const FormatEntry*> found = output_format(path);
+  if (!found) return found.error();
+  const FormatEntry& format = **found;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (const double value : mesh.vertices[v]) {
       if (std::isfinite(value)) continue;
@@ -218,17 +195,21 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
                    static_cast<std::int64_t>(v)};
     }
   }
-  Writer writer({mesh.first_corner, mesh.corners, mesh.colors});
-  if (*format == Format::kPly || *format == Format::kStl) {
-    writer.doubles = mesh.vertices;
+  Writer writer;
+  writer.content.faces = {mesh.first_corner, mesh.corners, mesh.colors};
+  if (format.coordinates != Coordinates::kText) {
+    writer.content.doubles = mesh.vertices;
   } else {
     for (const DoublePoint& point : mesh.vertices) {
-      writer.texts.push_back(shortest(point[0]) + " " + shortest(point[1]) +
-                             " " + shortest(point[2]));
+      writer.content.texts.push_back(shortest(point[0]) + " " +
+                                     shortest(point[1]) + " " +
+                                     shortest(point[2]));
     }
   }
-  if (*format == Format::kStl) {
+  if (format.has_triangles_only) {
     cut_mesh(mesh, writer);
+  }
+  if (format.coordinates == Coordinates::kFloats) {
     for (const DoublePoint& point : mesh.vertices) {
       for (const double value : point) {
         const double stored = double{static_cast<float>(value)};
@@ -236,38 +217,41 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
       }
     }
   }
-  return writer.write(path, *format);
+  return writer.write(path, format);
 }
 
 Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene) {
-  const Result<Format> format = output_format(path);
-  if (!format) return format.error();
+  const Result<const FormatEntry*> found = output_format(path);
+  if (!found) return found.error();
+  const FormatEntry& format = **found;
   const SceneData& data = scene.data();
-  Writer writer({data.first_corner, data.corners, data.colors});
-  const bool binary = *format == Format::kStl ||
-                      (*format == Format::kPly && doubles_are_exact(data.unit));
+  Writer writer;
+  writer.content.faces = {data.first_corner, data.corners, data.colors};
+  const bool binary = format.coordinates == Coordinates::kFloats ||
+                      (format.coordinates == Coordinates::kTextOrDoubles &&
+                       doubles_are_exact(data.unit));
   for (std::size_t v = 0; v < data.vertices.size(); ++v) {
     const GridPoint& p = data.vertices[v];
     const std::array<Number, 3> point = {coordinate_number(p.x, data.unit),
                                          coordinate_number(p.y, data.unit),
                                          coordinate_number(p.z, data.unit)};
     if (binary) {
-      add_doubles(point, *format, writer);
+      add_doubles(point, format, writer);
       continue;
     }
-    writer.texts.push_back(point_text(point, writer));
-    if (writer.texts.back().empty()) {
+    writer.content.texts.push_back(point_text(point, writer));
+    if (writer.content.texts.back().empty()) {
       return Error{ErrorCode::kNotFinite,
                    path.string() + ": vertex " + std::to_string(v) +
                        " has a coordinate that no double holds",
                    static_cast<std::int64_t>(v)};
     }
   }
-  if (*format == Format::kStl) {
+  if (format.has_triangles_only) {
     if (auto error = cut_scene(scene, writer)) return named(path, *error);
   }
-  return writer.write(path, *format);
+  return writer.write(path, format);
 }
 
 }  // namespace halfspace::io

@@ -7,7 +7,7 @@
 
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/read_mesh.hpp"
-#include "trimmed.hpp"
+#include "halfspace/csg/trimmed.hpp"
 
 namespace halfspace::identities {
 namespace {
@@ -108,7 +108,7 @@ Result<Solid> load(const std::string& path) {
   if (!imported) return imported.error();
   if (imported->scene.polygon_count() == 0)
     return Error{ErrorCode::kEmpty, "no polygons", -1};
-  SceneData data = tools::trimmed(imported->scene);
+  SceneData data = csg::trimmed(imported->scene);
   data.unit = {2, 0};
   centre(data.vertices);
   Result<Scene> scene = make_scene(std::move(data));

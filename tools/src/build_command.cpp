@@ -35,8 +35,8 @@ Status run_build(const BuildCommandArguments& arguments) {
   if (arguments.tree_file && !engine->has_tree_files()) {
     return fail("--impl ref: saves no trees; leave --impl or -o out");
   }
-  const Result<Loaded> loaded =
-      load(arguments.path, import_options_of(arguments));
+  const Result<io::LoadedScene> loaded =
+      io::load_scene(arguments.path, import_options_of(arguments));
   if (!loaded) return fail(arguments.path, loaded.error());
   const Scene& scene = loaded->file.scene;
   progress(engine->warning(scene.polygon_count()));

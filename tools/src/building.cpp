@@ -137,7 +137,8 @@ Result<BuildMeasure> load_measured(Engine& engine, Library library,
   return measure;
 }
 
-nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& measure) {
+nlohmann::json stats_of(const io::LoadedScene& loaded,
+                        const BuildMeasure& measure) {
   const io::ImportReport& report = loaded.report;
   const std::size_t polygons = loaded.file.scene.polygon_count();
   return {{"impl", measure.library},
@@ -157,7 +158,7 @@ nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& measure) {
             {"max_move", report.max_move},
             {"triangulated", report.triangulated},
             {"dropped", report.dropped},
-            {"unit", to_string(report.unit)},
+            {"unit", io::to_string(report.unit)},
             {"grid_bits", report.grid_bits}}}};
 }
 

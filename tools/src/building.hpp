@@ -68,7 +68,8 @@ Result<BuildMeasure> load_measured(Engine& engine, Library library,
 
 /// What `--stats` says about the scene, its import and its tree; zeros for the
 /// tree where none was built.
-nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& measure);
+nlohmann::json stats_of(const io::LoadedScene& loaded,
+                        const BuildMeasure& measure);
 
 /// The tree of so many polygons in words.
 std::string to_string(const BuildMeasure& measure, std::size_t polygons);

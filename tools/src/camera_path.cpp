@@ -169,9 +169,9 @@ Result<CameraPath> parse_camera_path(const std::string& text,
 Result<CameraPath> read_camera_path(const std::string& path,
                                     const ViewArguments& start) {
   const Result<std::string> text = io::read_file(path);
-  if (!text) return about(path, text.error());
+  if (!text) return io::error_about(path, text.error());
   Result<CameraPath> parsed = parse_camera_path(*text, start);
-  if (!parsed) return about(path, parsed.error());
+  if (!parsed) return io::error_about(path, parsed.error());
   return parsed;
 }
 

@@ -33,7 +33,7 @@ Status stop(std::string_view sentence) {
 }
 
 Status fail(const std::string& file, const Error& error) {
-  return fail(about(file, error).message);
+  return fail(io::error_about(file, error).message);
 }
 
 void progress(const std::string& sentence) {

@@ -12,14 +12,16 @@
 
 #include "building.hpp"
 #include "command.hpp"
-#include "csg_result.hpp"
 #include "csg_write.hpp"
 #include "engine.hpp"
+#include "halfspace/csg/operands.hpp"
+#include "halfspace/csg/outcome.hpp"
+#include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/read_mesh.hpp"
+#include "halfspace/shadow/boolean.hpp"
 #include "loading.hpp"
 #include "long_work.hpp"
 #include "measuring.hpp"
-#include "operands.hpp"
 #include "options.hpp"
 #include "shadowing.hpp"
 
@@ -46,7 +48,7 @@ struct Request {
   std::string text;
   std::string source;
   std::string folder;  ///< of the files that the text has in quotes
-  std::vector<CsgBinding> bindings;
+  std::vector<csg::Binding> bindings;
 };
 
 /// The request of `csg union A B` and its like; nothing if it is none.
@@ -81,7 +83,7 @@ Result<Request> request_of(const CsgArguments& arguments) {
   std::size_t first = 0;
   if (!arguments.script.empty()) {
     Result<std::string> text = io::read_file(arguments.script);
-    if (!text) return about(arguments.script, text.error());
+    if (!text) return io::error_about(arguments.script, text.error());
     request.text = *std::move(text);
     request.source = arguments.script;
     request.folder =
@@ -119,21 +121,38 @@ class Job {
   Status fail_in_source(const Error& error) const {
     return fail(request_.source + ": " + error.message);
   }
-  Result<std::optional<CsgResult>> evaluate(const CsgPlan& plan,
-                                            Operands& operands) const;
-  Status finish(const CsgScript& script, const CsgPlan& plan,
-                const Operands& operands, const CsgResult& result,
+  Result<std::optional<csg::Outcome>> evaluate(const csg::Plan& plan,
+                                               csg::Operands& operands);
+  Status finish(const csg::Script& script, const csg::Plan& plan,
+                const csg::Operands& operands, const csg::Outcome& result,
                 double boolean_ms) const;
-  Status shadow_status(const CsgResult& result) const;
-  Result<Operands> load(const CsgScript& script, const CsgPlan& plan,
-                        bool find_crossings) const;
+  csg::Combine checked_combine();
+  Status shadow_status() const;
+  Result<csg::Operands> load(const csg::Script& script, const csg::Plan& plan,
+                             bool find_crossings) const;
 
   const CsgArguments& arguments_;
   Request request_;
+  std::optional<shadow::BooleanReport> checks_;
 };
 
-Result<std::optional<CsgResult>> Job::evaluate(const CsgPlan& plan,
-                                               Operands& operands) const {
+/// Booleans of the fast library, a share of them checked.
+csg::Combine Job::checked_combine() {
+  if (!arguments_.shadow) return {};
+  shadow::BooleanReport& report = checks_.emplace();
+  shadow::BooleanOptions how;
+  how.share = *arguments_.shadow;
+  how.threads = thread_count(arguments_.build);
+  return [&report, how](csg::NodeKind kind, const fast::Solid& a,
+                        const fast::Solid& b) {
+    return kind == csg::NodeKind::kSymmetricDifference
+               ? shadow::symmetric_difference(a, b, how, report)
+               : shadow::boolean(csg::boolean_op(kind), a, b, how, report);
+  };
+}
+
+Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
+                                                  csg::Operands& operands) {
   const bool by_ref =
       library_of(arguments_.build, Library::kFast) == Library::kRef;
   if (by_ref) {
@@ -143,52 +162,55 @@ Result<std::optional<CsgResult>> Job::evaluate(const CsgPlan& plan,
     progress(make_engine(Library::kRef)->warning(polygons));
   }
   LongWork work(std::to_string(plan.booleans) + " booleans");
-  CsgOptions options;
-  options.merge = static_cast<MergeRule>(arguments_.merge);
+  csg::EvaluateOptions options;
+  options.merge = static_cast<csg::MergeRule>(arguments_.merge);
   // Files of triangles would have others than their origins tell of.
   options.triangles = io::format_of(arguments_.output) == io::Format::kStl;
   options.build = build_options(arguments_.build);
   options.threads = thread_count(arguments_.build);
-  options.shadow = arguments_.shadow;
+  options.combine = checked_combine();
   options.progress = [&work](double share) { return work.report(share); };
-  return by_ref ? evaluate_ref(plan, operands, options)
-                : evaluate_fast(plan, operands, options);
+  return by_ref ? csg::evaluate_ref(plan, operands, options)
+                : csg::evaluate_fast(plan, operands, options);
 }
 
-Result<Operands> Job::load(const CsgScript& script, const CsgPlan& plan,
-                           bool find_crossings) const {
-  return Operands::load(script, plan,
-                        {.folder = request_.folder,
-                         .grid_bits = arguments_.grid_bits,
-                         .find_crossings = find_crossings,
-                         .repair = arguments_.repair});
+Result<csg::Operands> Job::load(const csg::Script& script,
+                                const csg::Plan& plan,
+                                bool find_crossings) const {
+  return csg::Operands::load(script, plan,
+                             {.folder = request_.folder,
+                              .grid_bits = arguments_.grid_bits,
+                              .find_crossings = find_crossings,
+                              .repair = arguments_.repair,
+                              .repair_word = "--repair"});
 }
 
 Status Job::run() {
-  const Result<CsgScript> script = parse_csg(request_.text, request_.bindings);
+  const Result<csg::Script> script =
+      csg::parse_script(request_.text, request_.bindings);
   if (!script) return fail_in_source(script.error());
-  const Result<CsgPlan> plan = plan_csg(*script);
+  const Result<csg::Plan> plan = csg::make_plan(*script);
   if (!plan) return fail_in_source(plan.error());
-  Result<Operands> operands = load(*script, *plan, !arguments_.trust);
+  Result<csg::Operands> operands = load(*script, *plan, !arguments_.trust);
   if (!operands) return fail(operands.error().message);
   const Stopwatch watch;
-  const Result<std::optional<CsgResult>> result = evaluate(*plan, *operands);
+  const Result<std::optional<csg::Outcome>> result = evaluate(*plan, *operands);
   if (!result) return fail(result.error().message);
   if (!*result) return stop("stopped; nothing was written");
   return finish(*script, *plan, *operands, **result, watch.elapsed_ms());
 }
 
-Status Job::finish(const CsgScript& script, const CsgPlan& plan,
-                   const Operands& operands, const CsgResult& result,
+Status Job::finish(const csg::Script& script, const csg::Plan& plan,
+                   const csg::Operands& operands, const csg::Outcome& result,
                    double boolean_ms) const {
-  const CsgContext context{script, plan, operands, result, boolean_ms};
+  const CsgContext context{script, plan, operands, result, checks_, boolean_ms};
   if (result.bad_edges != 0) {
     const std::string edges =
         std::to_string(result.bad_edges) + " bad edges; nothing was written";
     if (!operands.are_trusted())
       return fail("this is a bug: the result has " + edges);
     // Now it is worth looking. What only moving has bent is not found so.
-    const Result<Operands> checked = load(script, plan, true);
+    const Result<csg::Operands> checked = load(script, plan, true);
     return fail(
         "--trust did not look for surfaces that cross themselves: the "
         "result has " +
@@ -211,13 +233,13 @@ Status Job::finish(const CsgScript& script, const CsgPlan& plan,
         write_stats(*stats_file, stats_of(context, *report));
     if (!written) return fail(*stats_file, written.error());
   }
-  return shadow_status(result);
+  return shadow_status();
 }
 
 /// Whether a checked boolean was wrong; then that is said, and written down.
-Status Job::shadow_status(const CsgResult& result) const {
-  if (!result.checks || result.checks->mismatches == 0) return Status::kFine;
-  const shadow::PointMismatch& first = result.checks->first.front();
+Status Job::shadow_status() const {
+  if (!checks_ || checks_->mismatches == 0) return Status::kFine;
+  const shadow::PointMismatch& first = checks_->first.front();
   const std::string& file = arguments_.shadow_file;
   std::ofstream out(file, std::ios::binary);
   out << first.reproducer;
@@ -230,10 +252,9 @@ Status Job::shadow_status(const CsgResult& result) const {
 
 Status run_csg(const CsgArguments& arguments) {
   const std::string& output = arguments.output;
-  if (!is_scene_name(output) && !io::format_of(output)) {
-    return fail(output +
-                ": the name must end in .obj, .stl, .ply, .off or "
-                ".scene");
+  if (!io::is_scene_name(output) && !io::format_of(output)) {
+    return fail(output + ": the name must end in " +
+                io::format_extensions(".scene"));
   }
   const bool by_ref =
       library_of(arguments.build, Library::kFast) == Library::kRef;
@@ -281,7 +302,7 @@ void add_csg(CLI::App& program, Status& status) {
                   "and two files")
       ->type_name("");
   app->add_option("-o,--output", arguments->output,
-                  "The result: OBJ, STL, PLY, OFF or .scene")
+                  "The result: " + io::format_names() + " or .scene")
       ->required()
       ->type_name("OUT");
   app->add_option("--script", arguments->script,
@@ -291,7 +312,8 @@ void add_csg(CLI::App& program, Status& status) {
                   "Write which polygon of which solid each polygon of the "
                   "result comes from")
       ->type_name("FILE");
-  add_choice(*app, "--merge", merge_words(), arguments->merge,
+  add_choice(*app, "--merge", {"origin", "color", "plane", "none"},
+             arguments->merge,
              "Which faces in one plane become one: parts of one polygon, those "
              "of one colour, all, or none");
   app->add_flag("--strict", arguments->strict,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "halfspace/io/import.hpp"
+#include "halfspace/io/load_scene.hpp"
 #include "halfspace/scene_file.hpp"
 #include "loading.hpp"
 
@@ -32,7 +33,7 @@ Result<io::Imported> import_rounded(const io::OutputMesh& rounded) {
 
 /// Writes the result as a scene, and counts what had to be rounded.
 Result<io::ExportReport> write_scene_file(const std::string& path,
-                                          const CsgResult& result) {
+                                          const csg::Outcome& result) {
   io::ExportReport report;
   SceneFile file;
   if (result.scene) {
@@ -76,8 +77,8 @@ std::string one_line(std::string text) {
 }  // namespace
 
 Result<io::ExportReport> write_result(const std::string& path,
-                                      const CsgResult& result) {
-  if (is_scene_name(path)) return write_scene_file(path, result);
+                                      const csg::Outcome& result) {
+  if (io::is_scene_name(path)) return write_scene_file(path, result);
   if (result.scene) return io::write_scene_mesh(path, *result.scene);
   Result<io::ExportReport> report = io::write_mesh(path, result.mesh);
   if (!report) return report;
@@ -90,16 +91,17 @@ Result<Done> write_origins(const std::string& path, const CsgContext& context) {
   std::string text;
   for (std::size_t i = 0; i < context.plan.leaves.size(); ++i) {
     const auto id = static_cast<std::int32_t>(i);
-    const Place& place = context.plan.leaves[i].place;
+    const csg::Place& place = context.plan.leaves[i].place;
     text += "solid " + std::to_string(i) + " " +
-            one_line(context.operands.name_of(id)) + " (" + to_string(place) +
-            ") " + one_line(context.operands.path_of(id)) + "\n";
+            one_line(context.operands.name_of(id)) + " (" +
+            csg::to_string(place) + ") " +
+            one_line(context.operands.path_of(id)) + "\n";
   }
   for (std::size_t i = 0; i < context.plan.planes.size(); ++i) {
     text += "solid " + std::to_string(context.plan.leaves.size() + i) +
-            " half (" + to_string(context.plan.planes[i].place) + ")\n";
+            " half (" + csg::to_string(context.plan.planes[i].place) + ")\n";
   }
-  for (const CsgOrigin& origin : context.result.origins) {
+  for (const csg::Origin& origin : context.result.origins) {
     text += std::to_string(origin.leaf) + " " + std::to_string(origin.polygon) +
             "\n";
   }
@@ -119,7 +121,7 @@ std::string turned_sentence(const CsgContext& context) {
       std::to_string(context.result.polygons) + " polygons, first polygon " +
       std::to_string(turned.front());
   if (!context.result.origins.empty()) {
-    const CsgOrigin& origin =
+    const csg::Origin& origin =
         context.result.origins[static_cast<std::size_t>(turned.front())];
     sentence += is_half(context, origin.leaf)
                     ? " (of a half)"
@@ -132,7 +134,7 @@ std::string turned_sentence(const CsgContext& context) {
 nlohmann::json stats_of(const CsgContext& context,
                         const io::ExportReport& report) {
   const io::ImportReport& import = context.operands.report();
-  const CsgResult& result = context.result;
+  const csg::Outcome& result = context.result;
   nlohmann::json stats = {{"operands", context.plan.leaves.size()},
                           {"booleans", context.plan.booleans},
                           {"polygons", polygons_in(context)},
@@ -149,25 +151,25 @@ nlohmann::json stats_of(const CsgContext& context,
                             {"max_move", import.max_move},
                             {"triangulated", import.triangulated},
                             {"dropped", import.dropped},
-                            {"unit", to_string(import.unit)},
+                            {"unit", io::to_string(import.unit)},
                             {"grid_bits", import.grid_bits}}},
                           {"export",
                            {{"moved", report.moved},
                             {"max_move", report.max_move},
                             {"turned", result.turned.size()},
                             {"triangulated", report.triangulated}}}};
-  if (result.checks) {
-    stats["shadow_booleans"] = result.checks->operations;
-    stats["shadow_checked"] = result.checks->checked;
-    stats["shadow_points"] = result.checks->points;
-    stats["shadow_mismatches"] = result.checks->mismatches;
+  if (context.checks) {
+    stats["shadow_booleans"] = context.checks->operations;
+    stats["shadow_checked"] = context.checks->checked;
+    stats["shadow_points"] = context.checks->points;
+    stats["shadow_mismatches"] = context.checks->mismatches;
   }
   return stats;
 }
 
 void print_summary(const CsgContext& context, const io::ExportReport& report,
                    const std::string& output) {
-  const CsgResult& result = context.result;
+  const csg::Outcome& result = context.result;
   std::printf("operands: %zu of %zu polygons; %s\n", context.plan.leaves.size(),
               polygons_in(context),
               to_string(context.operands.report()).c_str());
@@ -180,19 +182,19 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
         "trusted: nobody looked whether a surface crosses itself; if one does, "
         "the result may be wrong\n");
   }
-  for (const CsgRepair& repair : result.repairs) {
+  for (const csg::Repair& repair : result.repairs) {
     std::printf(
         "repaired: %s: %zu pairs of polygons crossed; %zu polygons cut, %zu "
         "dropped\n",
         context.operands.name_of(repair.leaf).c_str(), repair.crossings,
         repair.faces_cut, repair.faces_dropped);
   }
-  if (result.checks) {
+  if (context.checks) {
     std::printf(
         "shadow: %zu of %zu booleans checked at %zu points, %zu mismatches\n",
-        static_cast<std::size_t>(result.checks->checked),
-        static_cast<std::size_t>(result.checks->operations),
-        result.checks->points, result.checks->mismatches);
+        static_cast<std::size_t>(context.checks->checked),
+        static_cast<std::size_t>(context.checks->operations),
+        context.checks->points, context.checks->mismatches);
   }
   std::printf("result: %zu polygons, closed, volume %.12g, %.3f ms\n",
               result.polygons, result.volume, context.boolean_ms);

@@ -1,22 +1,26 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
-#include "csg_plan.hpp"
-#include "csg_result.hpp"
+#include "halfspace/csg/operands.hpp"
+#include "halfspace/csg/outcome.hpp"
+#include "halfspace/csg/plan.hpp"
 #include "halfspace/io/write_mesh.hpp"
 #include "halfspace/result.hpp"
-#include "operands.hpp"
+#include "halfspace/shadow/boolean.hpp"
 
 namespace halfspace::tools {
 
 /// All that there is to tell of a boolean that was done.
 struct CsgContext {
-  const CsgScript& script;
-  const CsgPlan& plan;
-  const Operands& operands;
-  const CsgResult& result;
+  const csg::Script& script;
+  const csg::Plan& plan;
+  const csg::Operands& operands;
+  const csg::Outcome& result;
+  /// The booleans that were checked, if they were to be.
+  const std::optional<shadow::BooleanReport>& checks;
   double boolean_ms = 0;
 };
 
@@ -24,7 +28,7 @@ struct CsgContext {
 /// What the result's own rounding moved is in the report, too.
 /// Errors: those of write_mesh() and of import, for scenes; kUnwritable.
 Result<io::ExportReport> write_result(const std::string& path,
-                                      const CsgResult& result);
+                                      const csg::Outcome& result);
 
 /// Writes the origin of each polygon of the result as text. A line
 /// `solid I NAME PATH` for each solid, as it was moved at a place in the

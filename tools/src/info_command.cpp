@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "closing.hpp"
 #include "command.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/csg/closing.hpp"
+#include "halfspace/csg/volume.hpp"
 #include "loading.hpp"
-#include "volume.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -58,7 +58,7 @@ void print_box(const Scene& scene) {
 
 void print_closedness(const Scene& scene) {
   const std::size_t bad = bad_edges(scene).size();
-  const std::size_t added = bad == 0 ? 0 : closed_on_lines(scene).added;
+  const std::size_t added = bad == 0 ? 0 : csg::closed_on_lines(scene).added;
   if (bad != 0 && added == 0) {
     std::printf("surface    not closed: %zu bad edges\n", bad);
     return;
@@ -66,7 +66,7 @@ void print_closedness(const Scene& scene) {
   std::printf("surface    closed");
   if (added != 0)
     std::printf(", but for %zu corners where vertices lie within edges", added);
-  std::printf("\nvolume     %s\n", exact_volume(scene).c_str());
+  std::printf("\nvolume     %s\n", csg::exact_volume(scene).c_str());
 }
 
 void print_camera(const SceneFile& file) {
@@ -78,14 +78,14 @@ void print_camera(const SceneFile& file) {
 }
 
 Status run_info(const InfoArguments& arguments) {
-  const Result<Loaded> loaded =
-      load(arguments.path, {.grid_bits = arguments.grid_bits});
+  const Result<io::LoadedScene> loaded =
+      io::load_scene(arguments.path, {.grid_bits = arguments.grid_bits});
   if (!loaded) return fail(arguments.path, loaded.error());
   const Scene& scene = loaded->file.scene;
   std::printf("file       %s\n", arguments.path.c_str());
   print_polygons(scene);
   std::printf("grid       %d bits of %s\n", scene.grid_bits(),
-              to_string(scene.unit()).c_str());
+              io::to_string(scene.unit()).c_str());
   print_box(scene);
   if (!loaded->is_scene_file) {
     std::printf("mesh       %zu polygons, %zu vertices\n",

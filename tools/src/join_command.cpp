@@ -19,13 +19,13 @@ struct JoinArguments {
 
 Status run_join(const JoinArguments& arguments) {
   const std::string& output = arguments.output;
-  const bool is_picture = has_extension(output, ".png");
-  if (!is_picture && !has_extension(output, ".npy")) {
+  const bool is_picture = io::has_extension(output, ".png");
+  if (!is_picture && !io::has_extension(output, ".npy")) {
     return fail(output + ": the name must end in .png or .npy");
   }
   std::vector<std::filesystem::path> parts;
   for (const std::string& part : arguments.parts) {
-    if (has_extension(part, ".png") != is_picture) {
+    if (io::has_extension(part, ".png") != is_picture) {
       return fail(part + ": parts are of the same kind as " + output);
     }
     parts.emplace_back(part);

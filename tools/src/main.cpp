@@ -6,6 +6,7 @@
 
 #include "arguments.hpp"
 #include "command.hpp"
+#include "halfspace/io/format.hpp"
 
 namespace {
 
@@ -15,7 +16,8 @@ void add_commands(CLI::App& program, Status& status) {
   program.name("halfspace");
   program.description(
       "Exact visibility and solid modelling with BSP trees.\n"
-      "Meshes: OBJ, STL, PLY, OFF, also gzipped. Scenes: .scene.");
+      "Meshes: " +
+      halfspace::io::format_names() + ", also gzipped. Scenes: .scene.");
   program.footer(
       "Examples:\n"
       "  halfspace info part.stl\n"

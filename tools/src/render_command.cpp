@@ -19,7 +19,7 @@ namespace halfspace::tools {
 namespace {
 
 /// Says what was done, and writes that to --stats.
-Status conclude(const Loaded& loaded, const BuildMeasure& tree,
+Status conclude(const io::LoadedScene& loaded, const BuildMeasure& tree,
                 const Frame& frame, std::int64_t frames, double max_move,
                 const Shadow& shadow, const RenderArguments& arguments) {
   const std::optional<std::string>& file = arguments.build.stats_file;
@@ -35,7 +35,7 @@ Status conclude(const Loaded& loaded, const BuildMeasure& tree,
   return written ? shadow.status() : fail(*file, written.error());
 }
 
-Status run_still(Engine& engine, const Loaded& loaded,
+Status run_still(Engine& engine, const io::LoadedScene& loaded,
                  const RenderArguments& arguments) {
   const Result<ChosenCamera> chosen =
       choose_camera(loaded.file, arguments.view);
@@ -81,7 +81,7 @@ Outputs outputs_of(const RenderArguments& arguments, std::int64_t number) {
   return {numbered(arguments.picture_file), numbered(arguments.ids_file)};
 }
 
-Status run_film(Engine& engine, const Loaded& loaded,
+Status run_film(Engine& engine, const io::LoadedScene& loaded,
                 const RenderArguments& arguments) {
   const Result<CameraPath> path =
       read_camera_path(*arguments.camera_path_file, arguments.view);
@@ -124,8 +124,8 @@ Status run_render(const RenderArguments& arguments) {
   const std::unique_ptr<Engine> engine = make_engine(library_of(arguments));
   const std::string wrong = complaint(arguments, *engine);
   if (!wrong.empty()) return fail(wrong);
-  const Result<Loaded> loaded =
-      load(arguments.path, import_options(arguments.view, arguments.grid_bits));
+  const Result<io::LoadedScene> loaded = io::load_scene(
+      arguments.path, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.path, loaded.error());
   progress(engine->warning(loaded->file.scene.polygon_count()));
   return arguments.camera_path_file ? run_film(*engine, *loaded, arguments)

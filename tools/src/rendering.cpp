@@ -79,7 +79,7 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
     return "render: nothing to write; give -o, --ids or --stats";
   }
   if (arguments.picture_file &&
-      !has_extension(*arguments.picture_file, ".png")) {
+      !io::has_extension(*arguments.picture_file, ".png")) {
     return *arguments.picture_file + ": pictures are written as .png";
   }
   const Method method = method_of(arguments);
@@ -121,7 +121,7 @@ Status make_tree(Engine& engine, const Scene& scene,
   return Status::kFine;
 }
 
-Result<Frame> make_frame(const Engine& engine, const Loaded& loaded,
+Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
                          const Camera& camera,
                          const RenderArguments& arguments) {
   const Result<std::optional<Rows>> rows =
@@ -161,7 +161,7 @@ Status write_frame(const Frame& frame, const Outputs& outputs) {
   return Status::kFine;
 }
 
-void print_summary(const Loaded& loaded, const BuildMeasure& tree,
+void print_summary(const io::LoadedScene& loaded, const BuildMeasure& tree,
                    const Frame& frame, std::int64_t frames,
                    const RenderArguments& arguments) {
   const std::size_t polygons = loaded.file.scene.polygon_count();
@@ -181,7 +181,7 @@ void print_summary(const Loaded& loaded, const BuildMeasure& tree,
   std::printf("%.3f ms (%s)\n", frame.frame_ms, tree.library.c_str());
 }
 
-nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& tree,
+nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
                         const Frame& frame, std::int64_t frames,
                         const RenderArguments& arguments) {
   nlohmann::json stats = stats_of(loaded, tree);

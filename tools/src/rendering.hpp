@@ -57,7 +57,7 @@ Status make_tree(Engine& engine, const Scene& scene,
 
 /// Makes the image, or the rows asked for.
 /// Errors: kOutOfRange (there are no such rows).
-Result<Frame> make_frame(const Engine& engine, const Loaded& loaded,
+Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
                          const Camera& camera,
                          const RenderArguments& arguments);
 
@@ -71,12 +71,12 @@ Status write_frame(const Frame& frame, const Outputs& outputs);
 
 /// What was done, line by line, on standard output: `frames` of them, of which
 /// this was the last.
-void print_summary(const Loaded& loaded, const BuildMeasure& tree,
+void print_summary(const io::LoadedScene& loaded, const BuildMeasure& tree,
                    const Frame& frame, std::int64_t frames,
                    const RenderArguments& arguments);
 
 /// The same for --stats.
-nlohmann::json stats_of(const Loaded& loaded, const BuildMeasure& tree,
+nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
                         const Frame& frame, std::int64_t frames,
                         const RenderArguments& arguments);
 

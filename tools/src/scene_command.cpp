@@ -23,8 +23,8 @@ struct SceneArguments {
 };
 
 Status run_scene(const SceneArguments& arguments) {
-  Result<Loaded> loaded =
-      load(arguments.path, import_options(arguments.view, arguments.grid_bits));
+  Result<io::LoadedScene> loaded = io::load_scene(
+      arguments.path, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.path, loaded.error());
   SceneFile file = std::move(loaded->file);
   file.options = choose_options(file, arguments.view);

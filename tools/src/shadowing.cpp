@@ -15,7 +15,7 @@ std::optional<double> parse_share(std::string_view text) {
   return share && *share > 0 && *share <= 1 ? share : std::nullopt;
 }
 
-Status Shadow::check(const Loaded& loaded, const Camera& camera,
+Status Shadow::check(const io::LoadedScene& loaded, const Camera& camera,
                      const Frame& frame) {
   if (!arguments_.shadow) return Status::kFine;
   const Scene& scene = loaded.file.scene;

@@ -24,7 +24,8 @@ class Shadow {
   ///
   /// Returns kFine, whatever was found, or kBadInput if that scene cannot be
   /// written.
-  Status check(const Loaded& loaded, const Camera& camera, const Frame& frame);
+  Status check(const io::LoadedScene& loaded, const Camera& camera,
+               const Frame& frame);
 
   /// What was checked, in words and numbers; nothing if nothing was asked for.
   std::string sentence() const;

@@ -1,22 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "halfspace/io/format.hpp"
 #include "halfspace/io/mesh.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::io {
-
-/// The mesh formats that are read and written.
-enum class Format : std::uint8_t { kObj, kStl, kPly, kOff };
-
-/// The format that the end of a file's name tells: .obj, .stl, .ply or .off in
-/// any case, before an optional .gz; nothing for any other.
-std::optional<Format> format_of(const std::filesystem::path& path);
 
 /// The mesh in a file; a gzipped file is unpacked.
 ///

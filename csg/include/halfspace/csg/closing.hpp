@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+
+#include "halfspace/scene.hpp"
+
+namespace halfspace::csg {
+
+/// A scene, and how many corners were added to it.
+struct ClosedScene {
+  Scene scene;
+  std::size_t added = 0;
+};
+
+/// The scene with straight corners added where vertices lie within polygons'
+/// edges, if that closes it: if on every line the edges cancel (S6.1). A
+/// polygon without area that import dropped leaves such edges.
+///
+/// Shape: the scene as it is if it is closed, or is not closed even so.
+/// Exact: yes.
+/// Cost:  of bad_edges(); k log k for k bad edges, and n log n if there are
+///        any.
+ClosedScene closed_on_lines(Scene scene);
+
+}  // namespace halfspace::csg

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "halfspace/boolean.hpp"
+#include "halfspace/bsp_tree.hpp"
+#include "halfspace/csg/operands.hpp"
+#include "halfspace/io/write_mesh.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::csg {
+
+/// Which faces of the result that are in one plane become one face.
+enum class MergeRule : std::uint8_t {
+  kOrigin,  ///< parts of one polygon
+  kColor,   ///< those of one colour
+  kPlane,   ///< all
+  kNone,    ///< none
+};
+
+/// Carries out a union, intersection, difference or symmetric difference.
+using Combine = std::function<fast::Solid(NodeKind, const fast::Solid&,
+                                          const fast::Solid&)>;
+
+/// The library's operation of a union, intersection or difference.
+BooleanOp boolean_op(NodeKind kind);
+
+/// How a plan is carried out, and what the result is wanted for.
+struct EvaluateOptions {
+  MergeRule merge = MergeRule::kOrigin;  ///< the fast library's
+  bool triangles = false;                ///< the fast library's
+  BuildOptions build;                    ///< the trees of the reference
+  int threads = 1;                       ///< the fast library's
+  /// Replaces fast::boolean() and fast::symmetric_difference() where neither
+  /// solid is a half-space, for instance to check their results. Long unions
+  /// and intersections then go through it too, two solids at a time.
+  Combine combine;
+  /// Receives the share that is done, 0 to 1; where it returns false, the work
+  /// stops.
+  std::function<bool(double)> progress;
+};
+
+/// Where a polygon of a result comes from.
+struct Origin {
+  std::int32_t leaf = 0;  ///< of the plan
+  PolygonId polygon = 0;  ///< of the leaf's solid
+};
+
+/// A solid that was repaired before it was used, and what that did.
+struct Repair {
+  std::int32_t leaf = 0;          ///< of the plan
+  std::size_t crossings = 0;      ///< pairs of faces
+  std::size_t faces_cut = 0;      ///< of which parts are left
+  std::size_t faces_dropped = 0;  ///< of which nothing is left
+};
+
+/// The result of a plan, ready to be written.
+struct Outcome {
+  /// The result exactly, where doubles hold all its vertices in grid steps.
+  std::optional<Scene> scene;
+  /// Its vertices as doubles, else.
+  io::OutputMesh mesh;
+  std::size_t moved = 0;        ///< vertices that the doubles do not hold
+  double max_move = 0;          ///< no coordinate moved farther; model units
+  std::size_t faces = 0;        ///< of the exact solid
+  std::size_t polygons = 0;     ///< of the scene or mesh
+  std::size_t bad_edges = 0;    ///< 0: it is closed, as it must be (S6.5)
+  double volume = 0;            ///< rounded; model units
+  std::vector<Origin> origins;  ///< by polygon; empty: not known
+  /// The polygons that rounding may have turned over or flattened.
+  std::vector<std::int32_t> turned;
+  std::vector<Repair> repairs;
+};
+
+/// The result of the plan of the operands; nothing where it was stopped.
+/// Errors: those of the operands.
+Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
+                                             Operands& operands,
+                                             const EvaluateOptions& options);
+
+/// The same by the reference, which does not know where faces come from.
+/// Errors: kUnknownFormat (the plan has half-spaces).
+Result<std::optional<Outcome>> evaluate_ref(const Plan& plan,
+                                            Operands& operands,
+                                            const EvaluateOptions& options);
+
+}  // namespace halfspace::csg

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "halfspace/csg/evaluate.hpp"
+#include "halfspace/csg/outcome.hpp"
+#include "halfspace/csg/volume.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/chain.hpp"
+#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/solid.hpp"
+#include "halfspace/io/load_scene.hpp"
+
+namespace halfspace::csg {
+namespace {
+
+/// What half-spaces cut has no colour of its own.
+constexpr Rgb kCutColor{170, 170, 170};
+
+/// The fast library's solids, all in one table of planes and points. The parts
+/// are the plan's leaves, and then its planes.
+class FastAlgebra {
+ public:
+  using Value = fast::Solid;
+
+  FastAlgebra(const Plan& plan, Operands& operands,
+              const EvaluateOptions& options)
+      : operands_(operands),
+        threads_(options.threads),
+        combine_(options.combine),
+        nothing_(fast::to_solid(operands.nothing())),
+        leaf_count_(static_cast<std::int32_t>(plan.leaves.size())) {}
+
+  Result<Value> leaf(std::int32_t id) {
+    const Result<Solid> solid = operands_.leaf(id);
+    if (!solid) return solid.error();
+    Value value = numbered(fast::to_solid(*solid, nothing_, id),
+                           operands_.polygons_of(id));
+    if (!operands_.to_repair(id)) return value;
+    fast::Repaired repaired = fast::repair(value);
+    if (repaired.solid.faces.empty()) {
+      return io::error_about(
+          operands_.path_of(id),
+          {ErrorCode::kNotClosed,
+           operands_.repair_word() +
+               " leaves nothing of it: its surface winds round no "
+               "place as it should, so it is empty or inside "
+               "out"});
+    }
+    repairs_.push_back({id, repaired.crossings.size(), repaired.faces_cut,
+                        repaired.faces_dropped});
+    return std::move(repaired.solid);
+  }
+
+  Result<Value> plane(std::int32_t id) {
+    const auto points = operands_.plane(id);
+    if (!points) return points.error();
+    Value half = fast::half_space(*points, nothing_);
+    half.faces.front().color = kCutColor;
+    half.faces.front().part = leaf_count_ + id;
+    return half;
+  }
+
+  const std::vector<Repair>& repairs() const { return repairs_; }
+
+  Value complement(Value value) { return fast::complement(std::move(value)); }
+
+  Value combine(NodeKind kind, const Value& a, const Value& b) {
+    if (combine_ && !is_half_space(a) && !is_half_space(b))
+      return combine_(kind, a, b);
+    if (kind == NodeKind::kSymmetricDifference)
+      return fast::symmetric_difference(a, b, threads_);
+    return fast::boolean(boolean_op(kind), a, b, threads_);
+  }
+
+  /// Whether many values are better combined at once.
+  bool takes_all(NodeKind kind) const {
+    return !combine_ &&
+           (kind == NodeKind::kUnion || kind == NodeKind::kIntersection);
+  }
+  Value combine_all(NodeKind kind, const std::vector<Value>& values) {
+    return fast::combined(boolean_op(kind), values, threads_);
+  }
+
+ private:
+  static bool is_half_space(const Value& value) {
+    return std::any_of(
+        value.faces.begin(), value.faces.end(),
+        [](const fast::Face& face) { return face.edge_count == 0; });
+  }
+
+  Operands& operands_;
+  int threads_;
+  const Combine& combine_;
+  fast::Solid nothing_;
+  std::int32_t leaf_count_;
+  std::vector<Repair> repairs_;
+};
+
+fast::Solid merged_by(fast::Solid solid, MergeRule rule) {
+  switch (rule) {
+    case MergeRule::kOrigin:
+      return fast::merged(std::move(solid), fast::Merge::kOrigin);
+    case MergeRule::kColor:
+      return fast::merged(std::move(solid), fast::Merge::kColor);
+    case MergeRule::kPlane:
+      return fast::merged(std::move(solid), fast::Merge::kPlane);
+    case MergeRule::kNone:
+      break;
+  }
+  return solid;
+}
+
+/// The mesh as a scene, its vertices being in steps of the unit: exactly, or
+/// nothing if doubles or no grid hold them.
+std::optional<Scene> scene_of(const fast::ExportedMesh& mesh, Unit unit) {
+  if (mesh.moved > 0) return std::nullopt;
+  io::Mesh exact;
+  for (const auto& vertex : mesh.vertices) {
+    std::array<io::Number, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = io::number_of(vertex[k]);
+      if (at[k].mantissa == 0) continue;
+      at[k].two += unit.exponent;
+      at[k].five += unit.base == 10 ? unit.exponent : 0;
+    }
+    exact.vertices.push_back(at);
+  }
+  exact.first_corner = mesh.first_corner;
+  exact.corners = mesh.corners;
+  exact.face_colors.assign(mesh.colors.begin(), mesh.colors.end());
+  exact.decimal = unit.base == 10;
+  Result<io::Imported> imported = io::import_scene(exact, {});
+  if (!imported || imported->report.moved > 0 ||
+      imported->scene.polygon_count() != mesh.faces.size())
+    return std::nullopt;
+  return std::move(imported->scene);
+}
+
+/// How many edges the polygons do not use equally often in each direction.
+std::size_t bad_edges_of(const fast::ExportedMesh& mesh) {
+  struct Use {
+    VertexId low;
+    VertexId high;
+    int sign;
+  };
+  std::vector<Use> uses;
+  for (std::size_t p = 0; p < mesh.faces.size(); ++p) {
+    const std::size_t first = mesh.first_corner[p];
+    const std::size_t end = mesh.first_corner[p + 1];
+    for (std::size_t i = first; i < end; ++i) {
+      const VertexId from = mesh.corners[i];
+      const VertexId to = mesh.corners[i + 1 < end ? i + 1 : first];
+      uses.push_back(
+          {std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+    }
+  }
+  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+  std::size_t bad = 0;
+  int sum = 0;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    sum += uses[i].sign;
+    const bool is_last = i + 1 == uses.size() ||
+                         uses[i + 1].low != uses[i].low ||
+                         uses[i + 1].high != uses[i].high;
+    if (!is_last) continue;
+    bad += sum != 0 ? 1 : 0;
+    sum = 0;
+  }
+  return bad;
+}
+
+Outcome finished(fast::Solid solid, const EvaluateOptions& options) {
+  Outcome result;
+  // Only of closed faces can there be polygons.
+  const auto is_closed = [&result](const fast::Solid& made) {
+    result.bad_edges =
+        std::max(fast::bad_edges(made).size(), fast::open_faces(made).size());
+    return result.bad_edges == 0;
+  };
+  if (!is_closed(solid)) return result;
+  solid = merged_by(std::move(solid), options.merge);
+  result.faces = solid.faces.size();
+  if (!is_closed(solid)) return result;
+  const Unit unit = solid.unit;
+  // In steps, doubles hold every point of the grid.
+  solid.unit = {2, 0};
+  const fast::ExportOptions how{options.triangles, options.threads};
+  fast::ExportedMesh mesh = fast::exported(solid, how);
+  result.polygons = mesh.faces.size();
+  result.bad_edges = bad_edges_of(mesh);
+  result.volume = about_volume(mesh.vertices, mesh.first_corner, mesh.corners) *
+                  std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
+  for (const std::int32_t f : mesh.faces) {
+    const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
+    result.origins.push_back({face.part, face.polygon});
+  }
+  result.scene = scene_of(mesh, unit);
+  if (result.scene) return result;
+  solid.unit = unit;
+  if (unit != Unit{2, 0}) mesh = fast::exported(solid, how);
+  result.moved = mesh.moved;
+  result.max_move = mesh.max_move;
+  result.turned = std::move(mesh.turned);
+  result.mesh = {std::move(mesh.vertices), std::move(mesh.first_corner),
+                 std::move(mesh.corners), std::move(mesh.colors)};
+  return result;
+}
+
+}  // namespace
+
+BooleanOp boolean_op(NodeKind kind) {
+  return kind == NodeKind::kIntersection ? BooleanOp::kIntersection
+         : kind == NodeKind::kDifference ? BooleanOp::kDifference
+                                         : BooleanOp::kUnion;
+}
+
+Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
+                                             Operands& operands,
+                                             const EvaluateOptions& options) {
+  FastAlgebra algebra(plan, operands, options);
+  Evaluator<FastAlgebra> evaluator(plan, algebra, options.progress);
+  Result<std::optional<fast::Solid>> solid = evaluator.result();
+  if (!solid) return solid.error();
+  if (!*solid) return std::optional<Outcome>();
+  Outcome result = finished(**std::move(solid), options);
+  result.repairs = algebra.repairs();
+  return std::optional<Outcome>(std::move(result));
+}
+
+}  // namespace halfspace::csg

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "halfspace/csg/evaluate.hpp"
+#include "halfspace/csg/outcome.hpp"
+#include "halfspace/ref/boolean.hpp"
+
+namespace halfspace::csg {
+namespace {
+
+/// The reference's solids. It has no complement of nothing, so that is apart.
+class RefAlgebra {
+ public:
+  struct Value {
+    ref::Solid solid;
+    bool is_all = false;  ///< all of space; then the solid is empty
+  };
+
+  RefAlgebra(Operands& operands, const BuildOptions& options)
+      : operands_(operands), options_(options) {}
+
+  Result<Value> leaf(std::int32_t id) {
+    const Result<Solid> solid = operands_.leaf(id);
+    if (!solid) return solid.error();
+    return Value{ref::to_solid(*solid), false};
+  }
+
+  Result<Value> plane(std::int32_t) {
+    return Error{ErrorCode::kUnknownFormat,
+                 "the reference has no half-spaces; the fast library has", -1};
+  }
+
+  Value complement(Value value) {
+    if (value.is_all) return {};
+    if (value.solid.faces.empty()) return {{}, true};
+    for (ref::Face& face : value.solid.faces) {
+      face.plane = {-face.plane.a, -face.plane.b, -face.plane.c, -face.plane.d};
+      std::reverse(face.vertices.begin(), face.vertices.end());
+    }
+    return value;
+  }
+
+  Value combine(NodeKind kind, const Value& a, const Value& b) {
+    switch (kind) {
+      case NodeKind::kIntersection:
+        if (a.is_all) return b;
+        if (b.is_all) return a;
+        return of(BooleanOp::kIntersection, a, b);
+      case NodeKind::kDifference:
+        if (b.is_all) return {};
+        if (a.is_all) return complement(b);
+        return of(BooleanOp::kDifference, a, b);
+      case NodeKind::kSymmetricDifference:
+        return combine(NodeKind::kUnion, combine(NodeKind::kDifference, a, b),
+                       combine(NodeKind::kDifference, b, a));
+      default:
+        if (a.is_all || b.is_all) return {{}, true};
+        return of(BooleanOp::kUnion, a, b);
+    }
+  }
+
+ private:
+  Value of(BooleanOp operation, const Value& a, const Value& b) {
+    return {ref::boolean(operation, a.solid, b.solid, options_), false};
+  }
+
+  Operands& operands_;
+  BuildOptions options_;
+};
+
+/// The coordinate in grid steps, if it is one of the widest grid's.
+std::optional<std::int64_t> on_grid(const ref::Rational& coordinate) {
+  const std::int64_t limit = std::int64_t{1} << (kGridBits[2] - 1);
+  if (floor(coordinate) != coordinate || coordinate < ref::Rational(-limit) ||
+      !(coordinate < ref::Rational(limit))) {
+    return std::nullopt;
+  }
+  return coordinate.to_int64();
+}
+
+std::optional<GridPoint> on_grid(const ref::Point& point) {
+  const auto x = on_grid(point.x);
+  const auto y = on_grid(point.y);
+  const auto z = on_grid(point.z);
+  if (!x || !y || !z) return std::nullopt;
+  return GridPoint{*x, *y, *z};
+}
+
+/// The solid as a scene, if all its vertices lie on the grid.
+std::optional<Scene> scene_of(const ref::Solid& solid, Unit unit) {
+  SceneData data;
+  data.unit = unit;
+  std::map<GridPoint, VertexId> ids;
+  for (const ref::Face& face : solid.faces) {
+    for (const ref::Point& vertex : face.vertices) {
+      const std::optional<GridPoint> point = on_grid(vertex);
+      if (!point) return std::nullopt;
+      const auto next = static_cast<VertexId>(data.vertices.size());
+      const auto [place, is_new] = ids.try_emplace(*point, next);
+      if (is_new) data.vertices.push_back(*point);
+      data.corners.push_back(place->second);
+    }
+    data.first_corner.push_back(
+        static_cast<std::uint32_t>(data.corners.size()));
+    data.colors.push_back(face.color);
+  }
+  data.grid_bits = grid_bits_for(data.vertices);
+  Result<Scene> scene = make_scene(std::move(data));
+  if (!scene) return std::nullopt;
+  return *std::move(scene);
+}
+
+double volume_of(const ref::Solid& solid, const Unit& unit) {
+  const double steps = volume6(solid).big().convert_to<double>() / 6;
+  return steps * std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
+}
+
+}  // namespace
+
+Result<std::optional<Outcome>> evaluate_ref(const Plan& plan,
+                                            Operands& operands,
+                                            const EvaluateOptions& options) {
+  RefAlgebra algebra(operands, options.build);
+  Evaluator<RefAlgebra> evaluator(plan, algebra, options.progress);
+  Result<std::optional<RefAlgebra::Value>> value = evaluator.result();
+  if (!value) return value.error();
+  if (!*value) return std::optional<Outcome>();
+  const ref::Solid& solid = (*value)->solid;
+  const Unit unit = operands.report().unit;
+  ref::RoundedSolid rounded = ref::rounded(solid, unit);
+  Outcome result;
+  result.scene = scene_of(solid, unit);
+  result.mesh = {std::move(rounded.vertices), std::move(rounded.first_corner),
+                 std::move(rounded.corners), std::move(rounded.colors)};
+  result.moved = rounded.moved;
+  result.max_move = rounded.max_move;
+  result.faces = result.polygons = solid.faces.size();
+  result.bad_edges = ref::bad_edges(solid).size();
+  result.volume = volume_of(solid, unit);
+  return std::optional<Outcome>(std::move(result));
+}
+
+}  // namespace halfspace::csg

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "halfspace/csg/lexer.hpp"
+#include "halfspace/csg/script.hpp"
+
+namespace halfspace::csg {
+
+/// Which function of a script it is.
+enum class Function : std::uint8_t {
+  kTranslate,
+  kScale,
+  kRotate,
+  kMatrix,
+  kHalf,
+};
+
+/// The function that the word names.
+std::optional<Function> function_named(std::string_view word);
+
+/// How many numbers the function takes, in words.
+std::string numbers_wanted(Function function);
+
+/// The number that the token is, of so many signs.
+/// Errors: kOutOfRange.
+Result<io::Number> number_in(const Token& token, bool negative);
+
+/// The transform of `function`, called at `place` with these numbers.
+///
+/// Requires: it is not kHalf.
+/// Errors:   kSyntax (not so many numbers as it takes); kZeroArea (it flattens
+///           everything, or turns about no axis); kOutOfRange (an angle or an
+///           axis beyond doubles).
+Result<Matrix> transform_of(Function function, const Place& place,
+                            const std::vector<io::Number>& numbers);
+
+/// The half-space of `half`, called at `place` with the coordinates of three
+/// points.
+/// Errors: kSyntax (not nine numbers); kZeroArea (they are on one line).
+Result<HalfSpace> half_of(const Place& place,
+                          const std::vector<io::Number>& numbers);
+
+/// The half-space in which a coordinate is less than `value`, or greater.
+HalfSpace axis_half(std::size_t axis, bool less, const io::Number& value);
+
+}  // namespace halfspace::csg

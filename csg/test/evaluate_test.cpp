@@ -1,0 +1,111 @@
+#include "halfspace/csg/evaluate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "halfspace/csg/outcome.hpp"
+#include "halfspace/csg/script.hpp"
+#include "halfspace/fast/boolean.hpp"
+
+namespace halfspace::csg {
+namespace {
+
+/// A folder of its own with a cube of edge 2 as `cube.off`.
+class CsgEvaluate : public ::testing::Test {
+ protected:
+  CsgEvaluate() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("halfspace_csg_") + test->name());
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "cube.off")
+        << "OFF\n8 6 0\n"
+           "0 0 0\n2 0 0\n0 2 0\n2 2 0\n0 0 2\n2 0 2\n0 2 2\n2 2 2\n"
+           "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+  }
+  ~CsgEvaluate() override { std::filesystem::remove_all(folder_); }
+
+  using Evaluation = Result<std::optional<Outcome>> (*)(const Plan&, Operands&,
+                                                        const EvaluateOptions&);
+  Result<std::optional<Outcome>> evaluated(const std::string& text,
+                                           const EvaluateOptions& options,
+                                           Evaluation by = evaluate_fast) {
+    const Result<Script> script = parse_script(text);
+    if (!script) return script.error();
+    const Result<Plan> plan = make_plan(*script);
+    if (!plan) return plan.error();
+    Result<Operands> operands =
+        Operands::load(*script, *plan, {.folder = folder_.string()});
+    if (!operands) return operands.error();
+    return by(*plan, *operands, options);
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+constexpr const char* kDrilled = "'cube.off' - translate('cube.off', 1, 1, 1)";
+
+TEST_F(CsgEvaluate, BothLibrariesHaveTheSameVolume) {
+  for (const Evaluation by : {evaluate_fast, evaluate_ref}) {
+    const auto outcome = evaluated(kDrilled, {}, by);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    ASSERT_TRUE(outcome->has_value());
+    EXPECT_EQ((*outcome)->volume, 7);
+    EXPECT_EQ((*outcome)->bad_edges, 0u);
+    EXPECT_TRUE((*outcome)->scene);
+  }
+}
+
+TEST_F(CsgEvaluate, ProgressStopsTheWork) {
+  EvaluateOptions options;
+  double share = 0;
+  options.progress = [&share](double done) {
+    share = done;
+    return false;
+  };
+  for (const Evaluation by : {evaluate_fast, evaluate_ref}) {
+    share = 0;
+    const auto outcome = evaluated(kDrilled, options, by);
+    ASSERT_TRUE(outcome);
+    EXPECT_FALSE(outcome->has_value());
+    EXPECT_EQ(share, 1);
+  }
+}
+
+TEST_F(CsgEvaluate, CombineGetsEveryBooleanOfTwoSolidsWithoutHalves) {
+  EvaluateOptions options;
+  std::vector<NodeKind> kinds;
+  options.combine = [&kinds](NodeKind kind, const fast::Solid& a,
+                             const fast::Solid& b) {
+    kinds.push_back(kind);
+    return fast::boolean(boolean_op(kind), a, b);
+  };
+  const auto outcome =
+      evaluated(std::string("(") + kDrilled + ") & half(x < 1)", options);
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_EQ((*outcome)->volume, 4);
+  EXPECT_EQ(kinds, std::vector{NodeKind::kDifference});
+}
+
+TEST_F(CsgEvaluate, OriginsNameLeafAndPolygon) {
+  const auto outcome = evaluated("'cube.off' & half(z < 1)", {});
+  ASSERT_TRUE(outcome);
+  const Outcome& made = **outcome;
+  ASSERT_EQ(made.origins.size(), 6u);
+  std::size_t of_half = 0;
+  for (const Origin& origin : made.origins) of_half += origin.leaf == 1;
+  EXPECT_EQ(of_half, 1u);
+}
+
+TEST_F(CsgEvaluate, TheReferenceHasNoHalfSpaces) {
+  const auto outcome = evaluated("'cube.off' & half(z < 1)", {}, evaluate_ref);
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().code, ErrorCode::kUnknownFormat);
+}
+
+}  // namespace
+}  // namespace halfspace::csg

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "halfspace/io/import.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/scene_file.hpp"
+
+namespace halfspace::io {
+
+/// A file that was read: a mesh that was imported, or a scene.
+struct LoadedScene {
+  SceneFile file;
+  /// For each polygon of the scene, the polygon of the file that it is or is a
+  /// part of.
+  std::vector<PolygonId> polygons;
+  ImportReport report;  ///< of a scene file: that nothing was changed
+  bool is_scene_file = false;
+};
+
+/// The error with the file's name at the front of its message, unless the name
+/// is there already.
+Error error_about(const std::string& path, Error error);
+
+/// Whether the name ends in the extension, such as `.png`, in either case.
+bool has_extension(const std::filesystem::path& path,
+                   std::string_view extension);
+
+/// Whether the name is that of a scene file: whether it ends in `.scene`.
+bool is_scene_name(const std::filesystem::path& path);
+
+/// The scene in a file, whose name tells whether it is a mesh or a scene file.
+///
+/// Exact:  but for the rounding that the report tells of, yes.
+/// Errors: those of read_mesh() and import_scene(), or read_scene();
+///         kUnreadable (no name); kOutOfRange (a grid is asked for that is not
+///         the scene file's own). The message names the file.
+Result<LoadedScene> load_scene(const std::string& path,
+                               const ImportOptions& options);
+
+/// The unit as text, such as `10^-3`.
+std::string to_string(const Unit& unit);
+
+}  // namespace halfspace::io
