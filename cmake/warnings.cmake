@@ -26,5 +26,6 @@ endfunction()
 # themselves must differ. Those in no group are compiled alone.
 function(halfspace_unity_group target group)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
-  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
+  set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target}
+    PROPERTIES UNITY_GROUP ${group})
 endfunction()

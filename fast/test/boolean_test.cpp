@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "boolean_parts.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"
+#include "intersect/candidates.hpp"
 #include "lattice.hpp"
 
 namespace halfspace::fast {

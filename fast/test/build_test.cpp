@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "boxes.hpp"
+#include "box/box.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "scenes.hpp"

@@ -1,4 +1,4 @@
-#include "culler.hpp"
+#include "raster/culler.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "noisy.hpp"
-#include "screen.hpp"
+#include "raster/screen.hpp"
 
 /// Which boxes are skipped: none that holds what an unlit pixel's centre sees,
 /// were it at the box's very border; but what is well away from all those.

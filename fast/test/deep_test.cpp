@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "boxes.hpp"
+#include "box/box.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/render.hpp"
 #include "scenes.hpp"

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "boolean_engine.hpp"
-#include "boolean_result.hpp"
-#include "boolean_truth.hpp"
+#include "boolean/engine.hpp"
+#include "boolean/membership.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "lattice.hpp"
 #include "scenes.hpp"
+#include "solid/loops.hpp"
 
 namespace halfspace::fast {
 namespace {

@@ -1,5 +1,3 @@
-#include "fragment_blocks.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,10 +6,11 @@
 #include <random>
 #include <utility>
 
-#include "exact_scan.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/tree_file.hpp"
+#include "raster/exact_coverage.hpp"
 #include "scenes.hpp"
+#include "tree/leaf_packets.hpp"
 
 namespace halfspace::fast {
 namespace {

@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
-#include "kernel.hpp"
-#include "screen.hpp"
-#include "view.hpp"
+#include "camera/view.hpp"
+#include "raster/kernel/kernel.hpp"
+#include "raster/screen.hpp"
 
 /// The kernels are given outlines with errors so large that it matters: moved
 /// by them, corners change what is covered. Where they do, a kernel must ask;

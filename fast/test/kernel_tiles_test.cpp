@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <random>
 
-#include "kernel.hpp"
-#include "screen.hpp"
-#include "view.hpp"
+#include "camera/view.hpp"
+#include "raster/kernel/kernel.hpp"
+#include "raster/screen.hpp"
 
 /// What tiles show of rectangles with corners between pixels, drawn one after
 /// another: so many that a tile takes more pieces than it keeps.

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "sanitized.hpp"
+#include "base/sanitizer.hpp"
 
 namespace halfspace::fast {
 namespace {

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "boolean_result.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/export.hpp"
 #include "lattice.hpp"
 #include "scenes.hpp"
+#include "solid/loops.hpp"
 
 namespace halfspace::fast {
 namespace {

@@ -1,11 +1,11 @@
-#include "mesh_order.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <random>
 #include <vector>
+
+#include "solid/vertex_order.hpp"
 
 namespace halfspace::fast {
 namespace {

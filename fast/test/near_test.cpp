@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "fragment_blocks.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "scenes.hpp"
+#include "tree/leaf_packets.hpp"
 
 namespace halfspace::fast {
 namespace {

@@ -1,5 +1,3 @@
-#include "noding.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "boolean_engine.hpp"
+#include "boolean/conform.hpp"
+#include "boolean/engine.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"

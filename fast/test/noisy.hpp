@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <random>
 
-#include "exact.hpp"
-#include "filter.hpp"
-#include "geometry.hpp"
+#include "exact/exact_plane.hpp"
+#include "exact/filter.hpp"
+#include "tree/scene_planes.hpp"
 
 namespace halfspace::fast {
 

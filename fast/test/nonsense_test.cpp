@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "boolean_parts.hpp"
-#include "boolean_result.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/export.hpp"
 #include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/repair.hpp"
-#include "space.hpp"
+#include "intersect/candidates.hpp"
+#include "solid/loops.hpp"
+#include "table/geometry_table.hpp"
 
 namespace halfspace::fast {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "boolean_parts.hpp"
-#include "boolean_result.hpp"
+#include "intersect/candidates.hpp"
+#include "solid/loops.hpp"
 
 namespace halfspace::fast {
 namespace {

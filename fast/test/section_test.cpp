@@ -1,5 +1,3 @@
-#include "section.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "halfspace/bsp_tree.hpp"
+#include "intersect/line_section.hpp"
 
 namespace halfspace::fast {
 namespace {

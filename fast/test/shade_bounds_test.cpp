@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "kernel.hpp"
+#include "camera/view.hpp"
+#include "raster/kernel/kernel.hpp"
+#include "raster/screen.hpp"
+#include "raster/shader.hpp"
 #include "scenes.hpp"
-#include "screen.hpp"
-#include "shader.hpp"
-#include "view.hpp"
 
 /// Colours that the kernels do not ask about are the right ones, however their
 /// gradients are off within their doubt.

@@ -1,5 +1,3 @@
-#include "space.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "box_tree.hpp"
-#include "face_index.hpp"
-#include "near_cells.hpp"
+#include "box/bvh.hpp"
+#include "solid/dynamic_bvh.hpp"
+#include "solid/grid_prefilter.hpp"
+#include "table/geometry_table.hpp"
 
 namespace halfspace::fast {
 namespace {

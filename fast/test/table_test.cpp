@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "boolean_engine.hpp"
+#include "boolean/engine.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "lattice.hpp"
-#include "space.hpp"
+#include "table/geometry_table.hpp"
 
 namespace halfspace::fast {
 namespace {

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "depth.hpp"
-#include "drawer.hpp"
+#include "camera/view.hpp"
 #include "noisy.hpp"
+#include "raster/depth_line.hpp"
+#include "raster/drawer.hpp"
+#include "raster/screen.hpp"
 #include "scenes.hpp"
-#include "screen.hpp"
-#include "view.hpp"
 
 /// The bounds of what a camera makes of planes and points, against running
 /// errors, for cameras as far out as they may be.

@@ -1,13 +1,13 @@
-#include "wide.hpp"
+#include "exact/wide.hpp"
 
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <random>
 
-#include "cell.hpp"
-#include "digits.hpp"
-#include "quotient.hpp"
+#include "base/radix_sort.hpp"
+#include "exact/cell_hash.hpp"
+#include "exact/nearest_double.hpp"
 
 namespace halfspace::fast {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "box_tree.hpp"
+#include "box/bvh.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "identities.hpp"
-#include "space.hpp"
+#include "table/geometry_table.hpp"
 
 namespace halfspace::identities {
 namespace {

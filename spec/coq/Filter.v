@@ -1,4 +1,4 @@
-(** S1.5: the filter of fast/src/filter.hpp never tells a wrong side.
+(** S1.5: the filter of fast/src/exact/filter.hpp never tells a wrong side.
 
     Doubles are modelled by what rounds: [rnd] is any function that moves a
     value by at most 2^-53 of its size.  Both it and the property are premises

@@ -1,6 +1,6 @@
 (** * S1.5: where two planes meet the plane of three points, by the filter.
 
-    Read beside the second [meet] of fast/src/filter.hpp: the point is told by
+    Read beside the second [meet] of fast/src/exact/filter.hpp: the point is told by
     the values [f] and [g] that the two planes take at the three points. As in
     [Filter.v] doubles are modelled by what rounds. *)
 

@@ -1,6 +1,6 @@
 (** S1.6: how large the numbers of the definitions become.
 
-    Read beside spec/S1-geometry.md, S1.6, and fast/src/exact.hpp.  Everything
+    Read beside spec/S1-geometry.md, S1.6, and fast/src/exact/exact_plane.hpp.  Everything
     is integers; [bits] is the least width for every value of a bound. *)
 
 From Coq Require Import ZArith Lia List.
@@ -23,7 +23,7 @@ Definition bound_L (n : Z) : Z := 2 ^ n - 1.
 (** A number has [b] bits if its size is below [2 ^ (b - 1)]. *)
 Definition has_bits (b v : Z) : Prop := Z.abs v < 2 ^ (b - 1).
 
-(** The words of fast/src/exact.hpp, 64 bits each. *)
+(** The words of fast/src/exact/exact_plane.hpp, 64 bits each. *)
 Definition kWords (n : Z) : Z :=
   if n =? 26 then 4 else if n =? 40 then 6 else 8.
 
@@ -307,7 +307,7 @@ Proof.
   apply abs_sum2; [ apply abs_sum3 | ]; assumption.
 Qed.
 
-(** ** The same signs from values at grid points, as fast/src/exact.hpp has
+(** ** The same signs from values at grid points, as fast/src/exact/exact_plane.hpp has
     them *)
 
 (** n.(p - origin). *)
@@ -530,7 +530,7 @@ Proof.
   exact (Z.le_lt_trans _ _ _ B E).
 Qed.
 
-(** fast/src/exact.hpp: values fit in [Value], two words or, at 54 bits,
+(** fast/src/exact/exact_plane.hpp: values fit in [Value], two words or, at 54 bits,
     three; determinants and what is on the way fit in kWords words. *)
 Definition value_bits (n : Z) : Z := if n =? 54 then 192 else 128.
 

@@ -2,7 +2,7 @@
 
     The programs are [relation] of ref/src/predicate.cpp and [split] of
     ref/src/split.cpp; the walk round the boundary is that of
-    fast/src/cut.hpp. *)
+    fast/src/tree/split_walk.hpp. *)
 
 From Coq Require Import QArith Qfield Lqa List Arith Lia.
 From Halfspace Require Import Base.

@@ -1,6 +1,6 @@
 (** * S1.5, S2.3: the new vertices of the filter stand for the true ones.
 
-    Read beside [meet] of fast/src/filter.hpp, that of an edge. As in
+    Read beside [meet] of fast/src/exact/filter.hpp, that of an edge. As in
     [Filter.v] doubles are modelled by what rounds. *)
 
 From Coq Require Import QArith Qabs Qminmax Qfield Lqa.

@@ -68,7 +68,7 @@ PLANTED = [
      "nine conditions", "docs/proven.md is not"),
     ("a document", "docs/traceability.md", "* Laws: S1.L7", "* Laws: S1.L8",
      "docs/traceability.md is not"),
-    ("another constant in the code", "fast/src/filter.hpp",
+    ("another constant in the code", "fast/src/exact/filter.hpp",
      "kRounding = 0x1p-53", "kRounding = 0x1p-54", "filter.hpp says"),
     ("another doubt of a vertex", "spec/coq/Vertex.v",
      "doubt_factor : Q := 2", "doubt_factor : Q := 1", "filter.hpp says"),
@@ -82,8 +82,8 @@ def copy(place):
     for name in ("spec", "docs", "fuzz"):
         shutil.copytree(ROOT / name, place / name,
                         ignore=shutil.ignore_patterns("*.vo*", "*.glob"))
-    for name in (FUNCTIONS, "fast/src/filter.hpp", "fast/src/exact.hpp",
-                 "fast/src/view.cpp"):
+    for name in (FUNCTIONS, "fast/src/exact/filter.hpp", "fast/src/exact/exact_plane.hpp",
+                 "fast/src/camera/view.cpp"):
         (place / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, place / name)
     tests, report = [], []

@@ -1,0 +1,34 @@
+#include "base/hash_index.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace halfspace::fast {
+
+void HashIndex::place(const Slot& slot) {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t s = slot.mark & mask;
+  while (slots_[s].index >= 0) s = (s + 1) & mask;
+  slots_[s] = slot;
+}
+
+void HashIndex::grow(std::size_t size) {
+  List<Slot> old(size);
+  old.swap(slots_);
+  for (const Slot& slot : old) {
+    if (slot.index >= 0) place(slot);
+  }
+}
+
+void HashIndex::reserve(std::size_t count, std::size_t more) {
+  if (2 * count > slots_.size())
+    grow(std::bit_ceil(std::max<std::size_t>(16, 2 * (count + more))));
+}
+
+void HashIndex::enter(std::uint64_t hash, std::int32_t index) {
+  if (2 * ++count_ > slots_.size())
+    grow(std::max<std::size_t>(16, 2 * slots_.size()));
+  place({mark_of(hash), index});
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "base/tsan.hpp"
+
+namespace halfspace::fast {
+
+/// Calls `work(number, first, last)` for every block of `size` of `count`
+/// things in a row, on so many threads at once. The blocks are the same for
+/// any number of threads, so that what they find can be put in their order.
+template <class Work>
+void for_blocks(int threads, std::size_t count, std::size_t size, Work&& work) {
+  const std::size_t blocks = (count + size - 1) / size;
+  const auto one = [&](std::size_t b) {
+    work(b, b * size, std::min(count, (b + 1) * size));
+  };
+  if (threads <= 1 || blocks <= 1) {
+    for (std::size_t b = 0; b < blocks; ++b) one(b);
+    return;
+  }
+  // Asking for more threads than there are makes the library complain.
+  oneapi::tbb::task_arena arena(
+      std::min(threads, oneapi::tbb::info::default_concurrency()));
+  const SharedWork shared;
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+      shared.part([&] { one(b); });
+    });
+  });
+}
+
+}  // namespace halfspace::fast

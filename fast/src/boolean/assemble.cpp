@@ -1,0 +1,294 @@
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "boolean/engine.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// Whether each edge begins where the one before it ends.
+bool is_row(std::span<const SolidEdge> edges) {
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (edges[i - 1].to != edges[i].from) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Solid Engine::result() {
+  // Step 1: the faces that meet nothing, as they are.
+  Solid result;
+  result.unit = operands_[0].solid->unit;
+  result.space = operands_[0].solid->space;
+  result.is_noded = is_noded_[0] && is_noded_[1];
+  result.unbounded =
+      truth_(operands_[0].solid->unbounded, operands_[1].solid->unbounded);
+  notes_.pinned.forget();
+  std::size_t faces = 0, edges = 0;
+  for (const Operand& operand : operands_) {
+    faces += operand.solid->faces.size();
+    edges += operand.solid->edges.size();
+  }
+  result.faces.reserve(faces);
+  result.edges.reserve(edges);
+  for (std::size_t o = 0; o < 2; ++o) copy_untouched(o, result);
+  for (std::size_t o = 0; o < 2; ++o) add_runs(o);
+  // Step 2: what is left of the others.
+  const auto is_pinned = [this](std::int32_t v) {
+    if (notes_.pinned.get(v, 0) != 0) return true;
+    // A vertex that is beyond an operand may be one of faces that are not here.
+    // Of two edges in line there, one goes on beyond: a run, or pinned.
+    for (const std::size_t o : {0u, 1u}) {
+      // Of a solid, true only if doubles are too coarse to tell such an edge.
+      if (is_beyond_other(o, v)) return true;
+    }
+    return false;
+  };
+  straighten(pieces_, is_pinned, space_);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
+    if (i == 0 || piece.bucket != pieces_[i - 1].bucket) {
+      if (i > 0) end_face(result);
+      const auto o = static_cast<std::size_t>(piece.bucket >> 40);
+      // Converted, a bucket has lost what is before the face.
+      const auto face = static_cast<std::int32_t>(piece.bucket >> 1);
+      begin_face(o, face, piece.bucket % 2 != 0, result);
+    }
+    add_edge(piece, result);
+  }
+  if (!pieces_.empty()) end_face(result);
+  return result;
+}
+
+/// Adds an edge to the last face, or the run that the piece stands for.
+void Engine::add_edge(const Piece& piece, Solid& result) {
+  const std::uint32_t at = result.faces.back().edge_count;
+  result.faces.back().edge_count += std::max(piece.run_count, 1u);
+  if (piece.run_count == 0) {
+    result.edges.push_back({piece.from, piece.to, piece.other});
+    return;
+  }
+  const Operand& operand =
+      operands_[static_cast<std::size_t>(piece.bucket >> 40)];
+  const auto run =
+      std::span(operand.solid->edges).subspan(piece.run_first, piece.run_count);
+  if (piece.bucket % 2 != 0) {
+    for (auto edge = run.rbegin(); edge != run.rend(); ++edge)
+      result.edges.push_back({edge->to, edge->from, edge->other});
+    return;
+  }
+  result.edges.insert(result.edges.end(), run.begin(), run.end());
+  // The blocks that are in the run whole are the new face's, too.
+  const std::int32_t f = result.faces.back().source;
+  const BlockList* list = operand.blocks->of(f);
+  if (list == nullptr) return;
+  const std::uint32_t first = piece.run_first - operand.face(f).first_edge;
+  const auto blocks = list->blocks();
+  auto block = std::partition_point(
+      blocks.begin(), blocks.end(),
+      [first](const EdgeBlock& b) { return b.first < first; });
+  for (; block != blocks.end() &&
+         block->first + block->count <= first + piece.run_count;
+       ++block) {
+    known_blocks_.push_back(*block);
+    known_blocks_.back().first += at - first;
+  }
+}
+
+/// Finds the last face's box, from that of its blocks if it has any.
+void Engine::end_face(Solid& result) {
+  Face& face = result.faces.back();
+  if (EdgeBlocks::has_many(face)) {
+    auto list = std::make_shared<const BlockList>(result, face, known_blocks_);
+    face.box = list->box();
+    result_blocks_.set(result.faces.size() - 1, std::move(list));
+  } else {
+    face.box = face_box(result, face);
+  }
+  known_blocks_.clear();
+}
+
+/// Adds the far edges of the faces that the other operand touches, if they
+/// bound the result, in rows as long as can be.
+void Engine::add_runs(std::size_t o) {
+  const Operand& operand = operands_[o];
+  const bool member = operands_[1 - o].solid->unbounded;
+  const bool beyond = apply(o, false, member);
+  if (apply(o, true, member) == beyond) return;
+  for (const std::int32_t f : operand.active) {
+    if (operand.touched[static_cast<std::size_t>(f)] == 0) continue;
+    FarRows rows(operand, f);
+    while (const auto row = rows.next()) add_run(o, f, beyond, *row);
+  }
+}
+
+void Engine::add_run(std::size_t o, std::int32_t f, bool beyond,
+                     const FarRows::Row& row) {
+  const Face& face = operands_[o].face(f);
+  const SolidEdge* edges = operands_[o].edges_of(f);
+  Piece run{bucket_of(o, f, beyond), face.plane, edges[row.first].from,
+            edges[row.last - 1].to};
+  if (beyond) std::swap(run.from, run.to);
+  run.run_first = face.first_edge + row.first;
+  run.run_count = row.last - row.first;
+  notes_.pinned.set(run.from, 1);
+  notes_.pinned.set(run.to, 1);
+  pieces_.push_back(run);
+}
+
+/// Begins a face of the result that is a part of face `f`.
+void Engine::begin_face(std::size_t o, std::int32_t f, bool flipped,
+                        Solid& result) const {
+  Face face = operands_[o].face(f);
+  face.turned = face.turned != flipped;
+  face.from_first = o == 0;
+  face.source = f;
+  face.first_edge = static_cast<std::uint32_t>(result.edges.size());
+  face.edge_count = 0;
+  result.faces.push_back(face);
+}
+
+/// Adds a face of which all is on one side of the other operand, if it bounds
+/// the result.
+void Engine::copy_whole(std::size_t o, std::int32_t f, bool is_near,
+                        Solid& result) {
+  const std::uint32_t size = operands_[o].face(f).edge_count;
+  if (size == 0) return;
+  const SolidEdge* edges = operands_[o].edges_of(f);
+  const bool member =
+      is_near ? is_inside(o, edges[0].from) : operands_[1 - o].solid->unbounded;
+  const bool beyond = apply(o, false, member);
+  if (apply(o, true, member) == beyond) return;
+  begin_face(o, f, beyond, result);
+  result.faces.back().edge_count = size;
+  if (beyond) {
+    for (std::uint32_t i = size; i-- > 0;)
+      result.edges.push_back({edges[i].to, edges[i].from, edges[i].other});
+    end_face(result);
+  } else {
+    result.edges.insert(result.edges.end(), edges, edges + size);
+    result_blocks_.set(result.faces.size() - 1, operands_[o].blocks->shared(f));
+  }
+  for (std::uint32_t i = 0; is_near && i < size; ++i)
+    notes_.pinned.set(edges[i].from, 1);
+}
+
+/// Whether the face is beyond the other operand, which cannot touch it then.
+bool Engine::is_far(std::size_t o, std::int32_t f) const {
+  const Operand& operand = operands_[o];
+  return !overlap(operand.face(f).box, operand.reach);
+}
+
+/// Adds faces that are far, from number `first` on, if they bound the result:
+/// those whose edges stand in a row, but not so many that they are no longer at
+/// hand when they have been copied. The number of the next face.
+std::int32_t Engine::copy_far(std::size_t o, std::int32_t first,
+                              Solid& result) {
+  constexpr std::size_t kMost = 256;
+  const Operand& operand = operands_[o];
+  const auto count = static_cast<std::int32_t>(std::min(
+      operand.solid->faces.size(), static_cast<std::size_t>(first) + kMost));
+  std::int32_t last = first;
+  std::uint32_t edge = operand.face(first).first_edge;
+  do {
+    edge += operand.face(last).edge_count;
+    ++last;
+  } while (last < count && is_far(o, last) &&
+           operand.face(last).first_edge == edge);
+  const bool member = operands_[1 - o].solid->unbounded;
+  const bool beyond = apply(o, false, member);
+  if (apply(o, true, member) == beyond) return last;
+  if (!beyond) {
+    copy_row(o, first, last, result);
+  } else {
+    for (std::int32_t f = first; f < last; ++f)
+      copy_whole(o, f, /*is_near=*/false, result);
+  }
+  return last;
+}
+
+/// Adds the faces from number `first` to before `last` as they are.
+/// Requires: their edges stand in a row.
+void Engine::copy_row(std::size_t o, std::int32_t first, std::int32_t last,
+                      Solid& result) {
+  const Operand& operand = operands_[o];
+  const auto faces = std::span(operand.solid->faces)
+                         .subspan(static_cast<std::size_t>(first),
+                                  static_cast<std::size_t>(last - first));
+  const std::uint32_t first_edge = faces.front().first_edge;
+  const auto edges =
+      std::span(operand.solid->edges)
+          .subspan(first_edge, faces.back().first_edge +
+                                   faces.back().edge_count - first_edge);
+  const auto at = static_cast<std::uint32_t>(result.edges.size());
+  const std::size_t before = result.faces.size();
+  result.edges.insert(result.edges.end(), edges.begin(), edges.end());
+  result.faces.insert(result.faces.end(), faces.begin(), faces.end());
+  for (std::int32_t f = first; f < last; ++f) {
+    const std::size_t copy = before + static_cast<std::size_t>(f - first);
+    Face& face = result.faces[copy];
+    face.from_first = o == 0;
+    face.source = f;
+    face.first_edge = face.first_edge - first_edge + at;
+    result_blocks_.set(copy, operand.blocks->shared(f));
+  }
+}
+
+/// Adds the faces of an operand that the other one does not touch, if they
+/// bound the result, and notes their vertices.
+void Engine::copy_untouched(std::size_t o, Solid& result) {
+  const auto count =
+      static_cast<std::int32_t>(operands_[o].solid->faces.size());
+  std::vector<bool> member;  // by edge
+  for (std::int32_t next = 0; next < count;) {
+    if (is_far(o, next)) {
+      // Vertices beyond the other operand stay in any case.
+      next = copy_far(o, next, result);
+      continue;
+    }
+    const std::int32_t f = next++;
+    if (operands_[o].touched[static_cast<std::size_t>(f)] != 0) continue;
+    const std::uint32_t size = operands_[o].face(f).edge_count;
+    const SolidEdge* edges = operands_[o].edges_of(f);
+    if (is_row({edges, size})) {
+      copy_whole(o, f, /*is_near=*/true, result);
+      continue;
+    }
+    // A face need not be connected: the other operand may hold a part whole.
+    member.clear();
+    for (std::uint32_t i = 0; i < size; ++i) {
+      const bool goes_on = i > 0 && edges[i - 1].to == edges[i].from;
+      member.push_back(goes_on ? member.back() : is_inside(o, edges[i].from));
+    }
+    for (const bool beyond : {false, true}) {
+      bool begun = false;
+      for (std::uint32_t i = 0; i < size; ++i) {
+        const std::uint32_t at = beyond ? size - 1 - i : i;
+        if (apply(o, false, member[at]) != beyond ||
+            apply(o, true, member[at]) == beyond)
+          continue;
+        if (!begun) begin_face(o, f, beyond, result);
+        begun = true;
+        SolidEdge edge = edges[at];
+        if (beyond) std::swap(edge.from, edge.to);
+        result.edges.push_back(edge);
+        ++result.faces.back().edge_count;
+        notes_.pinned.set(edge.from, 1);
+      }
+      if (!begun) continue;
+      if (result.faces.back().edge_count != size || beyond) {
+        // A part of the face may have a smaller box.
+        end_face(result);
+      } else {
+        result_blocks_.set(result.faces.size() - 1,
+                           operands_[o].blocks->shared(f));
+      }
+    }
+  }
+}
+
+}  // namespace halfspace::fast

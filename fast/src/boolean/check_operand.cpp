@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/operand.hpp"
+#include "intersect/self_radial_order.hpp"
+#include "table/geometry_table.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+std::string near(const Solid& solid, std::int32_t vertex) {
+  const Vertex& at = solid.space->vertex(vertex).approximate;
+  const double step = std::pow(static_cast<double>(solid.unit.base),
+                               static_cast<double>(solid.unit.exponent));
+  char text[96];
+  std::snprintf(text, sizeof text, " near %.9g, %.9g, %.9g", step * at.x,
+                step * at.y, step * at.z);
+  return text;
+}
+
+std::string polygon_of(const Solid& solid, std::int32_t face) {
+  return std::to_string(solid.faces[static_cast<std::size_t>(face)].polygon);
+}
+
+/// The first face with the edge, one way or the other.
+std::int32_t face_at(const Solid& solid, std::int32_t u, std::int32_t v) {
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const Face& face = solid.faces[f];
+    for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+      const SolidEdge& edge = solid.edges[face.first_edge + i];
+      if (std::minmax(edge.from, edge.to) == std::minmax(u, v))
+        return static_cast<std::int32_t>(f);
+    }
+  }
+  return -1;
+}
+
+Error not_closed(const std::string& sentence, std::int32_t face) {
+  return {ErrorCode::kNotClosed, sentence, face};
+}
+
+/// A vertex at which the face is open, or -1.
+std::int32_t open_vertex(const Solid& solid, const Face& face,
+                         std::vector<std::int32_t>& from,
+                         std::vector<std::int32_t>& to) {
+  from.clear();
+  to.clear();
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    from.push_back(solid.edges[face.first_edge + i].from);
+    to.push_back(solid.edges[face.first_edge + i].to);
+  }
+  std::sort(from.begin(), from.end());
+  std::sort(to.begin(), to.end());
+  const auto [begun, ended] =
+      std::mismatch(from.begin(), from.end(), to.begin());
+  return begun == from.end() ? -1 : std::min(*begun, *ended);
+}
+
+Error crossed(const Solid& solid, const std::vector<Crossing>& found) {
+  const Crossing& first = found.front();
+  std::string sentence =
+      "the surface crosses itself: polygons " + polygon_of(solid, first.first) +
+      " and " + polygon_of(solid, first.second) +
+      (first.in_plane ? " overlap" : " cross") + near(solid, first.vertex);
+  if (found.size() > 1) {
+    sentence += ", and " + std::to_string(found.size() - 1) +
+                " more pairs do such things";
+  }
+  return not_closed(sentence, first.first);
+}
+
+/// Where a surface does not pass through itself, each connected part of it has
+/// one winding number in front of all its faces, which must be 0 (S6.6).
+Result<Done> check_windings(const Solid& solid, SelfWings& wings) {
+  const auto parts = parts_of_surface(
+      wings.contacts().operand, std::vector<std::uint8_t>(solid.faces.size()));
+  std::size_t wrong = 0;
+  Error error;
+  for (std::size_t f = 0; f < parts.size(); ++f) {
+    const Face& face = solid.faces[f];
+    const auto id = static_cast<std::int32_t>(f);
+    if (parts[f] != id || face.edge_count == 0) continue;
+    const int level = wings.level_outside(id);
+    if (level == 0 || ++wrong > 1) continue;
+    const std::string polygon = "polygon " + polygon_of(solid, id);
+    error = not_closed(
+        level < 0 ? "the surface is inside out: " + polygon + " faces inwards"
+                  : "the surface winds round a place twice: " + polygon +
+                        " is within the solid, and faces outwards",
+        id);
+    error.message += near(solid, solid.edges[face.first_edge].from);
+  }
+  if (wrong == 0) return Done{};
+  if (wrong > 1) {
+    error.message += ", and so do " + std::to_string(wrong - 1) +
+                     (wrong == 2 ? " other part" : " other parts") + " of it";
+  }
+  return error;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> open_faces(const Solid& solid) {
+  std::vector<std::int32_t> open, from, to;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    if (open_vertex(solid, solid.faces[f], from, to) >= 0)
+      open.push_back(static_cast<std::int32_t>(f));
+  }
+  return open;
+}
+
+Result<Done> check_operand(const Solid& solid) {
+  const auto bad = bad_edges(solid);
+  if (!bad.empty()) {
+    const BadEdge& first = bad.front();
+    const std::int32_t face = face_at(solid, first.from, first.to);
+    return not_closed(
+        "the surface is not closed or not consistently oriented: " +
+            std::to_string(bad.size()) +
+            (bad.size() == 1 ? " bad edge" : " bad edges") +
+            ", the first at polygon " + polygon_of(solid, face) +
+            near(solid, first.from),
+        face);
+  }
+  std::vector<std::int32_t> from, to;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const std::int32_t v = open_vertex(solid, solid.faces[f], from, to);
+    if (v < 0) continue;
+    const auto face = static_cast<std::int32_t>(f);
+    return not_closed("the edges of a face make no loops: of polygon " +
+                          polygon_of(solid, face) + near(solid, v),
+                      face);
+  }
+  SelfWings wings(solid);
+  const auto found = crossings_of(wings.contacts());
+  if (!found.empty()) return crossed(solid, found);
+  return check_windings(solid, wings);
+}
+
+}  // namespace halfspace::fast

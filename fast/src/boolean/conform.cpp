@@ -1,0 +1,328 @@
+#include "boolean/conform.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "box/bvh.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/repair.hpp"
+#include "intersect/line_section.hpp"
+#include "intersect/radial_order.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// Whether no point of the surface is beyond the plane of any of its faces.
+bool is_convex(const Solid& solid) {
+  return std::all_of(
+      solid.faces.begin(), solid.faces.end(), [&](const Face& face) {
+        return std::all_of(
+            solid.edges.begin(), solid.edges.end(), [&](const SolidEdge& edge) {
+              const int side = solid.space->side(face.plane, edge.from);
+              return face.turned ? side >= 0 : side <= 0;
+            });
+      });
+}
+
+Box box_of(const Space& space, std::int32_t low, std::int32_t high) {
+  Box box = kEmptyBox;
+  extend(box, space.vertex(low).approximate);
+  extend(box, space.vertex(high).approximate);
+  return box;
+}
+
+/// Finds where an operand touches itself on the other one's surface.
+class Noder {
+ public:
+  Noder(std::size_t o, std::array<Operand, 2>& operands,
+        std::vector<Trace>& traces, Space& space)
+      : o_(o),
+        operand_(operands[o]),
+        other_(operands[1 - o]),
+        traces_(traces),
+        space_(space),
+        section_(space) {}
+
+  bool run() {
+    if (!operand_.covers.empty() && !cut_covered_edges()) return false;
+    if (!traces_.empty()) split_traces();
+    return true;
+  }
+
+ private:
+  bool cut_covered_edges();
+  void add_cuts();
+  int side_of(std::int32_t face, std::int32_t vertex) const;
+  std::span<const SolidEdge> edges_near(std::int32_t face, std::int32_t plane);
+  bool add_points(std::int32_t edge, std::int32_t face);
+  void split_traces();
+  void find_cuts_on_traces();
+  void find_vertices_on_traces();
+  void find_on_trace(std::size_t trace, std::int32_t vertex);
+  void find_on_any_trace(std::int32_t vertex);
+  std::int32_t own_face(const Trace& trace) const {
+    return o_ == 0 ? trace.first : trace.second;
+  }
+  std::int32_t other_face(const Trace& trace) const {
+    return o_ == 0 ? trace.second : trace.first;
+  }
+  bool is_between(int axis, std::int32_t low, std::int32_t v,
+                  std::int32_t high) const {
+    return space_.compare(axis, low, v) < 0 &&
+           space_.compare(axis, v, high) < 0;
+  }
+
+  std::size_t o_;
+  Operand& operand_;
+  const Operand& other_;
+  std::vector<Trace>& traces_;
+  Space& space_;
+  Section section_;
+  std::vector<SolidEdge> near_edges_;  ///< of the face at hand
+  /// Covered edges and points within them.
+  std::vector<std::pair<std::int32_t, std::int32_t>> points_;
+  std::optional<BoxTree> trace_tree_;
+  /// Traces and points within them.
+  std::vector<std::pair<std::size_t, std::int32_t>> nodes_;
+};
+
+/// False: there is an edge of which a part lies in a face that has it not.
+bool Noder::cut_covered_edges() {
+  const BoxTree tree(
+      [&](std::int32_t f) -> const Box& { return operand_.face(f).box; },
+      operand_.active);
+  std::vector<std::uint8_t> is_done(operand_.edges.size());
+  for (const Cover& cover : operand_.covers) {
+    std::uint8_t& done = is_done[static_cast<std::size_t>(cover.edge)];
+    if (done != 0) continue;
+    done = 1;
+    const LineEdge& edge = operand_.edge(cover.edge);
+    bool is_alone = true;
+    tree.find(box_of(space_, edge.low, edge.high), [&](std::int32_t f) {
+      is_alone = is_alone && add_points(cover.edge, f);
+    });
+    if (!is_alone) return false;
+  }
+  if (!points_.empty()) add_cuts();
+  return true;
+}
+
+/// Cuts the edges at the points, where they are covered.
+void Noder::add_cuts() {
+  std::vector<Cut>& cuts = operand_.cuts;
+  std::sort(points_.begin(), points_.end());
+  for (const Cover& cover : operand_.covers) {
+    const int axis = operand_.edge(cover.edge).axis;
+    auto point = std::lower_bound(
+        points_.begin(), points_.end(), cover.edge,
+        [](const auto& p, std::int32_t edge) { return p.first < edge; });
+    for (; point != points_.end() && point->first == cover.edge; ++point) {
+      if (is_between(axis, cover.low, point->second, cover.high))
+        cuts.push_back({cover.edge, point->second, cover.face});
+    }
+  }
+  // Some were known.
+  const auto key = [](const Cut& cut) {
+    return std::tie(cut.edge, cut.vertex, cut.face);
+  };
+  std::sort(cuts.begin(), cuts.end(),
+            [&](const Cut& x, const Cut& y) { return key(x) < key(y); });
+  cuts.erase(
+      std::unique(cuts.begin(), cuts.end(),
+                  [&](const Cut& x, const Cut& y) { return key(x) == key(y); }),
+      cuts.end());
+}
+
+/// On which side of a face's plane the vertex is. Most are asked of the faces
+/// around them.
+int Noder::side_of(std::int32_t f, std::int32_t vertex) const {
+  constexpr std::uint32_t kFew = 8;
+  const Face& face = operand_.face(f);
+  const SolidEdge* edges = operand_.edges_of(f);
+  for (std::uint32_t i = 0; i < std::min(face.edge_count, kFew); ++i) {
+    if (edges[i].from == vertex) return 0;
+  }
+  return space_.side(face.plane, vertex);
+}
+
+/// Those edges of a face that may meet a plane, in their order.
+std::span<const SolidEdge> Noder::edges_near(std::int32_t f,
+                                             std::int32_t plane) {
+  const SolidEdge* edges = operand_.edges_of(f);
+  const BlockList* list = operand_.blocks->of(f);
+  if (list == nullptr) return {edges, operand_.face(f).edge_count};
+  near_edges_.clear();
+  list->visit(
+      [&](const Box& box) {
+        return known_side(space_.plane(plane).filter, box, space_.rounding()) ==
+               0;
+      },
+      [&](const EdgeBlock& block) {
+        near_edges_.insert(near_edges_.end(), edges + block.first,
+                           edges + block.first + block.count);
+      });
+  return near_edges_;
+}
+
+/// Adds the points within an edge at which a face that has it not touches it.
+/// False if it has more of the edge in it than points.
+bool Noder::add_points(std::int32_t id, std::int32_t f) {
+  LineEdge& edge = operand_.edge(id);
+  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
+    if (operand_.uses[edge.first_use + u].face == f) return true;
+  }
+  const Face& face = operand_.face(f);
+  const int low = side_of(f, edge.low);
+  const int high = side_of(f, edge.high);
+  // At an end there is a vertex of the edge.
+  if (low * high > 0 || (low == 0) != (high == 0)) return true;
+  const std::array<std::int32_t, 2> planes{
+      edge.plane, second_plane(edge, operand_, space_)};
+  const std::int32_t across = other_than(face.plane, planes);
+  const auto edges = edges_near(f, across);
+  if (low != 0) {
+    const std::int32_t at = space_.meet(planes[0], planes[1], face.plane);
+    int axis = 0;
+    space_.line_axis(face.plane, across, axis);
+    section_.find(face, edges, across, axis);
+    for (const auto& [from, to] : section_.parts()) {
+      if (from == at || is_between(axis, from, at, to)) {
+        points_.emplace_back(id, at);
+        break;
+      }
+    }
+    return true;
+  }
+  // Where it has just a point of the edge, another face there crosses it.
+  section_.find(face, edges, across, edge.axis);
+  return std::none_of(
+      section_.parts().begin(), section_.parts().end(), [&](const auto& part) {
+        const auto& [from, to] = part;
+        return from != to && space_.compare(edge.axis, from, edge.high) < 0 &&
+               space_.compare(edge.axis, edge.low, to) < 0;
+      });
+}
+
+/// Within a trace neither of its faces has a vertex.
+void Noder::split_traces() {
+  find_cuts_on_traces();
+  find_vertices_on_traces();
+  std::sort(nodes_.begin(), nodes_.end(), [&](const auto& x, const auto& y) {
+    if (x.first != y.first) return x.first < y.first;
+    return space_.compare(traces_[x.first].axis, x.second, y.second) < 0;
+  });
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  for (const auto& [t, vertex] : nodes_) {
+    // The part up to the point stands aside, what is left here.
+    Trace part = traces_[t];
+    part.high = vertex;
+    traces_[t].low = vertex;
+    traces_.push_back(part);
+  }
+}
+
+/// If the point is within the trace, notes that.
+void Noder::find_on_trace(std::size_t t, std::int32_t vertex) {
+  const Trace& trace = traces_[t];
+  if (vertex == trace.low || vertex == trace.high) return;
+  if (is_between(trace.axis, trace.low, vertex, trace.high) &&
+      space_.side(operand_.face(own_face(trace)).plane, vertex) == 0 &&
+      space_.side(other_.face(other_face(trace)).plane, vertex) == 0)
+    nodes_.emplace_back(t, vertex);
+}
+
+void Noder::find_on_any_trace(std::int32_t vertex) {
+  if (!trace_tree_) {
+    std::vector<Box> boxes;
+    for (const Trace& trace : traces_)
+      boxes.push_back(box_of(space_, trace.low, trace.high));
+    std::vector<std::int32_t> items(boxes.size());
+    std::iota(items.begin(), items.end(), 0);
+    trace_tree_.emplace(
+        [&](std::int32_t t) { return boxes[static_cast<std::size_t>(t)]; },
+        items);
+  }
+  trace_tree_->find(box_of(space_, vertex, vertex), [&](std::int32_t t) {
+    find_on_trace(static_cast<std::size_t>(t), vertex);
+  });
+}
+
+/// Where edges meet the other operand's faces, those may have traces.
+void Noder::find_cuts_on_traces() {
+  if (operand_.cuts.empty()) return;
+  // Step 1: the traces by the other operand's faces.
+  std::vector<std::uint32_t> first(other_.solid->faces.size() + 1);
+  const auto count_of = [&](std::int32_t f) -> std::uint32_t& {
+    return first[static_cast<std::size_t>(f) + 1];
+  };
+  for (const Trace& trace : traces_) ++count_of(other_face(trace));
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> by_face(traces_.size());
+  for (std::size_t t = traces_.size(); t-- > 0;) {
+    by_face[--count_of(other_face(traces_[t]))] = static_cast<std::uint32_t>(t);
+  }
+  // Step 2: the points on each. Its traces begin now where those of the face
+  // before it end.
+  constexpr std::uint32_t kMany = 16;
+  for (const Cut& cut : operand_.cuts) {
+    const std::uint32_t begin = count_of(cut.face);
+    const auto f = static_cast<std::size_t>(cut.face);
+    const std::uint32_t end = f + 2 < first.size()
+                                  ? first[f + 2]
+                                  : static_cast<std::uint32_t>(traces_.size());
+    if (end - begin > kMany) {
+      find_on_any_trace(cut.vertex);
+      continue;
+    }
+    for (std::uint32_t i = begin; i < end; ++i)
+      find_on_trace(by_face[i], cut.vertex);
+  }
+}
+
+void Noder::find_vertices_on_traces() {
+  std::vector<std::int32_t> vertices;
+  for (const LineEdge& edge : operand_.edges) {
+    for (const std::int32_t v : {edge.low, edge.high}) {
+      if (operand_.is_on_other(v)) vertices.push_back(v);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (const std::int32_t v : vertices) find_on_any_trace(v);
+}
+
+}  // namespace
+
+bool is_known_noded(const Solid& solid) {
+  // Beyond so much it is sooner to look at what matters.
+  constexpr std::size_t kMost = 2048;
+  return solid.is_noded ||
+         (solid.faces.size() * solid.edges.size() <= kMost && is_convex(solid));
+}
+
+bool add_nodes(std::size_t o, std::array<Operand, 2>& operands,
+               std::vector<Trace>& traces, Space& space) {
+  return Noder(o, operands, traces, space).run();
+}
+
+Solid noded(const Solid& solid) {
+  const bool is_bounded_by_edges =
+      std::none_of(solid.faces.begin(), solid.faces.end(),
+                   [](const Face& face) { return face.edge_count == 0; });
+  if (!is_bounded_by_edges || !bad_edges(solid).empty() ||
+      !open_faces(solid).empty()) {
+    Solid same = solid;
+    same.is_noded = true;
+    return same;
+  }
+  return solid.unbounded ? complement(repair(complement(solid)).solid)
+                         : repair(solid).solid;
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,42 @@
+#include "intersect/line_section.hpp"
+
+#include <algorithm>
+
+#include "intersect/candidates.hpp"
+
+namespace halfspace::fast {
+
+void Section::find(const Face& face, std::span<const SolidEdge> edges,
+                   std::int32_t across, int axis) {
+  parts_.clear();
+  turns_.clear();
+  for (const SolidEdge& edge : edges) add(face, edge, across);
+  std::sort(turns_.begin(), turns_.end(), [&](const Turn& t, const Turn& u) {
+    return space_.compare(axis, t.vertex, u.vertex) < 0;
+  });
+  bool positive = false, negative = false;
+  for (std::size_t i = 0; i < turns_.size(); ++i) {
+    positive = positive != turns_[i].positive;
+    negative = negative != turns_[i].negative;
+    // Beyond the last one there is nothing, unless the face is open.
+    const bool goes_on = (positive || negative) && i + 1 < turns_.size();
+    parts_.emplace_back(turns_[i].vertex, turns_[goes_on ? i + 1 : i].vertex);
+  }
+}
+
+/// Adds the point at which the edge and the line meet.
+void Section::add(const Face& face, const SolidEdge& edge,
+                  std::int32_t across) {
+  const int from = space_.side(across, edge.from);
+  const int to = space_.side(across, edge.to);
+  // Along the line it is for those before and after it to tell.
+  if (from == to) return;
+  const std::int32_t at =
+      from == 0 ? edge.from
+      : to == 0
+          ? edge.to
+          : space_.meet(face.plane, plane_athwart(edge, face, space_), across);
+  turns_.push_back({at, (from > 0) != (to > 0), (from < 0) != (to < 0)});
+}
+
+}  // namespace halfspace::fast

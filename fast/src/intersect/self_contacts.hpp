@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "halfspace/fast/crossings.hpp"
+#include "intersect/candidates.hpp"
+
+namespace halfspace::fast {
+
+/// What the faces of one solid have in common: every two of them met twice, as
+/// if each were of another operand. Cuts and covers include those at the
+/// vertices and edges that faces share by right.
+struct SelfContacts {
+  Operand operand;
+  std::vector<Trace> traces;  ///< each twice
+};
+
+SelfContacts self_contacts(const Solid& solid);
+
+std::vector<Crossing> crossings_of(const SelfContacts& contacts);
+
+}  // namespace halfspace::fast

@@ -1,0 +1,43 @@
+#include "camera/view.hpp"
+#include "raster/kernel/kernel.hpp"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+
+namespace halfspace::fast {
+namespace {
+
+#include "kernel_target.inc"
+//
+#include "kernel_avx2_lanes.inc"
+//
+#include "kernel_avx2.inc"
+//
+#include "kernel_avx2_colors.inc"
+//
+#include "kernel_avx2_flat.inc"
+//
+#include "kernel_avx2_shade.inc"
+//
+#include "kernel_avx2_blocks.inc"
+//
+#include "kernel_avx2_levels.inc"
+//
+#include "kernel.inc"
+//
+#include "kernel_avx2_boxes.inc"
+//
+#include "kernel_floats.inc"
+//
+#include "kernel_avx2_runs.inc"
+//
+#include "kernel_small.inc"
+
+}  // namespace
+
+const Kernel kAvx2Kernel = {draw,          draw_lines, draw_block<3>,
+                            draw_block<4>, any_open,   any_unlit,
+                            see_box,       leave_leaf, fill_rest};
+
+}  // namespace halfspace::fast
+#endif

@@ -1,0 +1,256 @@
+#include "halfspace/fast/render.hpp"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <vector>
+
+#include "base/tsan.hpp"
+#include "halfspace/assert.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/painter.hpp"
+#include "raster/culler.hpp"
+#include "raster/drawer.hpp"
+#include "raster/screen.hpp"
+#include "tree/traversal.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// What one thread found.
+struct BandResult {
+  std::size_t pixels = 0;
+  std::size_t fragments = 0;
+  FilterStats stats;
+};
+
+/// The eye's side of a fragment's source, from that of its node.
+int source_side(const TreeFragment& fragment, int node_sign) {
+  return fragment.turned != 0 ? -node_sign : node_sign;
+}
+
+template <int kBits>
+BandResult render_band(const Frame& frame, Screen& screen) {
+  const BspTree& tree = frame.reader.tree();
+  Canvas& canvas = screen.canvas();
+  Drawer<kBits> drawer(frame, canvas);
+  FilterStats stats;
+  const EyeSide eye_side(frame.reader, frame.view, frame.camera, stats);
+  const Culler culler(frame.view, frame.kernel, canvas);
+  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
+  const auto enter = [&](NodeId id) {
+    if (!has_boxes) return true;
+    const auto n = static_cast<std::size_t>(id);
+    const Node& node = tree.nodes[n];
+    // One fragment is sooner drawn than its box tested.
+    const bool is_single = node.splitter != kNoPlane &&
+                           node.positive == kNoNode && node.negative == kNoNode;
+    return is_single || culler.can_show(tree.boxes[n]);
+  };
+  const auto side_of_source = [&](const TreeFragment& fragment) {
+    return eye_side(frame.reader.geometry().plane(fragment.source),
+                    fragment.source);
+  };
+  // A leaf is drawn when the next one is found: until then its vertices are on
+  // their way from memory.
+  const Node* waiting = nullptr;
+  const auto draw_waiting = [&] {
+    if (waiting == nullptr) return;
+    // One fragment hides nothing of its own.
+    const auto first = static_cast<std::size_t>(waiting->first_fragment);
+    if (tree.fragments[first].next != kNoFragment) screen.enter_leaf();
+    drawer.draw_leaf(*waiting, side_of_source);
+    waiting = nullptr;
+  };
+  const auto show = [&](const Node& node, int sign) {
+    if (node.splitter == kNoPlane) {
+      drawer.prefetch(node);
+      draw_waiting();
+      waiting = &node;
+    } else if (node.first_fragment != kNoFragment) {
+      draw_waiting();
+      for_fragments(tree, node, [&](const TreeFragment& fragment) {
+        drawer.draw(fragment, source_side(fragment, sign));
+        return true;
+      });
+    }
+    return canvas.open_tiles > 0;
+  };
+  walk_front_to_back(tree, eye_side, enter, show);
+  draw_waiting();
+  const std::int64_t unlit = drawer.fill_rest(frame.image.background);
+  const std::int64_t all =
+      std::int64_t{canvas.columns.end - canvas.columns.first} *
+      (canvas.lines.end - canvas.lines.first);
+  stats.add(drawer.stats());
+  return {static_cast<std::size_t>(all - unlit), drawer.fragments(), stats};
+}
+
+template <int kBits>
+BandResult paint_band(const Frame& frame, Screen& screen) {
+  const BspTree& tree = frame.reader.tree();
+  Canvas& canvas = screen.canvas();
+  Drawer<kBits> drawer(frame, canvas);
+  drawer.fill_rest(frame.image.background);
+  canvas.overwrite = true;
+  FilterStats stats;
+  std::vector<std::int32_t> scratch;
+  const EyeSide eye_side(frame.reader, frame.view, frame.camera, stats);
+  walk_back_to_front(tree, eye_side, [&](const Node& node, int sign) {
+    return for_fragments_reversed(
+        tree, node, scratch, [&](const TreeFragment& fragment) {
+          drawer.draw(fragment, source_side(fragment, sign));
+          return true;
+        });
+  });
+  stats.add(drawer.stats());
+  return {drawer.pixels(), drawer.fragments(), stats};
+}
+
+/// Bands of whole tile rows, one or a few for each thread.
+std::vector<PixelRange> bands_of(const Rectangle& rectangle, int threads) {
+  const std::int32_t first = rectangle.top / kTileHeight;
+  const std::int32_t last = (rectangle.bottom - 1) / kTileHeight;
+  const std::int32_t rows = last - first + 1;
+  // More bands than threads even out what the bands cost; but each walks the
+  // tree, and draws again what crosses its border.
+  const std::int32_t wanted = threads == 1 ? 1 : 2 * threads;
+  const std::int32_t count = std::min(wanted, rows);
+  std::vector<PixelRange> bands;
+  for (std::int32_t b = 0; b < count; ++b) {
+    const auto row = [&](std::int32_t k) {
+      return static_cast<std::int32_t>(first + std::int64_t{rows} * k / count);
+    };
+    bands.push_back({std::max(rectangle.top, row(b) * kTileHeight),
+                     std::min(rectangle.bottom, row(b + 1) * kTileHeight)});
+  }
+  return bands;
+}
+
+/// Calls work(b) for every band, in so many threads, the middle ones first: in
+/// most pictures they take longest, and what is left for the end is little.
+template <class Work>
+void for_bands(std::size_t count, int threads, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  const SharedWork shared;
+  const auto work_on = [&](int) {
+    shared.part([&] {
+      for (std::size_t k = next++; k < count; k = next++) {
+        work(k % 2 == 0 ? (count + k) / 2 : (count - 1 - k) / 2);
+      }
+    });
+  };
+  // Asking for more threads than there are makes the library complain.
+  oneapi::tbb::task_arena arena(
+      std::min(threads, oneapi::tbb::info::default_concurrency()));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(0, threads, work_on,
+                              oneapi::tbb::simple_partitioner{});
+  });
+}
+
+template <class T>
+void resize(Grid2<T>& image, std::int32_t width, std::int32_t height) {
+  if (image.width_px == width && image.height_px == height) return;
+  image = Grid2<T>(width, height, T{});
+}
+
+enum class Order { kFrontToBack, kBackToFront };
+
+/// In which order a tree is displayed, and what of a polygon is not seen
+/// through.
+struct Pass {
+  Order order = Order::kFrontToBack;
+  std::uint8_t alpha = kOpaque;
+};
+
+void run(const Scene& scene, const BspTree& tree, const Camera& camera,
+         const ImageOptions& image, const RenderOptions& options, Pass pass,
+         Rendering& result) {
+  HALFSPACE_ASSERT(options.threads >= 1);
+  const CameraData& data = camera.data();
+  const Rectangle rectangle = options.rectangle.value_or(
+      Rectangle{0, 0, data.width_px, data.height_px});
+  HALFSPACE_ASSERT(0 <= rectangle.left && rectangle.left < rectangle.right &&
+                   rectangle.right <= data.width_px);
+  HALFSPACE_ASSERT(0 <= rectangle.top && rectangle.top < rectangle.bottom &&
+                   rectangle.bottom <= data.height_px);
+  const std::int32_t width = rectangle.right - rectangle.left;
+  const std::int32_t height = rectangle.bottom - rectangle.top;
+  resize(result.items, options.items ? width : 0, options.items ? height : 0);
+  resize(result.colors, options.colors ? width : 0,
+         options.colors ? height : 0);
+
+  const bool leaves = has_leaves(tree);
+  HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
+  const TreeReader reader(scene, tree);
+  const View view = make_view(camera, scene.grid_bits());
+  const Frame frame = {reader,    data, image, view, best_kernel(options.loops),
+                       pass.alpha};
+  const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
+  std::vector<BandResult> found(bands.size());
+  const auto one = [&](std::size_t b) {
+    Screen screen(rectangle, bands[b], result, leaves);
+    found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
+      return pass.order == Order::kFrontToBack
+                 ? render_band<bits()>(frame, screen)
+                 : paint_band<bits()>(frame, screen);
+    });
+  };
+  if (options.threads == 1) {
+    one(0);
+  } else {
+    for_bands(bands.size(), options.threads, one);
+  }
+  result.pixels_painted = 0;
+  result.fragments_displayed = 0;
+  result.decisions = {};
+  for (const BandResult& band : found) {
+    result.pixels_painted += band.pixels;
+    result.fragments_displayed += band.fragments;
+    result.decisions.add(band.stats);
+  }
+}
+
+}  // namespace
+
+Rendering render(const Scene& scene, const BspTree& tree, const Camera& camera,
+                 const ImageOptions& image, const RenderOptions& options) {
+  Rendering result;
+  run(scene, tree, camera, image, options, {}, result);
+  return result;
+}
+
+void render(const Scene& scene, const BspTree& tree, const Camera& camera,
+            const ImageOptions& image, const RenderOptions& options,
+            Rendering& result) {
+  run(scene, tree, camera, image, options, {}, result);
+}
+
+Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& image, const RenderOptions& options) {
+  Rendering result;
+  run(scene, tree, camera, image, options, {Order::kBackToFront}, result);
+  return result;
+}
+
+void paint(const Scene& scene, const BspTree& tree, const Camera& camera,
+           const ImageOptions& image, const RenderOptions& options,
+           Rendering& result) {
+  run(scene, tree, camera, image, options, {Order::kBackToFront}, result);
+}
+
+Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
+                const ImageOptions& image, std::uint8_t alpha,
+                const RenderOptions& options) {
+  Rendering result;
+  run(scene, tree, camera, image, options, {Order::kBackToFront, alpha},
+      result);
+  return result;
+}
+
+}  // namespace halfspace::fast

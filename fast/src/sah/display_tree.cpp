@@ -1,0 +1,293 @@
+#include "halfspace/fast/display_tree.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+
+#include <deque>
+#include <utility>
+
+#include "base/tsan.hpp"
+#include "halfspace/assert.hpp"
+#include "sah/sah_builder.hpp"
+#include "tree/leaf_packets.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// A list of so many items or fewer is one thread's work.
+constexpr std::size_t kJobSize = 16384;
+
+/// So many cuts are always allowed: some megabytes.
+constexpr double kFreeCuts = 100'000;
+
+/// Polygons that a thread reads at a time.
+constexpr std::size_t kBlock = 4096;
+
+/// Carries out the jobs of a build.
+class JobRunner {
+ public:
+  explicit JobRunner(DisplayWork& work) : work_(work) {}
+
+  /// The root's job, with those of its subtrees.
+  DisplayJob* run() {
+    DisplayJob* root = add(root_job());
+    start(root);
+    group_.wait();
+    for (const DisplayJob& job : jobs_) take_over(&job);
+    return root;
+  }
+
+ private:
+  DisplayJob root_job() const {
+    DisplayJob job;
+    job.items.resize(work_.scene.polygon_count());
+    {
+      const SharedWork shared;
+      const auto read = [&](const tbb::blocked_range<std::size_t>& range) {
+        shared.part([&] {
+          for (std::size_t p = range.begin(); p < range.end(); ++p) {
+            job.items[p] = work_.item_of(static_cast<PolygonId>(p));
+          }
+        });
+      };
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, job.items.size(), kBlock), read);
+    }
+    for (const Item& item : job.items) include(job.box, item);
+    job.allowance = kFreeCuts + work_.options.most_cuts *
+                                    static_cast<double>(job.items.size());
+    return job;
+  }
+
+  DisplayJob* add(DisplayJob job) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return &jobs_.emplace_back(std::move(job));
+  }
+
+  void start(DisplayJob* job) {
+    hand_over(job);
+    group_.run([this, job] {
+      take_over(job);
+      carry_out(*job);
+      hand_over(job);
+    });
+  }
+
+  void carry_out(DisplayJob& job) {
+    if (work_.is_stopped()) return;
+    if (job.items.size() <= kJobSize) {
+      DisplayWorker(work_, job).make_subtree();
+    } else {
+      DisplayWorker::Divided lists = DisplayWorker(work_, job).divide();
+      const auto go_on = [&](std::optional<DisplayJob>& list) {
+        if (!list) return static_cast<DisplayJob*>(nullptr);
+        DisplayJob* child = add(std::move(*list));
+        start(child);
+        return child;
+      };
+      job.negative = go_on(lists.negative);
+      job.positive = go_on(lists.positive);
+    }
+    job.items = {};
+    job.parts = {};
+    job.tree = {};
+  }
+
+  DisplayWork& work_;
+  tbb::task_group group_;
+  std::mutex mutex_;
+  std::deque<DisplayJob> jobs_;  // entries stay where they are
+};
+
+/// Where a piece's arrays begin in the tree's.
+struct Placed {
+  DisplayJob* job;
+  std::size_t nodes = 0;
+  std::size_t fragments = 0;
+  std::size_t corners = 0;
+  std::size_t cut_vertices = 0;
+  std::size_t free_planes = 0;
+  NodeId positive = kNoNode;
+  NodeId negative = kNoNode;
+  std::vector<std::int32_t> planes;  ///< what the inherited ones are here
+};
+
+/// Puts the pieces together: the node, its positive and its negative subtree.
+class Merger {
+ public:
+  Merger(const Scene& scene, BspTree& tree)
+      : polygon_count_(static_cast<PlaneId>(scene.polygon_count())),
+        vertex_count_(static_cast<std::int32_t>(scene.data().vertices.size())),
+        tree_(tree) {}
+
+  void merge(DisplayJob* root, FilterStats& stats) {
+    place(root, stats);
+    tree_.nodes.resize(end_.nodes);
+    tree_.fragments.resize(end_.fragments);
+    tree_.corners.resize(end_.corners);
+    tree_.cut_vertices.resize(end_.cut_vertices);
+    tree_.free_planes.resize(end_.free_planes);
+    tree_.boxes.resize(end_.nodes);
+    const SharedWork shared;
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
+      shared.part([&] { copy(pieces_[i]); });
+    });
+  }
+
+ private:
+  void place(DisplayJob* root, FilterStats& stats) {
+    struct Step {
+      DisplayJob* job;
+      std::size_t parent;
+      Side side;
+      std::vector<std::int32_t> planes;
+    };
+    std::vector<Step> steps;
+    steps.push_back({root, 0, Side::kOn, {}});
+    while (!steps.empty()) {
+      Step step = std::move(steps.back());
+      steps.pop_back();
+      const BspTree& piece = step.job->piece;
+      stats.add(step.job->stats);
+      Placed at = end_;
+      at.job = step.job;
+      at.planes = std::move(step.planes);
+      const auto id = static_cast<NodeId>(at.nodes);
+      if (step.side == Side::kPositive) pieces_[step.parent].positive = id;
+      if (step.side == Side::kNegative) pieces_[step.parent].negative = id;
+      std::vector<std::int32_t> below = at.planes;
+      const std::size_t new_planes =
+          piece.free_planes.size() - step.job->inherited_planes;
+      for (std::size_t k = 0; k < new_planes; ++k) {
+        below.push_back(static_cast<std::int32_t>(at.free_planes + k));
+      }
+      end_.nodes += piece.nodes.size();
+      end_.fragments += piece.fragments.size();
+      end_.corners += piece.corners.size();
+      end_.cut_vertices += piece.cut_vertices.size();
+      end_.free_planes += new_planes;
+      const std::size_t index = pieces_.size();
+      pieces_.push_back(std::move(at));
+      if (DisplayJob* child = step.job->negative) {
+        steps.push_back({child, index, Side::kNegative, below});
+      }
+      if (DisplayJob* child = step.job->positive) {
+        steps.push_back({child, index, Side::kPositive, std::move(below)});
+      }
+    }
+  }
+
+  PlaneId plane_of(const Placed& at, PlaneId plane) const {
+    if (plane < polygon_count_) return plane;
+    const auto local = static_cast<std::size_t>(plane - polygon_count_);
+    const std::size_t inherited = at.planes.size();
+    if (local < inherited) return polygon_count_ + at.planes[local];
+    return polygon_count_ +
+           static_cast<PlaneId>(at.free_planes + local - inherited);
+  }
+
+  void copy(const Placed& at) {
+    BspTree& piece = at.job->piece;
+    const auto moved = [](std::int32_t index, std::size_t by) {
+      return index < 0 ? index : index + static_cast<std::int32_t>(by);
+    };
+    for (std::size_t k = 0; k < piece.nodes.size(); ++k) {
+      Node node = piece.nodes[k];
+      node.splitter = plane_of(at, node.splitter);
+      node.positive = moved(node.positive, at.nodes);
+      node.negative = moved(node.negative, at.nodes);
+      node.first_fragment = moved(node.first_fragment, at.fragments);
+      if (at.positive != kNoNode) node.positive = at.positive;
+      if (at.negative != kNoNode) node.negative = at.negative;
+      tree_.nodes[at.nodes + k] = node;
+      tree_.boxes[at.nodes + k] = piece.boxes[k];
+    }
+    for (std::size_t k = 0; k < piece.fragments.size(); ++k) {
+      TreeFragment fragment = piece.fragments[k];
+      fragment.first_corner += static_cast<std::uint32_t>(at.corners);
+      fragment.next = moved(fragment.next, at.fragments);
+      tree_.fragments[at.fragments + k] = fragment;
+    }
+    for (std::size_t k = 0; k < piece.corners.size(); ++k) {
+      Corner corner = piece.corners[k];
+      if (!is_source(corner.edge)) {
+        corner.edge = splitter_edge(plane_of(at, splitter_of(corner.edge)));
+      }
+      if (corner.vertex >= vertex_count_) {
+        corner.vertex += static_cast<std::int32_t>(at.cut_vertices);
+      }
+      tree_.corners[at.corners + k] = corner;
+    }
+    std::copy(piece.cut_vertices.begin(), piece.cut_vertices.end(),
+              tree_.cut_vertices.begin() +
+                  static_cast<std::ptrdiff_t>(at.cut_vertices));
+    std::copy(piece.free_planes.begin() +
+                  static_cast<std::ptrdiff_t>(at.job->inherited_planes),
+              piece.free_planes.end(),
+              tree_.free_planes.begin() +
+                  static_cast<std::ptrdiff_t>(at.free_planes));
+    piece = {};
+  }
+
+  PlaneId polygon_count_;
+  std::int32_t vertex_count_;
+  BspTree& tree_;
+  Placed end_{nullptr, 0, 0, 0, 0, 0, kNoNode, kNoNode, {}};
+  std::vector<Placed> pieces_;
+};
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+BspTree build_display_tree(const Scene& scene,
+                           const DisplayTreeOptions& options) {
+  FilterStats stats;
+  return build_display_tree(scene, options, stats);
+}
+
+BspTree build_display_tree(const Scene& scene,
+                           const DisplayTreeOptions& options,
+                           FilterStats& stats) {
+  HALFSPACE_ASSERT(options.leaf_size >= 1);
+  HALFSPACE_ASSERT(options.threads >= 0);
+  BspTree tree;
+  if (scene.polygon_count() == 0) return tree;
+  // Asking for more threads than there are makes the library complain.
+  const int most = tbb::info::default_concurrency();
+  tbb::task_arena arena(options.threads == 0 ? most
+                                             : std::min(options.threads, most));
+  arena.execute([&] {
+    DisplayWork work(scene, options);
+    JobRunner runner(work);
+    DisplayJob* root = runner.run();
+    if (!work.is_stopped()) {
+      Merger(scene, tree).merge(root, stats);
+      add_blocks(tree, scene);
+    }
+  });
+  return tree;
+}
+
+TreeBytes bytes_by_array(const BspTree& tree) {
+  return {bytes_of(tree.nodes),
+          bytes_of(tree.boxes),
+          bytes_of(tree.fragments),
+          bytes_of(tree.corners),
+          bytes_of(tree.cut_vertices),
+          bytes_of(tree.free_planes),
+          bytes_of(tree.triangles) + bytes_of(tree.quadrangles) +
+              bytes_of(tree.first_blocks)};
+}
+
+std::size_t bytes_of(const BspTree& tree) {
+  return bytes_by_array(tree).total();
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,317 @@
+#include "halfspace/fast/export.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include "base/id_map.hpp"
+#include "base/parallel.hpp"
+#include "solid/face_triangulation.hpp"
+#include "solid/vertex_order.hpp"
+#include "table/geometry_table.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// One grid step in model units. A power of ten is rounded, and applied to
+/// numbers that are divided by it where it is less than one.
+double scaled(double value, Unit unit) {
+  // A product with a power of two that is a double is rounded as if scaled.
+  if (unit.base == 2 && std::abs(unit.exponent) < 1000) {
+    return value * power_of_two(unit.exponent);
+  }
+  if (unit.base == 2) return std::ldexp(value, unit.exponent);
+  return unit.exponent < 0 ? value / std::pow(10.0, -unit.exponent)
+                           : value * std::pow(10.0, unit.exponent);
+}
+
+/// Polygons in a row, by points' ids, then by vertices.
+struct Polygons {
+  List<std::int32_t> corners;
+  List<std::uint32_t> first_corner = {0};
+  List<std::int32_t> faces;
+
+  std::size_t size() const { return faces.size(); }
+  std::span<std::int32_t> at(std::size_t p) {
+    const std::uint32_t first = first_corner[p];
+    return {corners.data() + first, first_corner[p + 1] - first};
+  }
+  void add(std::span<const std::int32_t> polygon, std::int32_t face) {
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    end_polygon(face);
+  }
+  /// Its corners are the last ones.
+  void end_polygon(std::int32_t face) {
+    first_corner.push_back(static_cast<std::uint32_t>(corners.size()));
+    faces.push_back(face);
+  }
+};
+
+/// Adds a face that is one triangle. Whether it is.
+bool add_triangle(const Solid& solid, std::size_t f, Polygons& polygons) {
+  const Face& face = solid.faces[f];
+  if (face.edge_count != 3) return false;
+  const SolidEdge* e = solid.edges.data() + face.first_edge;
+  // Three edges in a row are a loop round what they bound.
+  if (e[0].to != e[1].from || e[1].to != e[2].from || e[2].to != e[0].from)
+    return false;
+  for (std::size_t i = 0; i < 3; ++i) polygons.corners.push_back(e[i].from);
+  polygons.end_polygon(static_cast<std::int32_t>(f));
+  return true;
+}
+
+/// Adds the polygons of the faces from `first` to before `last`.
+void add_polygons(const Solid& solid, std::size_t first, std::size_t last,
+                  bool triangles, Polygons& polygons) {
+  std::vector<std::array<std::int32_t, 3>> parts;
+  std::vector<std::vector<std::int32_t>> joined;
+  for (std::size_t f = first; f < last; ++f) {
+    if (add_triangle(solid, f, polygons)) continue;
+    const auto id = static_cast<std::int32_t>(f);
+    const Face& face = solid.faces[f];
+    if (!triangles) {
+      const auto loop = convex_loop(
+          solid, face,
+          std::span(solid.edges).subspan(face.first_edge, face.edge_count));
+      if (!loop.empty()) {
+        polygons.add(loop, id);
+        continue;
+      }
+    }
+    parts.clear();
+    triangulate(solid, face, parts);
+    if (!triangles) {
+      joined.clear();
+      join_convex(solid, face, parts, joined);
+      for (const auto& part : joined) polygons.add(part, id);
+      continue;
+    }
+    for (const auto& part : parts) polygons.add(part, id);
+  }
+}
+
+Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
+  constexpr std::size_t kBlock = 256;
+  Polygons all;
+  if (options.threads <= 1) {
+    all.corners.reserve(solid.edges.size());
+    all.first_corner.reserve(solid.faces.size() + 1);
+    all.faces.reserve(solid.faces.size());
+    add_polygons(solid, 0, solid.faces.size(), options.triangles, all);
+    return all;
+  }
+  std::vector<Polygons> blocks((solid.faces.size() + kBlock - 1) / kBlock);
+  for_blocks(options.threads, solid.faces.size(), kBlock,
+             [&](std::size_t number, std::size_t first, std::size_t last) {
+               add_polygons(solid, first, last, options.triangles,
+                            blocks[number]);
+             });
+  for (Polygons& block : blocks) {
+    for (std::size_t p = 0; p < block.size(); ++p)
+      all.add(block.at(p), block.faces[p]);
+  }
+  return all;
+}
+
+/// Turns a polygon's corners until the least is the first.
+void begin_with_least(std::span<std::int32_t> corners) {
+  if (corners.size() != 3) {
+    std::rotate(corners.begin(),
+                std::min_element(corners.begin(), corners.end()),
+                corners.end());
+    return;
+  }
+  // Most are triangles.
+  const std::int32_t a = corners[0], b = corners[1], c = corners[2];
+  const bool second = b < a && b < c;
+  const bool third = c < a && c < b;
+  corners[0] = second ? b : third ? c : a;
+  corners[1] = second ? c : third ? a : b;
+  corners[2] = second ? a : third ? b : c;
+}
+
+/// Puts the vertices that the polygons have in the mesh, in the order of their
+/// coordinates, and their numbers there in place of the points' ids. By vertex
+/// of the mesh: 1 if it was moved, else 0.
+std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
+                                       ExportedMesh& mesh) {
+  const Space& space = *solid.space;
+  Extent extent;
+  for (const std::int32_t v : polygons.corners) extent.add(v);
+  Places places(extent);
+  std::vector<std::int32_t> numbers(places.size(), -1);
+  std::vector<std::int32_t> used;
+  std::int32_t* const number_at = numbers.data();
+  places.with_places([&](const auto& place) {
+    for (const std::int32_t v : polygons.corners) {
+      std::int32_t& number = number_at[place(v)];
+      if (number < 0) used.push_back(v);
+      number = 0;
+    }
+  });
+  const List<std::int32_t> order = vertices_in_order(used, space);
+  mesh.vertices.reserve(order.size());
+  std::vector<std::uint8_t> moved(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    constexpr std::size_t kAhead = 16;
+    if (i + kAhead < order.size()) space.prefetch_vertex(order[i + kAhead]);
+    const std::int32_t v = order[i];
+    numbers[places.find(v)] = static_cast<std::int32_t>(i);
+    bool rounded = false;
+    std::array<double, 3> at = space.nearest(v, rounded);
+    for (double& coordinate : at) coordinate = scaled(coordinate, solid.unit);
+    mesh.vertices.push_back(at);
+    if (!rounded && solid.unit.base == 2) continue;
+    // Half a unit in the last place, and 2^-51 for a power of ten and what is
+    // done with it.
+    const double size =
+        std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
+    moved[i] = 1;
+    ++mesh.moved;
+    mesh.max_move = std::max(mesh.max_move,
+                             size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
+  }
+  places.with_places([&](const auto& place) {
+    for (std::int32_t& v : polygons.corners) v = number_at[place(v)];
+  });
+  for (std::size_t p = 0; p < polygons.size(); ++p)
+    begin_with_least(polygons.at(p));
+  return moved;
+}
+
+/// The polygons in the order of their corners, the first of which are the
+/// least.
+std::vector<std::uint32_t> polygons_in_order(Polygons& polygons,
+                                             std::size_t vertex_count) {
+  std::vector<std::uint32_t> place(vertex_count + 1);
+  const auto first = [&](std::size_t p) {
+    return static_cast<std::size_t>(polygons.corners[polygons.first_corner[p]]);
+  };
+  for (std::size_t p = 0; p < polygons.size(); ++p) ++place[first(p) + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<std::uint32_t> order(polygons.size());
+  for (std::size_t p = 0; p < polygons.size(); ++p)
+    order[place[first(p)]++] = static_cast<std::uint32_t>(p);
+  auto i = order.begin();
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const auto j = order.begin() + static_cast<std::ptrdiff_t>(place[v]);
+    const auto second = [&](std::uint32_t p) {
+      return polygons.corners[polygons.first_corner[p] + 1];
+    };
+    std::sort(i, j, [&](std::uint32_t p, std::uint32_t q) {
+      // It tells, nearly always.
+      if (second(p) != second(q)) return second(p) < second(q);
+      const auto x = polygons.at(p);
+      const auto y = polygons.at(q);
+      const auto [at, other] =
+          std::mismatch(x.begin(), x.end(), y.begin(), y.end());
+      if (at == x.end() || other == y.end())
+        return x.size() != y.size() ? x.size() < y.size()
+                                    : polygons.faces[p] < polygons.faces[q];
+      return *at < *other;
+    });
+    i = j;
+  }
+  return order;
+}
+
+/// Whether three points, corners in a row, surely turn to the left as seen from
+/// outside.
+bool surely_turn(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                 const std::array<double, 3>& r, const Plane& normal,
+                 double sign) {
+  std::array<double, 3> u, v;
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    u[k] = q[k] - p[k];
+    v[k] = r[k] - p[k];
+    size = std::max({size, std::abs(u[k]), std::abs(v[k])});
+  }
+  const double length =
+      std::max({std::abs(normal.a), std::abs(normal.b), std::abs(normal.c)});
+  const double value = normal.a * (u[1] * v[2] - u[2] * v[1]) +
+                       normal.b * (u[2] * v[0] - u[0] * v[2]) +
+                       normal.c * (u[0] * v[1] - u[1] * v[0]);
+  // Six products of three factors, each with five roundings or fewer.
+  return sign * value > 64 * kRounding * length * size * size;
+}
+
+/// Whether a corner surely turns so. A convex polygon may have straight ones:
+/// one sure corner is enough to tell where it faces.
+bool surely_faces_out(const ExportedMesh& mesh,
+                      std::span<const std::int32_t> polygon,
+                      const Plane& normal, double sign) {
+  const auto at = [&](std::size_t i) -> const std::array<double, 3>& {
+    return mesh.vertices[static_cast<std::size_t>(polygon[i])];
+  };
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t j = i + 1 < count ? i + 1 : 0;
+    const std::size_t k = j + 1 < count ? j + 1 : 0;
+    if (surely_turn(at(i), at(j), at(k), normal, sign)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
+  ExportedMesh mesh;
+  if (solid.faces.empty()) return mesh;
+  Polygons polygons = polygons_of(solid, options);
+  const std::vector<std::uint8_t> moved = add_vertices(solid, polygons, mesh);
+  mesh.corners.resize(polygons.corners.size());
+  mesh.first_corner.resize(polygons.size() + 1);
+  mesh.faces.resize(polygons.size());
+  mesh.colors.resize(polygons.size());
+  const std::vector<std::uint32_t> order =
+      polygons_in_order(polygons, mesh.vertices.size());
+  // Of what stays where it is, nothing is turned over.
+  const auto is_moved = [&](std::span<const std::int32_t> corners) {
+    return std::any_of(corners.begin(), corners.end(), [&](std::int32_t v) {
+      return moved[static_cast<std::size_t>(v)] != 0;
+    });
+  };
+  const auto face_at = [&](std::size_t i) -> const Face& {
+    return solid.faces[static_cast<std::size_t>(polygons.faces[order[i]])];
+  };
+  VertexId* corner = mesh.corners.data();
+  for (std::size_t at = 0; at < order.size(); ++at) {
+    // What is far off in memory is fetched while others are worked on: a step
+    // further for each list. (In a function of its own it would be dropped, as
+    // it does nothing.)
+    constexpr std::size_t kAhead = 10;
+    if (at + 3 * kAhead < order.size()) {
+      const std::uint32_t far = order[at + 3 * kAhead];
+      __builtin_prefetch(&polygons.faces[far]);
+      __builtin_prefetch(&polygons.first_corner[far]);
+      const std::uint32_t next = order[at + 2 * kAhead];
+      __builtin_prefetch(&face_at(at + 2 * kAhead));
+      __builtin_prefetch(&polygons.corners[polygons.first_corner[next]]);
+      const auto near = polygons.at(order[at + kAhead]);
+      if (is_moved(near)) {
+        __builtin_prefetch(&solid.space->plane(face_at(at + kAhead).plane));
+        for (const std::int32_t v : near)
+          __builtin_prefetch(&mesh.vertices[static_cast<std::size_t>(v)]);
+      }
+    }
+    const std::uint32_t p = order[at];
+    const auto corners = polygons.at(p);
+    const std::int32_t f = polygons.faces[p];
+    const Face& face = solid.faces[static_cast<std::size_t>(f)];
+    if (is_moved(corners)) {
+      const Plane& normal = solid.space->plane(face.plane).filter.plane;
+      if (!surely_faces_out(mesh, corners, normal, face.turned ? -1 : 1))
+        mesh.turned.push_back(static_cast<std::int32_t>(at));
+    }
+    for (const std::int32_t v : corners) *corner++ = v;
+    mesh.first_corner[at + 1] =
+        static_cast<std::uint32_t>(corner - mesh.corners.data());
+    mesh.faces[at] = f;
+    mesh.colors[at] = face.color;
+  }
+  return mesh;
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,270 @@
+#include <algorithm>
+#include <span>
+
+#include "base/id_map.hpp"
+#include "solid/loops.hpp"
+#include "solid/merge_groups.hpp"
+#include "solid/vertex_stars.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// Whether three edges go round.
+bool is_triangle(const SolidEdge* edges) {
+  return edges[0].to == edges[1].from && edges[1].to == edges[2].from &&
+         edges[2].to == edges[0].from;
+}
+
+/// The edge with which walk_loops() begins: that of the least vertex.
+std::uint32_t first_of_loop(const SolidEdge* edges, std::uint32_t count) {
+  if (count == 3) {
+    const std::uint32_t least = edges[1].from < edges[0].from ? 1 : 0;
+    return edges[2].from < edges[least].from ? 2 : least;
+  }
+  return static_cast<std::uint32_t>(
+      std::min_element(edges, edges + count,
+                       [](const SolidEdge& x, const SolidEdge& y) {
+                         return x.from < y.from;
+                       }) -
+      edges);
+}
+
+/// Makes each face's loop begin with the edge that walk_loops() has first.
+void turn_loops(std::span<const Face> faces, List<SolidEdge>& list) {
+  for (const Face& face : faces) {
+    SolidEdge* edges = list.data() + face.first_edge;
+    const std::uint32_t first = first_of_loop(edges, face.edge_count);
+    // Of most it does already.
+    if (first != 0) std::rotate(edges, edges + first, edges + face.edge_count);
+  }
+}
+
+/// Moves what stands from `first` to before `last` down the list.
+template <class T>
+void move_down(List<T>& list, std::size_t first, std::size_t last,
+               std::size_t to) {
+  if (first == to) return;
+  const auto at = [&](std::size_t i) {
+    return list.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  std::copy(at(first), at(last), at(to));
+}
+
+/// Merges the faces of a solid, whose edges are in line, in their place. Most
+/// have no other beside them in their plane, and no vertex at which nothing
+/// turns: those are passed on as they are.
+class Merger {
+ public:
+  Merger(Solid& solid, Merge rule) : solid_(solid), groups_(solid, rule) {}
+
+  void run() {
+    find_others();
+    const Hubs hubs = hubs_of_others();
+    bool all_stay = true;
+    for (const std::int32_t f : others_) {
+      const auto at = static_cast<std::size_t>(f);
+      staying_[at] = stays(at, hubs);
+      all_stay = all_stay && staying_[at] != 0;
+    }
+    if (all_stay) {
+      turn_loops(solid_.faces, solid_.edges);
+    } else {
+      put_together(hubs);
+    }
+  }
+
+ private:
+  /// Calls `visit(face's number, face, edge)` for the edges of the others that
+  /// are not dropped, of faces that are not to be left out.
+  template <class LeftOut, class Visit>
+  void for_edges(const LeftOut& is_left_out, const Visit& visit) const {
+    for (const std::int32_t f : others_) {
+      if (is_left_out(static_cast<std::size_t>(f))) continue;
+      const Face& face = solid_.faces[static_cast<std::size_t>(f)];
+      const std::uint32_t last = face.first_edge + face.edge_count;
+      for (std::uint32_t at = face.first_edge; at < last; ++at) {
+        if (!groups_.is_dropped(at)) visit(f, face, solid_.edges[at]);
+      }
+    }
+  }
+
+  void find_others();
+  Hubs hubs_of_others() const;
+  bool stays(std::size_t f, const Hubs& hubs) const;
+  std::size_t pass_on(std::size_t first);
+  void put_together(const Hubs& hubs);
+
+  Solid& solid_;
+  FaceGroups groups_;
+  /// By face: whether it is a triangle that keeps its edges; in the end, of the
+  /// others too, as stays() says.
+  std::vector<std::uint8_t> staying_;
+  List<std::int32_t> others_;
+  std::size_t face_count_ = 0;  ///< passed on
+  std::size_t edge_count_ = 0;
+};
+
+void Merger::find_others() {
+  staying_.resize(solid_.faces.size());
+  for (std::size_t f = 0; f < staying_.size(); ++f) {
+    const Face& face = solid_.faces[f];
+    staying_[f] = !groups_.merges(f) && face.edge_count == 3 &&
+                  is_triangle(solid_.edges.data() + face.first_edge);
+    if (staying_[f] == 0) others_.push_back(static_cast<std::int32_t>(f));
+  }
+}
+
+/// A closed surface has every edge in either direction: there is a spoke from
+/// each end to each other one without looking back along edges.
+Hubs Merger::hubs_of_others() const {
+  const auto for_spokes = [this](const auto& visit) {
+    const auto none = [](std::size_t) { return false; };
+    for_edges(none, [&](std::int32_t, const Face& face, const SolidEdge& edge) {
+      visit(Spoke{edge.from, edge.to, face.plane, edge.other});
+    });
+  };
+  const auto for_ends = [&](const auto& visit) {
+    for_spokes([&](const Spoke& spoke) { visit(spoke.hub, spoke.end); });
+  };
+  // Two edges of a triangle are on no line. Theirs are all between the others'.
+  const auto for_corners = [this](const auto& visit) {
+    std::uint32_t at = 0;
+    const auto visit_up_to = [&](std::uint32_t last) {
+      for (; at < last; ++at) visit(solid_.edges[at].from);
+    };
+    for (const std::int32_t f : others_) {
+      const Face& face = solid_.faces[static_cast<std::size_t>(f)];
+      visit_up_to(face.first_edge);
+      at += face.edge_count;
+    }
+    visit_up_to(static_cast<std::uint32_t>(solid_.edges.size()));
+  };
+  Extent extent;
+  for_ends([&](std::int32_t hub, std::int32_t) { extent.add(hub); });
+  return Hubs(
+      extent, for_ends, for_spokes, for_corners,
+      [](std::int32_t) { return false; }, *solid_.space);
+}
+
+/// Whether walk_loops() would leave the face as it is, but for the edge that it
+/// begins with if it is one loop: small loops that visit nothing twice. So does
+/// a face of no edges, which is all of its plane.
+bool Merger::stays(std::size_t f, const Hubs& hubs) const {
+  constexpr std::uint32_t kFew = 24;
+  const Face& face = solid_.faces[f];
+  if (groups_.merges(f) || face.edge_count > kFew) return false;
+  const SolidEdge* edges = solid_.edges.data() + face.first_edge;
+  std::uint32_t loops = 0;
+  std::uint32_t first = 0;  // of this loop
+  bool is_in_order = true;
+  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
+    if (hubs.is_straight(edges[i].from)) return false;
+    for (std::uint32_t k = 0; k < i; ++k) {
+      if (edges[k].from == edges[i].from) return false;
+    }
+    // The first loop's first vertex is the least of all, and so on.
+    is_in_order = is_in_order && edges[first].from <= edges[i].from;
+    const std::uint32_t next = i + 1;
+    if (edges[i].to == edges[first].from) {
+      is_in_order = is_in_order && (next == face.edge_count ||
+                                    edges[first].from < edges[next].from);
+      first = next;
+      ++loops;
+    } else if (next == face.edge_count || edges[i].to != edges[next].from) {
+      return false;
+    }
+  }
+  return is_in_order || loops == 1;
+}
+
+/// Passes on faces that stay, from number `first` on: not so many that they are
+/// no longer at hand when they have been moved. The number of the next face.
+std::size_t Merger::pass_on(std::size_t first) {
+  constexpr std::size_t kMostAtOnce = 256;
+  const std::size_t end = std::min(first + kMostAtOnce, staying_.size());
+  std::size_t last = first;
+  while (last < end && staying_[last] != 0) ++last;
+  const std::uint32_t first_edge = solid_.faces[first].first_edge;
+  const std::uint32_t last_edge =
+      solid_.faces[last - 1].first_edge + solid_.faces[last - 1].edge_count;
+  move_down(solid_.edges, first_edge, last_edge, edge_count_);
+  move_down(solid_.faces, first, last, face_count_);
+  const auto faces = std::span(solid_.faces).subspan(face_count_, last - first);
+  const auto moved = static_cast<std::uint32_t>(first_edge - edge_count_);
+  for (Face& face : faces) face.first_edge -= moved;
+  turn_loops(faces, solid_.edges);
+  face_count_ += faces.size();
+  edge_count_ += last_edge - first_edge;
+  return last;
+}
+
+/// The faces that stay move together, and their edges do; those that are
+/// merged stand among them, and their edges, of which there are no more than
+/// there were, after all others.
+void Merger::put_together(const Hubs& hubs) {
+  // What is left of the others, by the first of the faces that are one.
+  List<Piece> pieces;
+  const auto stays_on = [this](std::size_t f) { return staying_[f] != 0; };
+  for_edges(
+      stays_on, [&](std::int32_t f, const Face& face, const SolidEdge& edge) {
+        pieces.push_back(
+            {groups_.first_of(f), face.plane, edge.from, edge.to, edge.other});
+      });
+  walk_loops(pieces, hubs);
+  std::vector<std::size_t> wholes;  // where those stand that are merged
+  auto piece = pieces.begin();
+  for (std::size_t f = 0; f < staying_.size();) {
+    if (staying_[f] != 0) {
+      f = pass_on(f);
+      continue;
+    }
+    const std::size_t whole = f++;
+    const auto first = piece;
+    while (piece != pieces.end() &&
+           piece->bucket == static_cast<std::int64_t>(whole))
+      ++piece;
+    if (piece == first) continue;
+    wholes.push_back(face_count_);
+    Face& face = solid_.faces[face_count_++] = solid_.faces[whole];
+    face.edge_count = static_cast<std::uint32_t>(piece - first);
+  }
+  solid_.faces.resize(face_count_);
+  solid_.edges.resize(edge_count_);
+  piece = pieces.begin();
+  for (const std::size_t at : wholes) {
+    Face& face = solid_.faces[at];
+    face.first_edge = static_cast<std::uint32_t>(solid_.edges.size());
+    for (std::uint32_t i = 0; i < face.edge_count; ++i, ++piece)
+      solid_.edges.push_back({piece->from, piece->to, piece->other});
+    face.box = face_box(solid_, face);
+  }
+}
+
+}  // namespace
+
+void line_up(Solid& solid) {
+  std::uint32_t next = 0;
+  bool in_line = true;
+  for (const Face& face : solid.faces) {
+    in_line = in_line && face.first_edge == next;
+    next += face.edge_count;
+  }
+  if (in_line && next == solid.edges.size()) return;
+  List<SolidEdge> row;
+  row.reserve(next);
+  for (Face& face : solid.faces) {
+    const auto edges =
+        std::span(solid.edges).subspan(face.first_edge, face.edge_count);
+    face.first_edge = static_cast<std::uint32_t>(row.size());
+    row.insert(row.end(), edges.begin(), edges.end());
+  }
+  solid.edges.swap(row);
+}
+
+Solid merged(Solid solid, Merge rule) {
+  line_up(solid);
+  Merger(solid, rule).run();
+  return solid;
+}
+
+}  // namespace halfspace::fast

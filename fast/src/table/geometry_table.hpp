@@ -1,0 +1,191 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/epoch_array.hpp"
+#include "base/hash_index.hpp"
+#include "exact/exact_plane.hpp"
+#include "exact/filter.hpp"
+#include "halfspace/fast/list.hpp"
+#include "halfspace/polygon.hpp"
+
+namespace halfspace::fast {
+
+inline double coordinate(const Vertex& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/// A plane as a point set, in doubles, and a grid point on it.
+struct SpacePlane {
+  FilterPlane filter;
+  GridPoint origin;
+};
+
+/// A point: one of the grid, or the meet of three planes.
+struct SpaceVertex {
+  static constexpr std::uint32_t kOnGrid = 0xffffffff;
+
+  Vertex approximate;
+  std::array<std::int32_t, 3> planes{-1, -1, -1};  ///< where it was met
+  /// Where its exact coordinates begin, if it is not on the grid.
+  std::uint32_t exact = kOnGrid;
+  bool is_grid() const { return exact == kOnGrid; }
+  /// Requires: is_grid(). Exact: coordinates have 53 bits and a sign.
+  GridPoint point() const {
+    return {static_cast<std::int64_t>(approximate.x),
+            static_cast<std::int64_t>(approximate.y),
+            static_cast<std::int64_t>(approximate.z)};
+  }
+};
+
+/// A plane with an orientation: `turned` if against the table's.
+struct OrientedPlane {
+  std::int32_t plane = -1;
+  bool turned = false;
+};
+
+template <int kBits>
+struct PlaneEntry;
+
+/// What a boolean notes of vertices, of either operand's or of both.
+struct Notes {
+  Stamped<std::uint8_t> on_other;
+  std::array<Stamped<std::int32_t>, 2> parent;
+  std::array<Stamped<std::uint8_t>, 2> member;
+  Stamped<std::uint8_t> pinned;
+};
+
+/// The planes and points of solids that meet. Each is held once: equal planes
+/// have equal ids, and so do equal points.
+///
+/// Points are made from planes and planes only from points of the grid, so no
+/// number outgrows the bit budget (S1.6), however long the chain of booleans.
+class Space {
+ public:
+  explicit Space(int grid_bits)
+      : grid_bits_(grid_bits), rounding_(rounding_of_values(grid_bits)) {}
+
+  int grid_bits() const { return grid_bits_; }
+  /// Room for a boolean's notes, which would cost it more than its work if it
+  /// were made for each.
+  Notes& notes() { return notes_; }
+  double rounding() const { return rounding_; }
+  std::size_t plane_count() const { return planes_.size(); }
+  std::size_t vertex_count() const { return vertices_.size(); }
+  const SpacePlane& plane(std::int32_t p) const {
+    return planes_[static_cast<std::size_t>(p)];
+  }
+  const SpaceVertex& vertex(std::int32_t v) const {
+    return vertices_[static_cast<std::size_t>(v)];
+  }
+  /// Begins to fetch what vertex() will give.
+  void prefetch_vertex(std::int32_t v) const { __builtin_prefetch(&vertex(v)); }
+  /// The plane's normal, exactly: its first component that is not zero is
+  /// positive. Its components may have a common divisor.
+  Vector3<Int128> normal(std::int32_t plane) const;
+  /// Likewise, divided by the greatest one.
+  Vector3<Int128> reduced_normal(std::int32_t plane) const;
+
+  /// Makes room for more points of the grid and planes.
+  void reserve(std::size_t points, std::size_t planes);
+  std::int32_t add_point(const GridPoint& point);
+  /// Likewise for many at once, which takes less time; adds them to `ids`.
+  void add_points(std::span<const GridPoint> points,
+                  std::vector<std::int32_t>& ids);
+  /// The plane of a polygon with these defining corners (S1.4).
+  OrientedPlane add_plane(const std::array<GridPoint, 3>& corners);
+  /// Likewise for many at once, which takes less time; adds them to `planes`.
+  void add_planes(std::span<const std::array<GridPoint, 3>> corners,
+                  std::vector<OrientedPlane>& planes);
+  /// The plane through `origin` with this normal.
+  /// Requires: it is the plane of a polygon on the grid, or of add_line_plane.
+  OrientedPlane add_plane(const Vector3<Int128>& normal,
+                          const GridPoint& origin);
+  /// The plane through two points of the grid and along an axis, not theirs.
+  std::int32_t add_line_plane(std::int32_t u, std::int32_t v, int axis);
+  /// Where three planes meet.
+  /// Requires: in one point.
+  std::int32_t meet(std::int32_t p, std::int32_t q, std::int32_t r);
+
+  /// -1, 0, 1: the side of the plane, as it stands in the table, that holds
+  /// the point.
+  int side(std::int32_t plane_id, std::int32_t vertex_id) const {
+    const int known = known_sign(value_at(
+        plane(plane_id).filter, vertex(vertex_id).approximate, rounding_));
+    return known != 0 ? known : side_exactly(plane_id, vertex_id);
+  }
+  /// -1, 0, 1 as the first point's coordinate is less than, equal to or
+  /// greater than the second's.
+  int compare(int axis, std::int32_t u, std::int32_t v) const {
+    const Vertex& a = vertex(u).approximate;
+    const Vertex& b = vertex(v).approximate;
+    const double d = coordinate(a, axis) - coordinate(b, axis);
+    const double error = (a.error + b.error) * (1 + 0x1p-50);
+    if (d > error) return 1;
+    if (d < -error) return -1;
+    return u == v || error == 0 ? 0 : compare_exactly(axis, u, v);
+  }
+  /// The sign of the determinant of q - p and r - p, in the coordinates `axis`
+  /// + 1 and `axis` + 2 (cyclically): their turn as seen against the axis.
+  int turn(int axis, std::int32_t p, std::int32_t q, std::int32_t r) const;
+  /// The sign of component `axis` of the cross product of two normals.
+  int cross_sign(int axis, std::int32_t p, std::int32_t q) const;
+  /// The sign of the product of two normals.
+  int dot_sign(std::int32_t p, std::int32_t q) const;
+  /// The sign of a component of the normal.
+  int normal_sign(std::int32_t plane, int axis) const;
+
+  /// The coordinates as the nearest doubles, ties to even. `rounded`: whether
+  /// one of them is off.
+  std::array<double, 3> nearest(std::int32_t vertex, bool& rounded) const;
+
+  /// Whether the planes are not parallel; and then an axis along which their
+  /// line runs, as far from athwart as doubles can tell.
+  bool line_axis(std::int32_t p, std::int32_t q, int& axis) const;
+  /// An axis along which two different points differ, likewise.
+  int edge_axis(std::int32_t u, std::int32_t v) const;
+
+ private:
+  /// Three planes that were met, and where.
+  struct Triple {
+    std::array<std::int32_t, 3> planes;
+    std::int32_t vertex;
+  };
+
+  int side_exactly(std::int32_t plane, std::int32_t vertex) const;
+  int compare_exactly(int axis, std::int32_t u, std::int32_t v) const;
+  std::int32_t enter_point(const GridPoint& point, std::uint64_t hash);
+  template <int kBits>
+  OrientedPlane enter(const PlaneEntry<kBits>& reduced);
+  template <int kBits>
+  std::uint64_t make_exact(const std::array<std::int32_t, 3>& planes);
+  template <int kBits>
+  ExactPlane<kBits> exact_at(std::int32_t plane) const;
+  template <int kBits>
+  std::array<typename Grid<kBits>::Determinant, 4> exact(
+      std::int32_t vertex) const;
+  template <int kBits>
+  bool put_on_grid(
+      SpaceVertex& v,
+      const std::array<typename Grid<kBits>::Determinant, 4>& c) const;
+  std::int32_t add_meet(const std::array<std::int32_t, 3>& planes);
+
+  int grid_bits_;
+  double rounding_;
+  List<SpacePlane> planes_;
+  /// By plane: its normal, on grids where doubles do not hold it.
+  List<Vector3<Int128>> normals_;
+  List<SpaceVertex> vertices_;
+  List<std::uint64_t> exact_;
+  List<Triple> triples_;
+  HashIndex plane_index_;
+  HashIndex vertex_index_;
+  HashIndex triple_index_;
+  Notes notes_;
+};
+
+}  // namespace halfspace::fast

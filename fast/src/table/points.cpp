@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "exact/cell_hash.hpp"
+#include "halfspace/assert.hpp"
+#include "table/exact_point.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// The cells of a point of the grid are about it.
+std::uint64_t hash_of_grid(const GridPoint& point, int grid_bits) {
+  const auto cell = [&](std::int64_t c) {
+    return static_cast<std::uint64_t>(c) << cell_digits(grid_bits);
+  };
+  return hash_of(cell(point.x), cell(point.y), cell(point.z));
+}
+
+}  // namespace
+
+std::int32_t Space::add_point(const GridPoint& point) {
+  return enter_point(point, hash_of_grid(point, grid_bits_));
+}
+
+/// In blocks: where points are looked up is fetched from memory meanwhile.
+void Space::add_points(std::span<const GridPoint> points,
+                       std::vector<std::int32_t>& ids) {
+  std::array<std::uint64_t, 32> hashes;
+  for (std::size_t i = 0; i < points.size(); i += hashes.size()) {
+    const auto block =
+        points.subspan(i, std::min(hashes.size(), points.size() - i));
+    for (std::size_t k = 0; k < block.size(); ++k) {
+      hashes[k] = hash_of_grid(block[k], grid_bits_);
+      vertex_index_.prefetch(hashes[k]);
+    }
+    for (std::size_t k = 0; k < block.size(); ++k)
+      ids.push_back(enter_point(block[k], hashes[k]));
+  }
+}
+
+std::int32_t Space::enter_point(const GridPoint& point, std::uint64_t hash) {
+  const std::int32_t known = vertex_index_.find(hash, [&](std::int32_t v) {
+    const SpaceVertex& other = vertex(v);
+    if (other.is_grid()) return other.point() == point;
+    // A meet is the point if the point lies on its three planes.
+    return std::all_of(
+        other.planes.begin(), other.planes.end(), [&](std::int32_t p) {
+          return with_grid(grid_bits_, [&](auto bits) {
+            return sign(value_at(exact_at<bits()>(p), point)) == 0;
+          });
+        });
+  });
+  if (known >= 0) return known;
+  const auto v = static_cast<std::int32_t>(vertices_.size());
+  SpaceVertex vertex_of_grid;
+  vertex_of_grid.approximate = to_vertex(point);
+  vertices_.push_back(vertex_of_grid);
+  vertex_index_.enter(hash, v);
+  return v;
+}
+
+std::int32_t Space::meet(std::int32_t p, std::int32_t q, std::int32_t r) {
+  std::array<std::int32_t, 3> triple{p, q, r};
+  std::sort(triple.begin(), triple.end());
+  const auto word = [&](std::size_t i) {
+    return static_cast<std::uint64_t>(triple[i]);
+  };
+  const std::uint64_t hash = hash_of(word(0), word(1), word(2));
+  const std::int32_t known = triple_index_.find(hash, [&](std::int32_t t) {
+    return triples_[static_cast<std::size_t>(t)].planes == triple;
+  });
+  if (known >= 0) return triples_[static_cast<std::size_t>(known)].vertex;
+  const std::int32_t v = add_meet(triple);
+  triple_index_.enter(hash, static_cast<std::int32_t>(triples_.size()));
+  triples_.push_back({triple, v});
+  return v;
+}
+
+std::int32_t Space::add_meet(const std::array<std::int32_t, 3>& planes) {
+  // The new vertex is tried as the last one, and taken back if it is known.
+  const auto v = static_cast<std::int32_t>(vertices_.size());
+  const std::uint64_t hash = with_grid(
+      grid_bits_, [&](auto bits) { return make_exact<bits()>(planes); });
+  const std::int32_t known = vertex_index_.find(hash, [&](std::int32_t other) {
+    return std::all_of(planes.begin(), planes.end(),
+                       [&](std::int32_t p) { return side(p, other) == 0; });
+  });
+  if (known >= 0) {
+    if (!vertices_.back().is_grid()) exact_.resize(vertices_.back().exact);
+    vertices_.pop_back();
+    return known;
+  }
+  vertex_index_.enter(hash, v);
+  return v;
+}
+
+/// Adds the vertex; gives its hash.
+template <int kBits>
+std::uint64_t Space::make_exact(const std::array<std::int32_t, 3>& planes) {
+  constexpr std::size_t kWords = Grid<kBits>::kWords;
+  using Big = typename Grid<kBits>::Determinant;
+  std::array<ExactPlane<kBits>, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = exact_at<kBits>(planes[i]);
+  // Cramer's rule: the offsets weigh the cross products of the other two.
+  std::array<Big, 4> c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ExactPlane<kBits>& q = p[(i + 1) % 3];
+    const ExactPlane<kBits>& r = p[(i + 2) % 3];
+    const auto offset = value_at(p[i], GridPoint{});
+    for (int axis = 0; axis < 3; ++axis) {
+      const Cross<kBits> product = cross_component<kBits>(q, r, axis);
+      auto& at = c[static_cast<std::size_t>(axis)];
+      at = at - multiply<kWords>(offset, product);
+      if (i == 0) {
+        const auto& n = p[0].normal;
+        const Int128 component = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+        c[3] = c[3] + multiply<kWords>(component, product);
+      }
+    }
+  }
+  HALFSPACE_ASSERT(sign(c[3]) != 0);
+  if (c[3].is_negative()) {
+    for (Big& value : c) value = -value;
+  }
+  SpaceVertex v;
+  v.planes = planes;
+  // Each of the two is off by 2^-52 of its size, and the quotient rounds once
+  // more: 2^-50 of the size is more than that.
+  const double w = to_double(c[3]);
+  Vertex& a = v.approximate;
+  a = {to_double(c[0]) / w, to_double(c[1]) / w, to_double(c[2]) / w, 0};
+  a.error = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}) * 0x1p-50;
+  if (put_on_grid<kBits>(v, c)) {
+    vertices_.push_back(v);
+    return hash_of_grid(v.point(), grid_bits_);
+  }
+  v.exact = static_cast<std::uint32_t>(exact_.size());
+  for (const Big& value : c)
+    exact_.insert(exact_.end(), value.words.begin(), value.words.end());
+  vertices_.push_back(v);
+  const double at[3] = {a.x, a.y, a.z};
+  std::array<std::uint64_t, 3> cells;
+  for (std::size_t i = 0; i < 3; ++i) {
+    cells[i] = static_cast<std::uint64_t>(
+        cell_of<kWords + 1>(at[i], a.error, c[i], c[3], cell_digits(kBits)));
+  }
+  return hash_of(cells[0], cells[1], cells[2]);
+}
+
+/// Whether the point with these coordinates, the last one their divisor, is on
+/// the grid; then it is noted as a point of the grid.
+template <int kBits>
+bool Space::put_on_grid(
+    SpaceVertex& v,
+    const std::array<typename Grid<kBits>::Determinant, 4>& c) const {
+  constexpr std::size_t kWords = Grid<kBits>::kWords;
+  const double at[3] = {v.approximate.x, v.approximate.y, v.approximate.z};
+  std::int64_t whole[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double near = std::nearbyint(at[i]);
+    if (std::abs(near) >= power_of_two(grid_bits_ - 1) ||
+        std::abs(at[i] - near) > v.approximate.error)
+      return false;
+    whole[i] = static_cast<std::int64_t>(near);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(multiply<kWords>(Int128{whole[i]}, c[3]) == c[i])) return false;
+  }
+  v.approximate = to_vertex({whole[0], whole[1], whole[2]});
+  return true;
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "exact/exact_plane.hpp"
+#include "exact/filter.hpp"
+#include "halfspace/fast/predicate.hpp"
+
+namespace halfspace::fast {
+
+/// An edge of a fragment in one word: the source corner it leaves, or,
+/// negative, -1 - the plane that cut it.
+using EdgeCode = std::int32_t;
+
+constexpr EdgeCode splitter_edge(PlaneId plane) { return -1 - plane; }
+constexpr bool is_source(EdgeCode edge) { return edge >= 0; }
+constexpr PlaneId splitter_of(EdgeCode edge) { return -1 - edge; }
+
+constexpr EdgeCode code_of(const EdgeName& name) {
+  return name.kind == EdgeName::Kind::kSource ? name.index
+                                              : splitter_edge(name.index);
+}
+constexpr EdgeName name_of(EdgeCode edge) {
+  if (is_source(edge)) return {EdgeName::Kind::kSource, edge};
+  return {EdgeName::Kind::kSplitter, splitter_of(edge)};
+}
+
+/// TreeFragment::corner_count has 31 bits; no fragment has more corners.
+constexpr std::uint32_t kMostCornersOfFragment = 0x7fffffff;
+
+/// A plane of the grid, exactly, as doubles.
+template <int kBits>
+Plane rounded(const ExactPlane<kBits>& plane) {
+  const auto offset = value_at(plane, GridPoint{});
+  return {to_double(Int128{plane.normal.x}), to_double(Int128{plane.normal.y}),
+          to_double(Int128{plane.normal.z}), to_double(offset)};
+}
+
+/// A scene and the free planes of its tree: what signs are decided from.
+class Geometry {
+ public:
+  Geometry(const Scene& scene, const std::vector<FreePlane>& free_planes)
+      : scene_(scene),
+        free_planes_(free_planes),
+        polygon_count_(static_cast<PlaneId>(scene.polygon_count())),
+        rounding_(rounding_of_values(scene.grid_bits())) {}
+
+  const Scene& scene() const { return scene_; }
+  double rounding() const { return rounding_; }
+  bool is_free(PlaneId plane) const { return plane >= polygon_count_; }
+  const FreePlane& free_plane(PlaneId plane) const {
+    return free_planes_[static_cast<std::size_t>(plane - polygon_count_)];
+  }
+
+  /// The plane in doubles.
+  Plane plane(PlaneId id) const;
+
+  /// The plane exactly.
+  template <int kBits>
+  ExactPlane<kBits> exact(PlaneId id) const {
+    if (!is_free(id)) return exact_plane<kBits>(plane_corners(scene_, id));
+    return axis_plane<kBits>(free_plane(id).axis, free_plane(id).coordinate);
+  }
+
+  /// The two ends of the source edge that leaves `corner`.
+  std::array<GridPoint, 2> source_edge(PolygonId source,
+                                       std::int32_t corner) const;
+
+  /// The point in which the plane passes through an edge of a fragment, from
+  /// the source's corners: errors of earlier cuts do not add up.
+  Vertex crossing(PolygonId source, EdgeCode edge,
+                  const FilterPlane& plane) const;
+
+  /// The sign of the plane at the vertex between two edges of a fragment.
+  int exact_sign(PolygonId source, EdgeCode before, EdgeCode after,
+                 PlaneId plane) const;
+
+ private:
+  template <int kBits>
+  int exact_sign_on(PolygonId source, EdgeCode before, EdgeCode after,
+                    PlaneId plane) const;
+
+  const Scene& scene_;
+  const std::vector<FreePlane>& free_planes_;
+  PlaneId polygon_count_;
+  double rounding_;
+};
+
+}  // namespace halfspace::fast
