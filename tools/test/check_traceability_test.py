@@ -73,7 +73,7 @@ PLANTED = [
     ("another doubt of a vertex", "spec/coq/Vertex.v",
      "doubt_factor : Q := 2", "doubt_factor : Q := 1", "filter.hpp says"),
     ("another constant in a theory", "spec/coq/Numbers.v",
-     "if n =? 26 then 4 else", "if n =? 26 then 3 else", "exact.hpp says"),
+     "if n =? 26 then 4 else", "if n =? 26 then 3 else", "exact_plane.hpp says"),
 ]
 
 
@@ -82,8 +82,8 @@ def copy(place):
     for name in ("spec", "docs", "fuzz"):
         shutil.copytree(ROOT / name, place / name,
                         ignore=shutil.ignore_patterns("*.vo*", "*.glob"))
-    for name in (FUNCTIONS, "fast/src/exact/filter.hpp", "fast/src/exact/exact_plane.hpp",
-                 "fast/src/camera/view.cpp"):
+    for name in (FUNCTIONS, "fast/src/exact/filter.hpp",
+                 "fast/src/exact/exact_plane.hpp", "fast/src/camera/view.cpp"):
         (place / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, place / name)
     tests, report = [], []
