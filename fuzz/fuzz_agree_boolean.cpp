@@ -27,7 +27,7 @@ generate::Polygons solid_of(fuzz::Bytes& bytes) {
   return polygons;
 }
 
-halfspace::Solid made(const generate::Polygons& polygons) {
+GridSolid made(const generate::Polygons& polygons) {
   auto solid = make_solid(generate::scene_of(polygons, {}));
   HALFSPACE_FUZZ_EXPECT(solid.has_value());
   return *solid;
@@ -65,7 +65,7 @@ struct Pair {
   definition::Fraction volume;
 };
 
-Pair pair_of(const halfspace::Solid& solid) {
+Pair pair_of(const GridSolid& solid) {
   const ref::Solid reference = ref::to_solid(solid);
   return {reference, fast::to_solid(solid),
           definition::volume6(polygons_of(reference))};

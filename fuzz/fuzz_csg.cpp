@@ -68,7 +68,7 @@ std::optional<std::array<GridPoint, 3>> grid_plane_of(const HalfSpace& half) {
 }
 
 /// The box, moved.
-halfspace::Solid solid_of(const fuzz::Box& box, const GridMap& map) {
+GridSolid solid_of(const fuzz::Box& box, const GridMap& map) {
   std::array<std::int64_t, 3> low, high;
   for (std::size_t i = 0; i < 3; ++i) {
     low[i] = high[i] = map[i][3];

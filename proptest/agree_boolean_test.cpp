@@ -197,7 +197,7 @@ constexpr BooleanOp kOperations[] = {
     BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference};
 
 /// `touches`: one of them may touch itself where it has no edge.
-void compare(const Solid& first, const Solid& second, bool touches) {
+void compare(const GridSolid& first, const GridSolid& second, bool touches) {
   const ref::Solid ref_a = ref::to_solid(first);
   const ref::Solid ref_b = ref::to_solid(second);
   const fast::Solid a = fast::to_solid(first);
@@ -235,7 +235,8 @@ Outline outline_of_part(const fast::Solid& solid, std::int32_t part) {
 
 /// What holds of two solids without a reference.
 /// `touches`: the first solid may touch itself where it has no edge.
-void check_identities(const Solid& first, const Solid& second, bool touches) {
+void check_identities(const GridSolid& first, const GridSolid& second,
+                      bool touches) {
   using enum BooleanOp;
   const fast::Solid a = fast::to_solid(first, 1);
   const fast::Solid b = fast::to_solid(second, 2);
@@ -266,7 +267,7 @@ void check_identities(const Solid& first, const Solid& second, bool touches) {
 
 /// The parts on either side of a plane through corners of the other solid.
 /// `touches`: likewise.
-void check_halves(const Solid& first, const Solid& second, bool touches,
+void check_halves(const GridSolid& first, const GridSolid& second, bool touches,
                   Draws& draws) {
   const auto& points = second.scene().data().vertices;
   if (points.empty()) return;
@@ -329,8 +330,8 @@ void compare_kinds(std::uint64_t seeds, std::int64_t scale) {
                      std::to_string(static_cast<int>(second)) + ", seed " +
                      std::to_string(seed));
         Draws draws(seed);
-        const Solid a = random_solid(first, scale, draws);
-        const Solid b = random_solid(second, scale, draws);
+        const GridSolid a = random_solid(first, scale, draws);
+        const GridSolid b = random_solid(second, scale, draws);
         const bool touches = first == SolidKind::kTouching;
         check_identities(a, b, touches);
         check_halves(a, b, touches, draws);

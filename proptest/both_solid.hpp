@@ -26,11 +26,11 @@ struct FastSolids {
   using Solid = fast::Solid;
 
   // S6
-  static Solid to_solid(const halfspace::Solid& solid) {
+  static Solid to_solid(const GridSolid& solid) {
     return fast::to_solid(solid);
   }
   /// What is outside of a solid that is not empty.
-  static Solid complement_of(const halfspace::Solid& solid) {
+  static Solid complement_of(const GridSolid& solid) {
     return fast::complement(fast::to_solid(solid));
   }
   static Solid boolean(BooleanOp operation, const Solid& a, const Solid& b) {

@@ -194,7 +194,7 @@ void hash_solids(std::ostream& out) {
 
 /// Random heights over a field of squares, closed below. `turned`: stood on
 /// its edge, across one that lies.
-Solid field(std::uint64_t seed, bool turned) {
+GridSolid field(std::uint64_t seed, bool turned) {
   constexpr int kSquares = 20;
   agree::Draws draws(seed);
   SceneData data;

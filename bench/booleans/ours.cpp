@@ -50,7 +50,7 @@ std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
   const double start = process_ms();
   std::vector<fast::Solid> solids;
   for (const Triangles& operand : task.operands) {
-    const Solid solid = solid_of(operand);
+    const GridSolid solid = solid_of(operand);
     const auto part = static_cast<std::int32_t>(solids.size());
     solids.push_back(lean(solids.empty()
                               ? fast::to_solid(solid)

@@ -30,7 +30,7 @@ TEST(Booleans, SurfacesAreTheLeastOnes) {
 std::size_t triangles_on_ground(const BooleanCase& task) {
   std::vector<fast::Solid> solids;
   for (const Triangles& operand : task.operands) {
-    const Solid solid = solid_of(operand);
+    const GridSolid solid = solid_of(operand);
     solids.push_back(solids.empty() ? fast::to_solid(solid)
                                     : fast::to_solid(solid, solids[0]));
   }

@@ -34,7 +34,7 @@ class FastAlgebra {
         leaf_count_(static_cast<std::int32_t>(plan.leaves.size())) {}
 
   Result<Value> leaf(std::int32_t id) {
-    const Result<Solid> solid = operands_.leaf(id);
+    const Result<GridSolid> solid = operands_.leaf(id);
     if (!solid) return solid.error();
     Value value = numbered(fast::to_solid(*solid, nothing_, id),
                            operands_.polygons_of(id));

@@ -243,7 +243,7 @@ TEST(FastBoolean, OfComplementsAreTheComplements) {
 }
 
 /// The octahedron of radius 4 about a point.
-halfspace::Solid octahedron(const GridPoint& at) {
+GridSolid octahedron(const GridPoint& at) {
   SceneData data;
   for (const std::int64_t r : {4, -4}) {
     data.vertices.push_back({at.x + r, at.y, at.z});
@@ -256,7 +256,7 @@ halfspace::Solid octahedron(const GridPoint& at) {
   data.colors.resize(8);
   Result<Scene> scene = make_scene(std::move(data));
   EXPECT_TRUE(scene);
-  Result<halfspace::Solid> solid = make_solid(*std::move(scene));
+  Result<GridSolid> solid = make_solid(*std::move(scene));
   EXPECT_TRUE(solid);
   return *std::move(solid);
 }
@@ -271,7 +271,7 @@ TEST(FastBoolean, PartsOfAFaceAreOnSidesOfTheirOwn) {
       state = state * 6364136223846793005u + 1442695040888963407u;
       *c = static_cast<std::int64_t>(state >> 33) % 9 - 4;
     }
-    const halfspace::Solid solid = octahedron(at);
+    const GridSolid solid = octahedron(at);
     return with == nullptr ? to_solid(solid) : to_solid(solid, *with);
   };
   const auto volume = [](const Solid& solid) {
@@ -337,7 +337,7 @@ TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
 }
 
 /// Blocks in a row, two steps long and two apart.
-halfspace::Solid teeth(int count) {
+GridSolid teeth(int count) {
   SceneData data;
   for (int i = 0; i < count; ++i) {
     const auto first = static_cast<VertexId>(data.vertices.size());

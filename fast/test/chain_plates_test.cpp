@@ -12,7 +12,7 @@
 namespace halfspace::fast {
 namespace {
 
-halfspace::Solid box(const GridPoint& low, const GridPoint& high) {
+GridSolid box(const GridPoint& low, const GridPoint& high) {
   SceneData data;
   for (int k = 0; k < 8; ++k) {
     data.vertices.push_back({(k & 1) != 0 ? high.x : low.x,

@@ -112,8 +112,7 @@ TEST(FastChain, UnionsAreTheSameInAnyOrderAndLeast) {
 /// Cubes under a linear map: of two such maps, no two solids have a plane in
 /// common but by chance, and corners of what is cut are fractions. Coordinates
 /// and slopes have either sign.
-halfspace::Solid skewed(int which, const Cubes& cubes,
-                        const GridPoint& by = {}) {
+GridSolid skewed(int which, const Cubes& cubes, const GridPoint& by = {}) {
   SceneData data = lattice::surface(cubes).scene().data();
   for (GridPoint& p : data.vertices) {
     p = {5 * p.x + (which % 4 == 2 ? -2 : which % 4) * p.y + by.x - 60,
@@ -123,13 +122,13 @@ halfspace::Solid skewed(int which, const Cubes& cubes,
   return *make_solid(*make_scene(std::move(data)));
 }
 
-halfspace::Solid skewed(int which, std::uint64_t& state) {
+GridSolid skewed(int which, std::uint64_t& state) {
   return skewed(which, lattice::random_cubes(4, state));
 }
 
 TEST(FastChain, UnionsOfAnySolidsAreTheSameInAnyOrder) {
   std::uint64_t state = 37;
-  std::vector<halfspace::Solid> all;
+  std::vector<GridSolid> all;
   for (int i = 0; i < 7; ++i) all.push_back(skewed(i, state));
   const auto least = [](const Solid& solid) {
     return exported(merged(solid, Merge::kPlane), {.triangles = true});
@@ -139,7 +138,7 @@ TEST(FastChain, UnionsOfAnySolidsAreTheSameInAnyOrder) {
     // The table of planes and points, too, begins with another one.
     std::vector<Solid> solids;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const halfspace::Solid& solid = all[(step + i * step) % 7];
+      const GridSolid& solid = all[(step + i * step) % 7];
       solids.push_back(i == 0 ? to_solid(solid) : to_solid(solid, solids[0]));
     }
     const ExportedMesh at_once = least(combined(BooleanOp::kUnion, solids));

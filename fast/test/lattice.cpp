@@ -114,7 +114,7 @@ Cubes random_cubes(int lump, std::uint64_t& state) {
   return cubes;
 }
 
-Solid surface(const Cubes& cubes) {
+GridSolid surface(const Cubes& cubes) {
   SceneData data;
   std::vector<VertexId> ids(kPoints * kPoints * kPoints, -1);
   for_squares(cubes, [&](const std::array<Place, 4>& corners, int, bool) {

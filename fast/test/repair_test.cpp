@@ -195,7 +195,7 @@ TEST(FastRepair, WhatIsWoundRoundIsKept) {
 }
 
 /// A tetrahedron whose corners are anywhere, as long as it has a volume.
-halfspace::Solid tetrahedron(std::uint64_t& state) {
+GridSolid tetrahedron(std::uint64_t& state) {
   SceneData data;
   while (true) {
     data.vertices.clear();

@@ -190,7 +190,7 @@ void take_all() {
   take(&ref::is_solid);  // S6.2
   {  // S6.2
     using namespace fast;
-    using Kind = fast::Solid(const halfspace::Solid&, std::int32_t);
+    using Kind = fast::Solid(const halfspace::GridSolid&, std::int32_t);
     take<Kind>(&fast::to_solid);
   }
   take(&fast::check_operand);  // S6.2

@@ -73,7 +73,7 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
   solid.edges.push_back({from, first});
 }
 
-Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
+Solid in_space(const GridSolid& solid, std::shared_ptr<Space> space,
                std::int32_t part) {
   const Scene& scene = solid.scene();
   Solid result;
@@ -115,13 +115,12 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
 
 }  // namespace
 
-Solid to_solid(const halfspace::Solid& solid, std::int32_t part) {
+Solid to_solid(const GridSolid& solid, std::int32_t part) {
   return in_space(solid, std::make_shared<Space>(solid.scene().grid_bits()),
                   part);
 }
 
-Solid to_solid(const halfspace::Solid& solid, const Solid& with,
-               std::int32_t part) {
+Solid to_solid(const GridSolid& solid, const Solid& with, std::int32_t part) {
   HALFSPACE_ASSERT(solid.scene().grid_bits() <= with.space->grid_bits());
   return in_space(solid, with.space, part);
 }

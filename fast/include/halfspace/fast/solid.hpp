@@ -69,11 +69,11 @@ struct Solid {
 
 /// The same solid, its points and planes in a table of its own. Face `p` is
 /// polygon `p`. `part` is noted as where the faces came from.
-Solid to_solid(const halfspace::Solid& solid, std::int32_t part = 0);
+Solid to_solid(const GridSolid& solid, std::int32_t part = 0);
 
 /// Likewise in the table of `with`, for long chains of booleans.
 /// Requires: its grid has no fewer bits than the solid's.
-Solid to_solid(const halfspace::Solid& solid, const Solid& with,
+Solid to_solid(const GridSolid& solid, const Solid& with,
                std::int32_t part = 0);
 
 /// What is outside of the solid, regularised. An operand like any other.
