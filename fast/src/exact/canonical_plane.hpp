@@ -21,18 +21,18 @@ struct CanonicalPlane {
   ExactPlane<kBits> exact;
   double offset = 0;       ///< its value at the origin, rounded
   std::uint64_t hash = 0;  ///< equal for planes that are the same point set
-  bool turned = false;     ///< the plane it was made of has the other normal
+  bool flipped = false;    ///< the plane it was made of has the other normal
 };
 
 /// Makes the first component of a normal that is not zero positive; whether
 /// that changed its sign.
 template <class Int>
-bool turn_normal(Vector3<Int>& n) {
-  const bool turned = (n.x != 0 ? n.x : n.y != 0 ? n.y : n.z) < 0;
+bool orient_normal(Vector3<Int>& n) {
+  const bool flipped = (n.x != 0 ? n.x : n.y != 0 ? n.y : n.z) < 0;
   // Unpredictable, so without a branch.
-  const Int sign = turned ? -1 : 1;
+  const Int sign = flipped ? -1 : 1;
   n = {sign * n.x, sign * n.y, sign * n.z};
-  return turned;
+  return flipped;
 }
 
 /// Divides a normal by its greatest common divisor.
@@ -101,7 +101,7 @@ template <int kBits>
 inline void set_canonical(const ExactPlane<kBits>& exact,
                           CanonicalPlane<kBits>& plane) {
   auto n = exact.normal;
-  plane.turned = turn_normal(n);
+  plane.flipped = orient_normal(n);
   if constexpr (kBits != 26) reduce_normal(n);
   const auto offset = value_at(ExactPlane<kBits>{n, exact.origin}, GridPoint{});
   plane.offset = to_double(offset);

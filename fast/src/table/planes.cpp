@@ -67,7 +67,7 @@ OrientedPlane Space::enter(const CanonicalPlane<kBits>& entry) {
   const std::int32_t known = plane_index_.find(entry.hash, [&](std::int32_t p) {
     return is_same_plane(exact_at<kBits>(p), entry.exact);
   });
-  if (known >= 0) return {known, entry.turned};
+  if (known >= 0) return {known, entry.flipped};
   const auto id = static_cast<std::int32_t>(planes_.size());
   SpacePlane& plane = planes_.emplace_back();
   plane.filter = filter_plane(
@@ -75,7 +75,7 @@ OrientedPlane Space::enter(const CanonicalPlane<kBits>& entry) {
   plane.origin = entry.exact.origin;
   if constexpr (kBits != 26) normals_.push_back(n);
   plane_index_.enter(entry.hash, id);
-  return {id, entry.turned};
+  return {id, entry.flipped};
 }
 
 std::int32_t Space::add_line_plane(std::int32_t u, std::int32_t v, int axis) {

@@ -12,7 +12,7 @@ PlaneTable plane_table(const Scene& scene) {
   PlaneTable table;
   table.plane_of.reserve(scene.polygon_count());
   std::vector<ExactPlane<kBits>> planes;
-  std::vector<bool> turned;
+  std::vector<bool> flipped;
   HashIndex index;
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
     const auto polygon = static_cast<PolygonId>(p);
@@ -26,12 +26,12 @@ PlaneTable plane_table(const Scene& scene) {
       id = static_cast<std::int32_t>(planes.size());
       index.enter(plane.hash, id);
       planes.push_back(plane.exact);
-      turned.push_back(plane.turned);
+      flipped.push_back(plane.flipped);
       table.first_polygon.push_back(polygon);
     }
     table.plane_of.push_back(id);
-    table.same_orientation.push_back(turned[static_cast<std::size_t>(id)] ==
-                                     plane.turned);
+    table.same_orientation.push_back(flipped[static_cast<std::size_t>(id)] ==
+                                     plane.flipped);
   }
   return table;
 }
