@@ -6,7 +6,7 @@
 #include "definition.hpp"
 #include "fuzz.hpp"
 #include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/winding.hpp"
 #include "shapes.hpp"
@@ -126,7 +126,7 @@ void expect_resolved(generate::Polygons polygons,
   const fast::Solid fast = fast::to_solid(soup);
   HALFSPACE_FUZZ_EXPECT(fast::check_operand(fast).has_value() ==
                         ref::is_solid(reference));
-  const fast::Solid resolved = fast::repair(fast).solid;
+  const fast::Solid resolved = fast::resolve(fast).solid;
   const auto expected = polygons_of(ref::resolve(reference));
   HALFSPACE_FUZZ_EXPECT(fast::bad_edges(resolved).empty());
   HALFSPACE_FUZZ_EXPECT(fast::check_operand(resolved).has_value());

@@ -174,7 +174,7 @@ Mask near_mask_of(const fast::Solid& solid) {
     for (const fast::Face& face : solid.faces) {
       if (fast::plane_at(solid, face.plane).normal[0] == 0) continue;
       if (!meets(solid, face, fuzz::twice_near_point(k))) continue;
-      winding += face.turned ? -1 : 1;
+      winding += face.flipped ? -1 : 1;
     }
     HALFSPACE_FUZZ_EXPECT(winding == 0 || winding == 1);
     mask |= static_cast<Mask>(winding) << k;
@@ -200,7 +200,7 @@ void expect_solid(const Script& script, const Plan& plan, Mask mask,
   const fast::Solid solid = **evaluator.result();
   HALFSPACE_FUZZ_EXPECT(fast::bad_edges(solid).empty(), text);
   HALFSPACE_FUZZ_EXPECT(near_mask_of(solid) == (mask & fuzz::kNear), text);
-  const fast::Solid least = fast::merged(solid, fast::Merge::kPlane);
+  const fast::Solid least = fast::merge_faces(solid, fast::Merge::kPlane);
   HALFSPACE_FUZZ_EXPECT(near_mask_of(least) == (mask & fuzz::kNear), text);
 }
 

@@ -13,8 +13,8 @@
 #include "agree_solids.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/ref/boolean.hpp"
 
 /// Solids are compared by their faces' boundaries: of each face that the result
@@ -122,7 +122,7 @@ Rational volume6(const fast::Solid& solid) {
 /// Whether a solid's triangles are closed and hold what it holds, as far as
 /// doubles tell.
 bool has_right_triangles(const fast::Solid& solid) {
-  const fast::ExportedMesh mesh = fast::exported(solid, {.triangles = true});
+  const fast::ExportedMesh mesh = fast::to_mesh(solid, {.triangles = true});
   std::map<std::pair<VertexId, VertexId>, int> uses;
   double sum = 0, most = 1;
   for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
@@ -155,7 +155,7 @@ Outline outline_of(const fast::Solid& solid, const fast::Solid& a,
     const fast::Face& source =
         (face.from_first ? a : b).faces[static_cast<std::size_t>(face.source)];
     auto& lines =
-        outline[{face.from_first, face.source, face.turned != source.turned}];
+        outline[{face.from_first, face.source, face.flipped != source.flipped}];
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const fast::SolidEdge& edge = solid.edges[face.first_edge + i];
       const Point from = points[edge.from];
@@ -187,8 +187,8 @@ Outline outline_of(const ref::Solid& solid, const ref::Solid& a,
 /// Whether the solids have one surface: every byte of their meshes is alike
 /// once all that can be merged is.
 bool same_surface(const fast::Solid& a, const fast::Solid& b) {
-  const auto m = fast::exported(fast::merged(a, fast::Merge::kPlane));
-  const auto n = fast::exported(fast::merged(b, fast::Merge::kPlane));
+  const auto m = fast::to_mesh(fast::merge_faces(a, fast::Merge::kPlane));
+  const auto n = fast::to_mesh(fast::merge_faces(b, fast::Merge::kPlane));
   return m.vertices == n.vertices && m.first_corner == n.first_corner &&
          m.corners == n.corners;
 }
@@ -211,7 +211,7 @@ void compare(const GridSolid& first, const GridSolid& second, bool touches) {
     ASSERT_EQ(volume6(found) == ref::volume6(expected), true);
     ASSERT_TRUE(has_right_triangles(found));
     // Every vertex on an edge is a corner there, if it is in the operands.
-    ASSERT_TRUE(touches || fast::repair(found).faces_cut == 0);
+    ASSERT_TRUE(touches || fast::resolve(found).faces_cut == 0);
     fast::Chain chain(a);
     chain.apply(operation, b);
     ASSERT_TRUE(same_surface(chain.solid(), found));
@@ -223,7 +223,7 @@ Outline outline_of_part(const fast::Solid& solid, std::int32_t part) {
   Points points(solid);
   Outline outline;
   for (const fast::Face& face : solid.faces) {
-    auto& lines = outline[{face.part == part, face.polygon, face.turned}];
+    auto& lines = outline[{face.part == part, face.polygon, face.flipped}];
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const fast::SolidEdge& edge = solid.edges[face.first_edge + i];
       const Point from = points[edge.from];
@@ -258,7 +258,7 @@ void check_identities(const GridSolid& first, const GridSolid& second,
   // What was taken apart is put together again, polygon by polygon.
   const fast::Solid again = fast::boolean(kUnion, less, both);
   ASSERT_TRUE(outline_of_part(again, 1) == outline_of_part(a, 1));
-  const fast::Solid parts = fast::merged(again, fast::Merge::kOrigin);
+  const fast::Solid parts = fast::merge_faces(again, fast::Merge::kOrigin);
   // An edge right across a face parts it.
   ASSERT_TRUE(parts.faces.size() == a.faces.size() ||
               (touches && parts.faces.size() > a.faces.size()));
@@ -305,7 +305,7 @@ void check_halves(const GridSolid& first, const GridSolid& second, bool touches,
               volume6(a));
   // The plane may have told the parts where they touch themselves.
   const auto told = [&](const fast::Solid& solid) {
-    return touches ? fast::repair(solid).solid : solid;
+    return touches ? fast::resolve(solid).solid : solid;
   };
   ASSERT_TRUE(same_surface(
       told(a), told(fast::boolean(BooleanOp::kUnion, halves.positive,

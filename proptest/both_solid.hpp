@@ -7,7 +7,7 @@
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/scene.hpp"
 
@@ -39,7 +39,9 @@ struct FastSolids {
   static bool is_solid(const Solid& solid) {
     return fast::check_operand(solid).has_value();
   }
-  static Solid resolve(const Solid& solid) { return fast::repair(solid).solid; }
+  static Solid resolve(const Solid& solid) {
+    return fast::resolve(solid).solid;
+  }
   static std::vector<std::vector<definition::Point>> polygons_of(
       const Solid& solid) {
     return halfspace::polygons_of(solid);

@@ -12,7 +12,7 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/csg/script.hpp"
 #include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/io/view.hpp"
 #include "halfspace/io/write_mesh.hpp"

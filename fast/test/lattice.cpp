@@ -161,7 +161,7 @@ Outline outline(const fast::Solid& solid, bool& whole) {
       const Place to = place_of(solid, edge.to);
       whole = whole && from[static_cast<std::size_t>(axis)] ==
                            to[static_cast<std::size_t>(axis)];
-      add_edge(axis, !face.turned, from, to, result);
+      add_edge(axis, !face.flipped, from, to, result);
     }
   }
   return result;

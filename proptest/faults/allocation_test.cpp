@@ -160,7 +160,7 @@ std::vector<Task> tasks() {
          const auto rest = fast::boolean(BooleanOp::kDifference, a, part);
          return std::to_string(part.faces.size()) + " " +
                 std::to_string(
-                    fast::merged(rest, fast::Merge::kPlane).faces.size());
+                    fast::merge_faces(rest, fast::Merge::kPlane).faces.size());
        }},
   };
 }

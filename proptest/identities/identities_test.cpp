@@ -78,7 +78,7 @@ Solid wrong(int fault, BooleanOp operation, const Solid& a, const Solid& b) {
       result.faces.pop_back();
       break;
     case 2:
-      result.faces.back().turned = !result.faces.back().turned;
+      result.faces.back().flipped = !result.faces.back().flipped;
       break;
     case 3:
       // A union that is told to be the first operand's alone.

@@ -66,7 +66,8 @@ Keep kept(BooleanOp operation, const GridSolid& operand, const GridSolid& other,
       operation, first_operand ? ours : theirs, first_operand ? theirs : ours);
   for (const fast::Face& face : result.faces) {
     if (face.from_first != first_operand || face.source != kAlong) continue;
-    return face.turned == ours.faces[kAlong].turned ? Keep::kKeep : Keep::kFlip;
+    return face.flipped == ours.faces[kAlong].flipped ? Keep::kKeep
+                                                      : Keep::kFlip;
   }
   return Keep::kDrop;
 }

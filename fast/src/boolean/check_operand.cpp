@@ -61,8 +61,8 @@ std::int32_t open_vertex(const Solid& solid, const Face& face,
   return begun == from.end() ? -1 : std::min(*begun, *ended);
 }
 
-Error crossed(const Solid& solid, const std::vector<Crossing>& found) {
-  const Crossing& first = found.front();
+Error crossed(const Solid& solid, const std::vector<SelfIntersection>& found) {
+  const SelfIntersection& first = found.front();
   std::string sentence =
       "the surface crosses itself: polygons " + polygon_of(solid, first.first) +
       " and " + polygon_of(solid, first.second) +
@@ -137,7 +137,7 @@ Result<Done> check_operand(const Solid& solid) {
                    face);
   }
   SelfWings wings(solid);
-  const auto found = crossings_of(wings.contacts());
+  const auto found = self_intersections_of(wings.contacts());
   if (!found.empty()) return crossed(solid, found);
   return check_windings(solid, wings);
 }

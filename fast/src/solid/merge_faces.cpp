@@ -139,7 +139,7 @@ Hubs Merger::hubs_of_others() const {
     }
     visit_up_to(static_cast<std::uint32_t>(solid_.edges.size()));
   };
-  Extent extent;
+  IdRange extent;
   for_ends([&](std::int32_t hub, std::int32_t) { extent.add(hub); });
   return Hubs(
       extent, for_ends, for_spokes, for_corners,
@@ -261,7 +261,7 @@ void line_up(Solid& solid) {
   solid.edges.swap(row);
 }
 
-Solid merged(Solid solid, Merge rule) {
+Solid merge_faces(Solid solid, Merge rule) {
   line_up(solid);
   Merger(solid, rule).run();
   return solid;

@@ -55,7 +55,7 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
   // In its place: a copy would wait for what was just written.
   Face& face = solid.faces.emplace_back();
   face.plane = plane.plane;
-  face.turned = plane.turned;
+  face.flipped = plane.flipped;
   face.color = scene.color(id);
   face.source = id;
   face.part = part;
@@ -126,7 +126,7 @@ Solid to_solid(const GridSolid& solid, const Solid& with, std::int32_t part) {
 }
 
 Solid complement(Solid solid) {
-  for (Face& face : solid.faces) face.turned = !face.turned;
+  for (Face& face : solid.faces) face.flipped = !face.flipped;
   for (SolidEdge& edge : solid.edges) std::swap(edge.from, edge.to);
   // The edges of a loop stand in a row.
   for (const Face& face : solid.faces) {
@@ -145,7 +145,7 @@ Solid half_space(const std::array<GridPoint, 3>& corners, const Solid& with) {
   const OrientedPlane plane = result.space->add_plane(corners);
   result.faces.emplace_back();
   result.faces[0].plane = plane.plane;
-  result.faces[0].turned = plane.turned;
+  result.faces[0].flipped = plane.flipped;
   result.faces[0].box = face_box(result, result.faces[0]);
   return result;
 }

@@ -22,7 +22,8 @@ std::vector<std::int32_t> open_faces(const Solid& solid);
 ///         kInsideOut; with the number of the first face. The message names the
 ///         polygons that the faces come from, and the place in model units,
 ///         rounded for people to read.
-/// Cost:   of bad_edges() and crossings(), and a search for each connected part
+/// Cost:   of bad_edges() and self_intersections(), and a search for each
+/// connected part
 ///         of the surface.
 Result<Done> check_operand(const Solid& solid);
 

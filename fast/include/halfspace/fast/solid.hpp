@@ -30,7 +30,7 @@ struct SolidEdge {
 /// convex nor connected, and it may have holes.
 struct Face {
   std::int32_t plane = -1;
-  bool turned = false;  ///< outwards is against the plane's normal
+  bool flipped = false;  ///< outwards is against the plane's normal
   Rgb color;
   /// Where the face came from: which operand of the last boolean, and which of
   /// that operand's faces. In a solid that no boolean made, itself.
@@ -64,7 +64,7 @@ struct Solid {
   /// and no face has a part of an edge in it that is not one of its own edges
   /// from end to end. Results of booleans of such solids are. Of others a
   /// boolean finds out what it has to know.
-  bool is_noded = false;
+  bool is_conforming = false;
 };
 
 /// The same solid, its points and planes in a table of its own. Face `p` is
@@ -112,7 +112,7 @@ enum class Merge : std::uint8_t {
 ///        meet too, where the surface touches itself, stay.
 /// Cost:  of a solid that is given away no copy: what is merged takes the place
 ///        of what was there, and most is but looked at.
-Solid merged(Solid solid, Merge rule);
+Solid merge_faces(Solid solid, Merge rule);
 
 /// The plane normal.(p - origin) = 0. The normal's components have no common
 /// divisor, and its first one that is not zero is positive.

@@ -1,4 +1,4 @@
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -137,13 +137,13 @@ void begin_with_least(std::span<std::int32_t> corners) {
 std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
                                        ExportedMesh& mesh) {
   const Space& space = *solid.space;
-  Extent extent;
+  IdRange extent;
   for (const std::int32_t v : polygons.corners) extent.add(v);
-  Places places(extent);
+  IdMap places(extent);
   std::vector<std::int32_t> numbers(places.size(), -1);
   std::vector<std::int32_t> used;
   std::int32_t* const number_at = numbers.data();
-  places.with_places([&](const auto& place) {
+  places.with_slots([&](const auto& place) {
     for (const std::int32_t v : polygons.corners) {
       std::int32_t& number = number_at[place(v)];
       if (number < 0) used.push_back(v);
@@ -172,7 +172,7 @@ std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
     mesh.max_move = std::max(mesh.max_move,
                              size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
   }
-  places.with_places([&](const auto& place) {
+  places.with_slots([&](const auto& place) {
     for (std::int32_t& v : polygons.corners) v = number_at[place(v)];
   });
   for (std::size_t p = 0; p < polygons.size(); ++p)
@@ -256,7 +256,7 @@ bool surely_faces_out(const ExportedMesh& mesh,
 
 }  // namespace
 
-ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
+ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options) {
   ExportedMesh mesh;
   if (solid.faces.empty()) return mesh;
   Polygons polygons = polygons_of(solid, options);
@@ -302,8 +302,8 @@ ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
     const Face& face = solid.faces[static_cast<std::size_t>(f)];
     if (is_moved(corners)) {
       const Plane& normal = solid.space->plane(face.plane).filter.plane;
-      if (!surely_faces_out(mesh, corners, normal, face.turned ? -1 : 1))
-        mesh.turned.push_back(static_cast<std::int32_t>(at));
+      if (!surely_faces_out(mesh, corners, normal, face.flipped ? -1 : 1))
+        mesh.flipped.push_back(static_cast<std::int32_t>(at));
     }
     for (const std::int32_t v : corners) *corner++ = v;
     mesh.first_corner[at + 1] =
