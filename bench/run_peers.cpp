@@ -123,7 +123,8 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--budget", request.plan.repeats.budget_ms,
                  "Time to spend on one number. Units: ms");
-  app.add_flag("!--no-peers", request.plan.peers, "Measure the fast library alone");
+  app.add_flag("!--no-peers", request.plan.peers,
+               "Measure the fast library alone");
   app.add_flag("!--no-back-to-front", request.plan.back_to_front,
                "Leave out the fast library's painter");
   app.add_option("--csv", request.csv, "Also write the times to this file");

@@ -25,8 +25,8 @@ struct BooleanCase {
 };
 
 /// Two spheres of about `triangles` each in general position: shifted by half a
-/// radius; or, where `turn` is not 0, with one centre, one of them turned by it.
-/// Units: radians.
+/// radius; or, where `turn` is not 0, with one centre, one of them turned by
+/// it. Units: radians.
 BooleanCase two_spheres(int triangles, double turn);
 BooleanCase menger(int level);
 /// A plate less 10 x 10 round prisms of its own height.
