@@ -31,7 +31,7 @@ class Builder {
   }
 
   /// Adds the parallelepiped at `origin` with edges `u`, `v`, `w`, faces
-  /// outwards, each edge cut into `parts` equal parts.
+  /// outwards, its edges cut into `parts_u`, `parts_v` and `parts_w` parts.
   /// Requires: (u x v).w > 0; every part has integer coordinates.
   void add_box(const GridPoint& origin, const GridPoint& u, const GridPoint& v,
                const GridPoint& w, Rgb color, std::int64_t parts_u = 1,
