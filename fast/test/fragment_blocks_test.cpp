@@ -8,9 +8,9 @@
 
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/tree_file.hpp"
-#include "raster/exact_coverage.hpp"
 #include "scenes.hpp"
 #include "tree/leaf_packets.hpp"
+#include "tree/tree_reader.hpp"
 
 namespace halfspace::fast {
 namespace {
