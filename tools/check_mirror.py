@@ -24,6 +24,7 @@ ALONE = {
     },
     ("ref", "screen"): {
         "merge_segment": "F2B's step on a linked list; fast has no list",
+        "merge": "on lists of segments; fast has DynamicScreen alone",
     },
     ("ref", "boolean"): {
         "keep": "fast decides by memberships round an edge, not by classes",

@@ -8,13 +8,18 @@
       runs the shell blocks in FOLDER, beside small models with the names that
       the documents use
 
+  documents.py names ROOT
+      looks up the files that documents name, and the papers that documents and
+      sources cite by key (spec/bibliography.md)
+
 A block's fence says what it is: ```cpp is compiled; ```sh is run; ```text NAME
 is a file for the blocks after it; ```sh build names targets and is not run,
 for it builds what these tests are a part of. Exit status: 0 all is well, 1 a
-command failed, 2 bad usage.
+command failed or a name is unknown, 2 bad usage.
 """
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -105,11 +110,57 @@ def run(program, make_model, folder, documents):
     return 1 if failed else 0
 
 
+# A path that a document names, in backquotes.
+PATH = re.compile(r"`((?:[A-Z]+\.md|(?:spec|ref|fast|shadow|io|csg|tools|proptest"
+                  r"|fuzz|bench|examples|docs|cmake|scripts)/[\w./*-]+))`")
+KEY = re.compile(r"\b[A-Z]{2,4}[0-9]{2}[a-z]?\b")
+# Words that look like keys and are none.
+NO_KEYS = {"CLI11"}
+
+
+def exists(root, named):
+    """Whether some file has that path, or a header that path in includes."""
+    return any(root.glob(named)) or any(
+        root.glob("*/include/halfspace/" + named))
+
+
+def names(root):
+    root = pathlib.Path(root)
+    files = [path for part in root.iterdir()
+             if part.name not in ("build", "out", ".git")
+             for path in ([part] if part.is_file() else part.rglob("*"))]
+    known = set(KEY.findall("\n".join(re.findall(
+        r"^\*\*(\w+)\*\*", (root / "spec/bibliography.md").read_text(
+            encoding="utf-8"), re.M))))
+    wrong = []
+    for path in sorted(files):
+        name = path.relative_to(root)
+        is_document = path.suffix == ".md"
+        if not is_document and path.suffix not in (".hpp", ".cpp"):
+            continue
+        for number, line in enumerate(
+                path.read_text(encoding="utf-8").splitlines(), 1):
+            if is_document:
+                wrong += [f"{name}:{number}: there is no {named}"
+                          for named in PATH.findall(line)
+                          if not exists(root, named.rstrip("/"))]
+            elif "//" not in line:
+                continue
+            comment = line if is_document else line[line.index("//"):]
+            wrong += [f"{name}:{number}: {key} is not in the bibliography"
+                      for key in KEY.findall(comment)
+                      if key not in known | NO_KEYS]
+    print("\n".join(wrong + [f"{len(wrong)} names are unknown"]))
+    return 1 if wrong else 0
+
+
 def main():
     if len(sys.argv) >= 4 and sys.argv[1] == "extract":
         return extract(sys.argv[2], sys.argv[3:]) or 0
     if len(sys.argv) >= 6 and sys.argv[1] == "run":
         return run(*sys.argv[2:5], sys.argv[5:])
+    if len(sys.argv) == 3 and sys.argv[1] == "names":
+        return names(sys.argv[2])
     print(__doc__, file=sys.stderr)
     return 2
 

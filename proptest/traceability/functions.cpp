@@ -50,6 +50,11 @@ void take(Function* function) {
   Function* volatile kept = function;
   if (kept != nullptr) ++taken;
 }
+template <class Class, class Member>
+void take(Member Class::*member) {
+  Member Class::*volatile kept = member;
+  if (kept != nullptr) ++taken;
+}
 
 void take_all() {
   take(&grid_bits_for);  // S1.1
@@ -141,7 +146,7 @@ void take_all() {
   take(&ref::merge_segment);  // S4.7
   take(&fast::merge_case);  // S4.7
   take(&ref::merge);  // S4.8
-  take(&fast::merge);  // S4.8
+  take(&fast::DynamicScreen::light);  // S4.8
   take(&ref::render);  // S5.1
   {  // S5.1
     using namespace fast;

@@ -189,7 +189,7 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
-  const Frame frame = {reader,    data, image, view, best_kernel(options.loops),
+  const Frame frame = {reader,    data, image, view, best_kernel(options.simd),
                        pass.alpha};
   const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
   std::vector<BandResult> found(bands.size());
