@@ -3,10 +3,12 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <memory_resource>
 #include <string>
 
 #include "booleans/contestant.hpp"
 #include "booleans/table_reporter.hpp"
+#include "halfspace/fast/huge_page_pool.hpp"
 
 /// Measures booleans of solids: ours and those of other libraries.
 namespace halfspace::bench {
@@ -96,5 +98,8 @@ int run(int count, char** arguments) {
 }  // namespace halfspace::bench
 
 int main(int count, char** arguments) {
+  // As the command line program does.
+  static auto* const pool = new halfspace::fast::HugePagePool;
+  std::pmr::set_default_resource(pool);
   return halfspace::bench::run(count, arguments);
 }

@@ -3,10 +3,10 @@
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
-#include "halfspace/ref/painter.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
-#include "halfspace/ref/zbuffer.hpp"
 #include "views.hpp"
 
 /// The four algorithms of the reference, those of the fast library over trees

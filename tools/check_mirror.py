@@ -32,6 +32,10 @@ ALONE = {
         "volume6": "a rational; fast has none",
         "rounded": "fast has to_mesh(), of triangles",
     },
+    ("fast", "build"): {
+        "has_leaves": "only fast's display trees have leaves",
+        "divide_leaves": "only fast's display trees have leaves",
+    },
     ("fast", "predicate"): {
         "plane_corners": "three grid points; ref has the plane's rationals",
         "intern_planes": "names planes, so that equal ones are told by id",

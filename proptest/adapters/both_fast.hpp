@@ -154,7 +154,7 @@ struct Fast {
     }
     return {fragment.source, rotated_to_least(std::move(edges))};
   }
-  static fast::Display collect(const fast::BspTree& tree,
+  static fast::Visitor collect(const fast::BspTree& tree,
                                std::vector<FragmentName>& shown,
                                std::size_t limit) {
     return [&tree, &shown, limit](const fast::Node&,

@@ -6,7 +6,7 @@
 #include "generate/random_scenes.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
-#include "halfspace/ref/painter.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
 
 /// Back to front over every kind of tree: the painter's image, and the
 /// transparent one.

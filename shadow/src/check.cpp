@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "halfspace/assert.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/scene_file.hpp"
 #include "halfspace/splitmix.hpp"

@@ -8,6 +8,8 @@
 
 #include "noisy.hpp"
 
+/// The bounds of what a camera makes of planes and points, against running
+/// errors, for cameras as far out as they may be.
 namespace halfspace::fast {
 namespace {
 
@@ -71,12 +73,12 @@ TEST(ViewBounds, OfPlanesSeen) {
       const View view = make_view(camera, bits);
       const Plane p = plane_through(random, bits);
       const Plane q = plane_through(random, bits);
-      const SeenApproximately found = see_approximately(p, view);
-      const SeenApproximately other = see_approximately(q, view);
+      const ApproximateProjection found = project_approximately(p, view);
+      const ApproximateProjection other = project_approximately(q, view);
       const SeenAgain p_again = see_again(p, camera.data());
       const SeenAgain q_again = see_again(q, camera.data());
       eye.add(p_again.eye.error, found.eye.error);
-      const OrderLine both = order_line(found, other);
+      const DepthDifference both = depth_difference(found, other);
       for (const double i : {0.0, 499.0}) {
         for (const double j : {0.0, 499.0}) {
           const Noisy p_at = p_again.at(i, j);

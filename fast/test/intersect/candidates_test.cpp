@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "halfspace/splitmix.hpp"
 #include "solid/loops.hpp"
 
 namespace halfspace::fast {

@@ -29,7 +29,7 @@ TEST(DepthLine, HoldsWhereVerticesAreMovedByTheirErrors) {
         v = {random.from_to(-90, 90), random.from_to(-90, 90),
              random.from_to(-90, 90), random.from_to(0, 0x1p-12)};
       }
-      const OrderLine depth = depth_of(vertices, view, 256);
+      const DepthDifference depth = depth_of(vertices, view, 256);
       if (!(depth.error < (perspective ? 0.1 : 10))) continue;
       const int ways = static_cast<int>(random.from_to(0, 512));
       const double one = random.from_to(0, 1);

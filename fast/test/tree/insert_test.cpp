@@ -6,6 +6,7 @@
 #include "box/box.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/render.hpp"
+#include "tree/node_boxes.hpp"
 #include "tree/triangles.hpp"
 
 namespace halfspace::fast {

@@ -1,4 +1,4 @@
-#include "halfspace/ref/zbuffer.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 
 #include <algorithm>
 #include <optional>
