@@ -122,8 +122,9 @@ def run(program, make_model, folder, documents):
 
 
 # A path that a document names, in backquotes.
-PATH = re.compile(r"`((?:[A-Z]+\.md|(?:spec|ref|fast|shadow|io|csg|tools|proptest"
-                  r"|fuzz|bench|examples|docs|cmake|scripts)/[\w./*-]+))`")
+PATH = re.compile(r"`((?:[A-Z]+\.md|(?:spec|ref|fast|shadow|io|csg|face|tools"
+                  r"|proptest|fuzz|bench|examples|docs|cmake|scripts)"
+                  r"/[\w./*-]+|\w+/[\w/]+\.[ch]pp))`")
 KEY = re.compile(r"\b[A-Z]{2,4}[0-9]{2}[a-z]?\b")
 # A document that a comment names.
 DOCUMENT = re.compile(r"\b(?:docs|spec)/[\w/-]+\.md\b")
@@ -134,9 +135,11 @@ NO_KEYS = {"CLI11"}
 
 
 def exists(root, named):
-    """Whether some file has that path, or a header that path in includes."""
-    return any(root.glob(named)) or any(
-        root.glob("*/include/halfspace/" + named))
+    """Whether some file has that path, from the root, in includes, or below
+    the rooms of fast/src."""
+    return any(any(root.glob(base + named)) for base in (
+        "", "*/include/halfspace/", "fast/src/", "fast/src/raster/",
+        "fast/src/raster/kernel/"))
 
 
 def names(root):
