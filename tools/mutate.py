@@ -54,7 +54,9 @@ FILES = [path for library in ("ref", "fast", "spec", "io")
          for path in sources_of(ROOT, library)]
 
 # The source by which a header with functions of its own is compiled.
-HOSTS = {"spec/include/halfspace/span.hpp": "ref/src/screen.cpp"}
+HOSTS = {"spec/include/halfspace/span.hpp": "ref/src/screen.cpp",
+         "fast/src/raster/kernel/generic/coverage_merge.hpp":
+             "fast/src/raster/kernel/portable.cpp"}
 FILES += HOSTS
 
 OTHERS = {
@@ -146,7 +148,12 @@ TESTS_OF = {
     "fast/src/sah/": {"vectors_test": "*Implementations*",
                       "fast_test": TREES, "agree_display_tree_test": "*"},
     "fast/src/raster/": FAST_IMAGE,
-    "fast/src/raster/scan": {"agree_image_test": "*Cover*", "proptest": ""},
+    **{f"fast/src/raster/{stem}": {
+        "fast_test": "DynamicScreen*:KernelTiles*",
+        "exhaustive_test": "*RandomMerges*", "agree_image_test": AGREE_IMAGE,
+        "proptest": "S4*"}
+       for stem in ("dynamic_screen", "kernel/generic/coverage_merge")},
+    "fast/src/raster/scan_convert": {"agree_image_test": "*Cover*", "proptest": ""},
     "fast/src/raster/culler": {"agree_image_test": "*", "proptest": ""},
     **{f"fast/src/{room}/": FAST_SOLID
        for room in ("table", "solid", "intersect", "boolean")},
@@ -404,7 +411,8 @@ class Build:
         stem = source.path.replace("/", "_")
         if source.path not in HOSTS:
             return self.scratch / stem, None
-        file = self.scratch / stem / source.path.split("/include/")[1]
+        # Where its folder of headers begins.
+        file = self.scratch / stem / re.split("/include/|/src/", source.path)[1]
         file.parent.mkdir(parents=True, exist_ok=True)
         return file, self.scratch / stem
 
