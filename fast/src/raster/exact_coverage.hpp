@@ -85,6 +85,26 @@ class TreeReader {
   std::int32_t vertex_count_;
 };
 
+/// The side of a splitter on which a fragment lies that has an edge by it.
+inline int side_of(const TreeReader& reader, const TreeFragment& fragment,
+                   PlaneId splitter) {
+  const Geometry& geometry = reader.geometry();
+  const FilterPlane plane = filter_plane(geometry.plane(splitter));
+  const auto corners = reader.corners(fragment);
+  for (const Corner& corner : corners) {
+    const int known = known_sign(
+        value_at(plane, reader.vertex(corner.vertex), geometry.rounding()));
+    if (known != 0) return known;
+  }
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Corner& before = corners[k == 0 ? corners.size() - 1 : k - 1];
+    const int sign = geometry.exact_sign(fragment.source, before.edge,
+                                         corners[k].edge, splitter);
+    if (sign != 0) return sign;
+  }
+  return 0;
+}
+
 /// Decides, exactly, which samples a fragment covers (S4.5): where doubles
 /// cannot tell, and where a fragment reaches up to the eye.
 template <int kBits>
@@ -135,7 +155,7 @@ class ExactScan {
         const PlaneId splitter = splitter_of(corner.edge);
         add(meet_line<kBits>(support,
                              see(geometry.exact<kBits>(splitter), camera_)),
-            eye_sign_ * side_of(splitter));
+            eye_sign_ * side_of(reader_, *fragment_, splitter));
       }
     }
     if (camera_.near) {
@@ -143,25 +163,6 @@ class ExactScan {
               near_line<kBits>(support, *camera_.near, camera_.perspective)),
           eye_sign_);
     }
-  }
-
-  /// The side of a splitter that made one of its edges on which it lies.
-  int side_of(PlaneId splitter) const {
-    const Geometry& geometry = reader_.geometry();
-    const FilterPlane plane = filter_plane(geometry.plane(splitter));
-    const auto corners = reader_.corners(*fragment_);
-    for (const Corner& corner : corners) {
-      const int known = known_sign(
-          value_at(plane, reader_.vertex(corner.vertex), geometry.rounding()));
-      if (known != 0) return known;
-    }
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Corner& before = corners[k == 0 ? corners.size() - 1 : k - 1];
-      const int sign = geometry.exact_sign(fragment_->source, before.edge,
-                                           corners[k].edge, splitter);
-      if (sign != 0) return sign;
-    }
-    return 0;
   }
 
   const TreeReader& reader_;
