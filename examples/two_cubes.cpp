@@ -14,7 +14,7 @@ using namespace halfspace;
 namespace {
 
 /// The cube from `low` to `low + 2` on every axis, faces outwards.
-Result<Solid> cube_at(std::int64_t low) {
+Result<GridSolid> cube_at(std::int64_t low) {
   SceneData data;
   for (int i = 0; i < 8; ++i) {
     data.vertices.push_back(
@@ -29,7 +29,7 @@ Result<Solid> cube_at(std::int64_t low) {
   return make_solid(*std::move(scene));
 }
 
-bool has_volume(BooleanOp operation, const Solid& a, const Solid& b,
+bool has_volume(BooleanOp operation, const GridSolid& a, const GridSolid& b,
                 int volume) {
   const ref::Solid result =
       ref::boolean(operation, ref::to_solid(a), ref::to_solid(b));
@@ -40,8 +40,8 @@ bool has_volume(BooleanOp operation, const Solid& a, const Solid& b,
 
 int main(int argc, char** argv) {
   if (argc != 2) return EXIT_FAILURE;
-  const Result<Solid> a = cube_at(0);
-  const Result<Solid> b = cube_at(1);
+  const Result<GridSolid> a = cube_at(0);
+  const Result<GridSolid> b = cube_at(1);
   if (!a || !b) return EXIT_FAILURE;
   const bool right = has_volume(BooleanOp::kUnion, *a, *b, 15) &&
                      has_volume(BooleanOp::kIntersection, *a, *b, 1) &&

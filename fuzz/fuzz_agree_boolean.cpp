@@ -6,7 +6,7 @@
 #include "definition.hpp"
 #include "fuzz.hpp"
 #include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/winding.hpp"
 #include "shapes.hpp"
@@ -27,7 +27,7 @@ generate::Polygons solid_of(fuzz::Bytes& bytes) {
   return polygons;
 }
 
-halfspace::Solid made(const generate::Polygons& polygons) {
+GridSolid made(const generate::Polygons& polygons) {
   auto solid = make_solid(generate::scene_of(polygons, {}));
   HALFSPACE_FUZZ_EXPECT(solid.has_value());
   return *solid;
@@ -65,7 +65,7 @@ struct Pair {
   definition::Fraction volume;
 };
 
-Pair pair_of(const halfspace::Solid& solid) {
+Pair pair_of(const GridSolid& solid) {
   const ref::Solid reference = ref::to_solid(solid);
   return {reference, fast::to_solid(solid),
           definition::volume6(polygons_of(reference))};
@@ -126,7 +126,7 @@ void expect_resolved(generate::Polygons polygons,
   const fast::Solid fast = fast::to_solid(soup);
   HALFSPACE_FUZZ_EXPECT(fast::check_operand(fast).has_value() ==
                         ref::is_solid(reference));
-  const fast::Solid resolved = fast::repair(fast).solid;
+  const fast::Solid resolved = fast::resolve(fast).solid;
   const auto expected = polygons_of(ref::resolve(reference));
   HALFSPACE_FUZZ_EXPECT(fast::bad_edges(resolved).empty());
   HALFSPACE_FUZZ_EXPECT(fast::check_operand(resolved).has_value());

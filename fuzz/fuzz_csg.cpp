@@ -68,7 +68,7 @@ std::optional<std::array<GridPoint, 3>> grid_plane_of(const HalfSpace& half) {
 }
 
 /// The box, moved.
-halfspace::Solid solid_of(const fuzz::Box& box, const GridMap& map) {
+GridSolid solid_of(const fuzz::Box& box, const GridMap& map) {
   std::array<std::int64_t, 3> low, high;
   for (std::size_t i = 0; i < 3; ++i) {
     low[i] = high[i] = map[i][3];
@@ -174,7 +174,7 @@ Mask near_mask_of(const fast::Solid& solid) {
     for (const fast::Face& face : solid.faces) {
       if (fast::plane_at(solid, face.plane).normal[0] == 0) continue;
       if (!meets(solid, face, fuzz::twice_near_point(k))) continue;
-      winding += face.turned ? -1 : 1;
+      winding += face.flipped ? -1 : 1;
     }
     HALFSPACE_FUZZ_EXPECT(winding == 0 || winding == 1);
     mask |= static_cast<Mask>(winding) << k;
@@ -200,7 +200,7 @@ void expect_solid(const Script& script, const Plan& plan, Mask mask,
   const fast::Solid solid = **evaluator.result();
   HALFSPACE_FUZZ_EXPECT(fast::bad_edges(solid).empty(), text);
   HALFSPACE_FUZZ_EXPECT(near_mask_of(solid) == (mask & fuzz::kNear), text);
-  const fast::Solid least = fast::merged(solid, fast::Merge::kPlane);
+  const fast::Solid least = fast::merge_faces(solid, fast::Merge::kPlane);
   HALFSPACE_FUZZ_EXPECT(near_mask_of(least) == (mask & fuzz::kNear), text);
 }
 

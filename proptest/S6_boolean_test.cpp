@@ -77,7 +77,7 @@ TYPED_TEST(S6Boolean, L1AClosedSurfaceHasNoBadEdgeAndAnyOtherDoes) {
             HALFSPACE_LAW(found == sorted);
             const auto solid = make_solid(spoilt);
             HALFSPACE_LAW(!solid);
-            HALFSPACE_LAW(solid.error().code == ErrorCode::kNotClosed);
+            HALFSPACE_LAW(solid.error().code == ErrorCode::kOpen);
             HALFSPACE_LAW(solid.error().index ==
                           static_cast<std::int64_t>(expected.size()));
             ++broken;

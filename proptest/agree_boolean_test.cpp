@@ -13,8 +13,8 @@
 #include "agree_solids.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/ref/boolean.hpp"
 
 /// Solids are compared by their faces' boundaries: of each face that the result
@@ -122,7 +122,7 @@ Rational volume6(const fast::Solid& solid) {
 /// Whether a solid's triangles are closed and hold what it holds, as far as
 /// doubles tell.
 bool has_right_triangles(const fast::Solid& solid) {
-  const fast::ExportedMesh mesh = fast::exported(solid, {.triangles = true});
+  const fast::ExportedMesh mesh = fast::to_mesh(solid, {.triangles = true});
   std::map<std::pair<VertexId, VertexId>, int> uses;
   double sum = 0, most = 1;
   for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
@@ -155,7 +155,7 @@ Outline outline_of(const fast::Solid& solid, const fast::Solid& a,
     const fast::Face& source =
         (face.from_first ? a : b).faces[static_cast<std::size_t>(face.source)];
     auto& lines =
-        outline[{face.from_first, face.source, face.turned != source.turned}];
+        outline[{face.from_first, face.source, face.flipped != source.flipped}];
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const fast::SolidEdge& edge = solid.edges[face.first_edge + i];
       const Point from = points[edge.from];
@@ -187,8 +187,8 @@ Outline outline_of(const ref::Solid& solid, const ref::Solid& a,
 /// Whether the solids have one surface: every byte of their meshes is alike
 /// once all that can be merged is.
 bool same_surface(const fast::Solid& a, const fast::Solid& b) {
-  const auto m = fast::exported(fast::merged(a, fast::Merge::kPlane));
-  const auto n = fast::exported(fast::merged(b, fast::Merge::kPlane));
+  const auto m = fast::to_mesh(fast::merge_faces(a, fast::Merge::kPlane));
+  const auto n = fast::to_mesh(fast::merge_faces(b, fast::Merge::kPlane));
   return m.vertices == n.vertices && m.first_corner == n.first_corner &&
          m.corners == n.corners;
 }
@@ -197,7 +197,7 @@ constexpr BooleanOp kOperations[] = {
     BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference};
 
 /// `touches`: one of them may touch itself where it has no edge.
-void compare(const Solid& first, const Solid& second, bool touches) {
+void compare(const GridSolid& first, const GridSolid& second, bool touches) {
   const ref::Solid ref_a = ref::to_solid(first);
   const ref::Solid ref_b = ref::to_solid(second);
   const fast::Solid a = fast::to_solid(first);
@@ -211,7 +211,7 @@ void compare(const Solid& first, const Solid& second, bool touches) {
     ASSERT_EQ(volume6(found) == ref::volume6(expected), true);
     ASSERT_TRUE(has_right_triangles(found));
     // Every vertex on an edge is a corner there, if it is in the operands.
-    ASSERT_TRUE(touches || fast::repair(found).faces_cut == 0);
+    ASSERT_TRUE(touches || fast::resolve(found).faces_cut == 0);
     fast::Chain chain(a);
     chain.apply(operation, b);
     ASSERT_TRUE(same_surface(chain.solid(), found));
@@ -223,7 +223,7 @@ Outline outline_of_part(const fast::Solid& solid, std::int32_t part) {
   Points points(solid);
   Outline outline;
   for (const fast::Face& face : solid.faces) {
-    auto& lines = outline[{face.part == part, face.polygon, face.turned}];
+    auto& lines = outline[{face.part == part, face.polygon, face.flipped}];
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const fast::SolidEdge& edge = solid.edges[face.first_edge + i];
       const Point from = points[edge.from];
@@ -235,7 +235,8 @@ Outline outline_of_part(const fast::Solid& solid, std::int32_t part) {
 
 /// What holds of two solids without a reference.
 /// `touches`: the first solid may touch itself where it has no edge.
-void check_identities(const Solid& first, const Solid& second, bool touches) {
+void check_identities(const GridSolid& first, const GridSolid& second,
+                      bool touches) {
   using enum BooleanOp;
   const fast::Solid a = fast::to_solid(first, 1);
   const fast::Solid b = fast::to_solid(second, 2);
@@ -257,7 +258,7 @@ void check_identities(const Solid& first, const Solid& second, bool touches) {
   // What was taken apart is put together again, polygon by polygon.
   const fast::Solid again = fast::boolean(kUnion, less, both);
   ASSERT_TRUE(outline_of_part(again, 1) == outline_of_part(a, 1));
-  const fast::Solid parts = fast::merged(again, fast::Merge::kOrigin);
+  const fast::Solid parts = fast::merge_faces(again, fast::Merge::kOrigin);
   // An edge right across a face parts it.
   ASSERT_TRUE(parts.faces.size() == a.faces.size() ||
               (touches && parts.faces.size() > a.faces.size()));
@@ -266,7 +267,7 @@ void check_identities(const Solid& first, const Solid& second, bool touches) {
 
 /// The parts on either side of a plane through corners of the other solid.
 /// `touches`: likewise.
-void check_halves(const Solid& first, const Solid& second, bool touches,
+void check_halves(const GridSolid& first, const GridSolid& second, bool touches,
                   Draws& draws) {
   const auto& points = second.scene().data().vertices;
   if (points.empty()) return;
@@ -304,7 +305,7 @@ void check_halves(const Solid& first, const Solid& second, bool touches,
               volume6(a));
   // The plane may have told the parts where they touch themselves.
   const auto told = [&](const fast::Solid& solid) {
-    return touches ? fast::repair(solid).solid : solid;
+    return touches ? fast::resolve(solid).solid : solid;
   };
   ASSERT_TRUE(same_surface(
       told(a), told(fast::boolean(BooleanOp::kUnion, halves.positive,
@@ -329,8 +330,8 @@ void compare_kinds(std::uint64_t seeds, std::int64_t scale) {
                      std::to_string(static_cast<int>(second)) + ", seed " +
                      std::to_string(seed));
         Draws draws(seed);
-        const Solid a = random_solid(first, scale, draws);
-        const Solid b = random_solid(second, scale, draws);
+        const GridSolid a = random_solid(first, scale, draws);
+        const GridSolid b = random_solid(second, scale, draws);
         const bool touches = first == SolidKind::kTouching;
         check_identities(a, b, touches);
         check_halves(a, b, touches, draws);

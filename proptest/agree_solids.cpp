@@ -13,7 +13,7 @@ namespace {
 
 using Polygon = std::vector<GridPoint>;
 
-Solid solid_of(const std::vector<Polygon>& polygons) {
+GridSolid solid_of(const std::vector<Polygon>& polygons) {
   SceneData data;
   std::map<GridPoint, VertexId> ids;
   for (const Polygon& polygon : polygons) {
@@ -194,7 +194,7 @@ std::vector<Polygon> touching(Draws& draws) {
 
 }  // namespace
 
-Solid random_solid(SolidKind kind, std::int64_t scale, Draws& draws) {
+GridSolid random_solid(SolidKind kind, std::int64_t scale, Draws& draws) {
   std::vector<Polygon> polygons;
   const GridPoint low = random_point(draws);
   const std::int64_t size = draws.from_to(1, 4);

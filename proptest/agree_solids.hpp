@@ -23,6 +23,6 @@ constexpr SolidKind kSolidKinds[] = {
 
 /// A random solid in a small part of the grid, `scale` steps wide; of two of
 /// them many faces, edges and corners coincide.
-Solid random_solid(SolidKind kind, std::int64_t scale, Draws& draws);
+GridSolid random_solid(SolidKind kind, std::int64_t scale, Draws& draws);
 
 }  // namespace halfspace::agree

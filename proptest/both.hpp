@@ -127,11 +127,9 @@ struct Ref {
   }
 
   // S6
-  static Solid to_solid(const halfspace::Solid& solid) {
-    return ref::to_solid(solid);
-  }
+  static Solid to_solid(const GridSolid& solid) { return ref::to_solid(solid); }
   /// What is outside of a solid that is not empty: polygons turned over.
-  static Solid complement_of(const halfspace::Solid& solid) {
+  static Solid complement_of(const GridSolid& solid) {
     return ref::to_solid(*make_solid(reversed(solid.scene())));
   }
   static Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,

@@ -131,7 +131,7 @@ void add_parts(const fast::Solid& solid, const fast::Face& face, Places& places,
               });
     for (std::size_t k = 0; k + 1 < crossing.size(); k += 2) {
       polygons.push_back(part_between(crossing[k], crossing[k + 1],
-                                      (normal[across] < 0) != face.turned));
+                                      (normal[across] < 0) != face.flipped));
     }
   }
 }

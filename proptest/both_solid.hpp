@@ -7,7 +7,7 @@
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/scene.hpp"
 
@@ -26,11 +26,11 @@ struct FastSolids {
   using Solid = fast::Solid;
 
   // S6
-  static Solid to_solid(const halfspace::Solid& solid) {
+  static Solid to_solid(const GridSolid& solid) {
     return fast::to_solid(solid);
   }
   /// What is outside of a solid that is not empty.
-  static Solid complement_of(const halfspace::Solid& solid) {
+  static Solid complement_of(const GridSolid& solid) {
     return fast::complement(fast::to_solid(solid));
   }
   static Solid boolean(BooleanOp operation, const Solid& a, const Solid& b) {
@@ -39,7 +39,9 @@ struct FastSolids {
   static bool is_solid(const Solid& solid) {
     return fast::check_operand(solid).has_value();
   }
-  static Solid resolve(const Solid& solid) { return fast::repair(solid).solid; }
+  static Solid resolve(const Solid& solid) {
+    return fast::resolve(solid).solid;
+  }
   static std::vector<std::vector<definition::Point>> polygons_of(
       const Solid& solid) {
     return halfspace::polygons_of(solid);

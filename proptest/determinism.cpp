@@ -14,9 +14,9 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/export.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/fast/tree_file.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/read_mesh.hpp"
@@ -194,7 +194,7 @@ void hash_solids(std::ostream& out) {
 
 /// Random heights over a field of squares, closed below. `turned`: stood on
 /// its edge, across one that lies.
-Solid field(std::uint64_t seed, bool turned) {
+GridSolid field(std::uint64_t seed, bool turned) {
   constexpr int kSquares = 20;
   agree::Draws draws(seed);
   SceneData data;
@@ -239,13 +239,13 @@ void hash_fast_booleans(bool with_inner, std::ostream& out) {
     const auto name = std::to_string(threads) + " threads ";
     Hash points, polygons;
     const auto add = [&](const fast::Solid& solid) {
-      const auto least = fast::exported(
-          fast::merged(solid, fast::Merge::kPlane), {.triangles = true});
+      const auto least = fast::to_mesh(
+          fast::merge_faces(solid, fast::Merge::kPlane), {.triangles = true});
       for (const auto& vertex : least.vertices) {
         for (const double c : vertex)
           points.add(std::bit_cast<std::uint64_t>(c));
       }
-      const auto mesh = fast::exported(solid, {.threads = threads});
+      const auto mesh = fast::to_mesh(solid, {.threads = threads});
       for (const VertexId corner : mesh.corners)
         polygons.add(static_cast<std::uint64_t>(corner));
       for (const std::uint32_t first : mesh.first_corner) polygons.add(first);
@@ -257,9 +257,9 @@ void hash_fast_booleans(bool with_inner, std::ostream& out) {
           BooleanOp::kDifference}) {
       add(fast::boolean(operation, a, b, threads));
     }
-    add(fast::combined(BooleanOp::kDifference,
-                       std::vector{a, b, fast::to_solid(field(3, true))},
-                       threads));
+    add(fast::boolean_all(BooleanOp::kDifference,
+                          std::vector{a, b, fast::to_solid(field(3, true))},
+                          threads));
     out << "fast booleans, " << name << points.text() << '\n';
     if (with_inner)
       out << "their polygons, " << name << polygons.text() << '\n';

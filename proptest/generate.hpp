@@ -58,8 +58,8 @@ std::set<std::string> all_troubles();
 /// Two solids. In a scene file of both, the first operand's polygons are black
 /// and the second's are white.
 struct SolidPair {
-  Solid a;
-  Solid b;
+  GridSolid a;
+  GridSolid b;
 };
 void showValue(const SolidPair& solids, std::ostream& out);
 

@@ -95,7 +95,7 @@ Polygons room() {
   return moved(scaled(std::move(polygons), 40), {-20, -20, -20});
 }
 
-Solid solid_of(const Polygons& polygons, Rgb color) {
+GridSolid solid_of(const Polygons& polygons, Rgb color) {
   auto solid = make_solid(scene_of(polygons, color));
   HALFSPACE_ASSERT(solid.has_value());
   return *solid;

@@ -29,7 +29,7 @@ ALONE = {
         "keep": "fast decides by memberships round an edge, not by classes",
         "close_junctions": "fast's results are made so; no step of its own",
         "volume6": "a rational; fast has none",
-        "rounded": "fast has exported(), of triangles",
+        "rounded": "fast has to_mesh(), of triangles",
     },
     ("fast", "predicate"): {
         "plane_corners": "three grid points; ref has the plane's rationals",

@@ -42,7 +42,7 @@ TESTS = {
     "exhaustive_test": "*", "agree_tree_test": "*", "agree_image_test": "*",
     "agree_display_tree_test": "*", "agree_boolean_test": "*",
     "fast_test": "FastRender*:Insert*:Build*:DisplayTree.O*:DisplayTree.L*:"
-                 "FastBoolean*:FastChain*:FastRepair*:FastNonsense*:"
+                 "FastBoolean*:FastChain*:FastResolve*:FastNonsense*:"
                  "-*ManyPairs*",
 }
 SOURCES = {

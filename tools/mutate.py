@@ -52,7 +52,7 @@ FILES = [
     "fast/src/raster/merge.cpp", "fast/src/tree/split.cpp", "fast/src/tree/scene_planes.cpp",
     "fast/src/tree/predicate.cpp", "fast/src/tree/splitter.cpp",
     "fast/src/tree/traverse.cpp", "fast/src/tree/insert.cpp", "fast/src/raster/screen.cpp",
-    "fast/src/raster/scan.cpp", "fast/src/intersect/crossings.cpp", "fast/src/camera/view.cpp",
+    "fast/src/raster/scan.cpp", "fast/src/intersect/self_intersections.cpp", "fast/src/camera/view.cpp",
     "fast/src/raster/culler.cpp", "fast/src/raster/shader.cpp", "fast/src/raster/drawer.cpp",
     "fast/src/sah/sah_builder.cpp", "fast/src/sah/axis_split.cpp",
     "fast/src/sah/leaf_order.cpp", "fast/src/sah/polygon_split.cpp",
@@ -67,12 +67,12 @@ FILES = [
     "fast/src/boolean/classify.cpp", "fast/src/solid/loops.cpp",
     "fast/src/intersect/radial_order.cpp", "fast/src/box/bvh.cpp",
     "fast/src/boolean/chain.cpp", "fast/src/solid/convex_merge.cpp",
-    "fast/src/solid/edge_packets.cpp", "fast/src/solid/export.cpp",
+    "fast/src/solid/edge_packets.cpp", "fast/src/solid/to_mesh.cpp",
     "fast/src/solid/merge_groups.cpp", "fast/src/solid/dynamic_bvh.cpp",
     "fast/src/base/list.cpp", "fast/src/intersect/point_location.cpp", "fast/src/solid/merge_faces.cpp",
     "fast/src/solid/vertex_order.cpp", "fast/src/boolean/conform.cpp",
     "fast/src/boolean/check_operand.cpp",
-    "fast/src/tree/plane_ids.cpp", "fast/src/boolean/repair.cpp",
+    "fast/src/tree/plane_ids.cpp", "fast/src/boolean/resolve.cpp",
     "fast/src/intersect/line_section.cpp", "fast/src/intersect/self_radial_order.cpp", "fast/src/solid/solid.cpp", "fast/src/table/geometry_table.cpp",
     "fast/src/table/planes.cpp", "fast/src/table/points.cpp",
     "fast/src/table/rounding.cpp", "fast/src/solid/face_triangulation.cpp",
@@ -114,9 +114,9 @@ REF_BOOLEAN = "Faces*:Keep*:Classify*:Boolean*:BadEdges*:Rounded*"
 # Those of faces take least, so they come first.
 FAST_BOOLEAN = ("FastBooleanFaces*:FastOperand*:FastBadEdges*:FastTable*:"
                 "FastHalves* "
-                "FastChain*:FastRepair*:FastThreads*:FastBoolean.* "
+                "FastChain*:FastResolve*:FastThreads*:FastBoolean.* "
                 "FastNonsense*")
-FAST_SPACE = "Space*:BoxTree*:FaceIndex*:Merged*:Digits* " + FAST_BOOLEAN
+FAST_SPACE = "Space*:BoxTree*:FaceIndex*:MergeFaces*:Digits* " + FAST_BOOLEAN
 
 # The slow ones stand apart, and come last.
 REF_RENDER = ("RefScan*:RefPainter*:RefRaycast*:RefRender*-*Algorithms* "
@@ -156,7 +156,7 @@ TESTS_OF = {
     "fast/src/predicate": {"agree_tree_test": "*Planes*:*Sides*:*Split*",
                            "proptest": "S1*"},
     "fast/src/scan": {"agree_image_test": "*Cover*", "proptest": ""},
-    "fast/src/crossings": {"fast_test": "FastRepair*"},
+    "fast/src/self_intersections": {"fast_test": "FastResolve*"},
     **{f"fast/src/{stem}": {"vectors_test": "*Implementations*",
                             "fast_test": FAST_IMAGE,
                             "agree_image_test": AGREE_IMAGE,
@@ -176,13 +176,13 @@ TESTS_OF = {
                          "fast_test": FAST_BOOLEAN},
     "fast/src/section": {"fast_test": "Section*"},
     "fast/src/mesh_order": {"fast_test": "MeshOrder*"},
-    "fast/src/noding": {"agree_boolean_test": "*",
-                        "fast_test": "FastNoding* FastNonsense*"},
+    "fast/src/conform": {"agree_boolean_test": "*",
+                        "fast_test": "FastConform* FastNonsense*"},
     "fast/src/list": {"fast_test": "List* " + FAST_BOOLEAN},
     **{f"fast/src/{stem}": {"agree_boolean_test": "*",
                             "fast_test": FAST_SPACE} for stem in (
-        "box_tree", "chain", "convex_parts", "export", "face_groups",
-        "face_index", "merged", "near_cells", "operand", "repair", "self_wings",
+        "box_tree", "chain", "convex_parts", "to_mesh", "face_groups",
+        "face_index", "merge_faces", "near_cells", "operand", "resolve", "self_wings",
         "solid", "space", "triangulate")},
     "fast/src/screen": {"vectors_test": "*Implementations*",
                         "fast_test": "KernelTiles* " + FAST_IMAGE,

@@ -32,7 +32,7 @@ struct Contestant {
 
 /// fast::Chain, one operand after the other; fast::boolean of just two.
 Contestant ours_in_turn();
-/// fast::combined, all operands at once, where there are more than two.
+/// fast::boolean_all, all operands at once, where there are more than two.
 Contestant ours_at_once();
 /// CGAL's corefinement with its exact kernel; only where it was built in.
 Contestant cgal();

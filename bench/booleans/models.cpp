@@ -147,7 +147,7 @@ std::vector<Triangles> menger_bars(int level, std::int64_t scale) {
   return bars;
 }
 
-Solid solid_of(const Triangles& triangles) {
+GridSolid solid_of(const Triangles& triangles) {
   SceneData data;
   data.vertices = triangles.points;
   data.grid_bits = grid_bits_for(data.vertices);

@@ -46,6 +46,6 @@ Triangles pyramid(std::int64_t side, const GridPoint& tip);
 std::vector<Triangles> menger_bars(int level, std::int64_t scale);
 
 /// The same as a valid solid, of one colour.
-Solid solid_of(const Triangles& triangles);
+GridSolid solid_of(const Triangles& triangles);
 
 }  // namespace halfspace::bench

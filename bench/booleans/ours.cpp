@@ -5,7 +5,7 @@
 #include "booleans/contestant.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "timing.hpp"
 
 namespace halfspace::bench {
@@ -41,7 +41,7 @@ fast::Solid lean(fast::Solid solid) {
     is_seen = 1;
   }
   if (4 * count > 3 * solid.faces.size()) return solid;
-  return fast::merged(std::move(solid), fast::Merge::kColor);
+  return fast::merge_faces(std::move(solid), fast::Merge::kColor);
 }
 
 template <class Evaluate>
@@ -50,7 +50,7 @@ std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
   const double start = process_ms();
   std::vector<fast::Solid> solids;
   for (const Triangles& operand : task.operands) {
-    const Solid solid = solid_of(operand);
+    const GridSolid solid = solid_of(operand);
     const auto part = static_cast<std::int32_t>(solids.size());
     solids.push_back(lean(solids.empty()
                               ? fast::to_solid(solid)
@@ -59,8 +59,8 @@ std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
   const double imported = process_ms();
   fast::Solid result = evaluate(std::move(solids));
   const double done = process_ms();
-  result = fast::merged(std::move(result), fast::Merge::kPlane);
-  const fast::ExportedMesh mesh = fast::exported(result, {.triangles = true});
+  result = fast::merge_faces(std::move(result), fast::Merge::kPlane);
+  const fast::ExportedMesh mesh = fast::to_mesh(result, {.triangles = true});
   outcome.output_ms = process_ms() - done;
   outcome.import_ms = imported - start;
   outcome.boolean_ms = done - imported;
@@ -83,7 +83,7 @@ std::optional<Outcome> in_turn(const BooleanCase& task) {
 
 std::optional<Outcome> at_once(const BooleanCase& task) {
   return timed(task, [&](const std::vector<fast::Solid>& solids) {
-    return fast::combined(task.operation, solids);
+    return fast::boolean_all(task.operation, solids);
   });
 }
 

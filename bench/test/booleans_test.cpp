@@ -6,7 +6,7 @@
 #include "booleans/contestant.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 
 namespace halfspace::bench {
 namespace {
@@ -30,13 +30,14 @@ TEST(Booleans, SurfacesAreTheLeastOnes) {
 std::size_t triangles_on_ground(const BooleanCase& task) {
   std::vector<fast::Solid> solids;
   for (const Triangles& operand : task.operands) {
-    const Solid solid = solid_of(operand);
+    const GridSolid solid = solid_of(operand);
     solids.push_back(solids.empty() ? fast::to_solid(solid)
                                     : fast::to_solid(solid, solids[0]));
   }
-  const auto mesh = fast::exported(
-      fast::merged(fast::combined(task.operation, solids), fast::Merge::kPlane),
-      {.triangles = true});
+  const auto mesh =
+      fast::to_mesh(fast::merge_faces(fast::boolean_all(task.operation, solids),
+                                      fast::Merge::kPlane),
+                    {.triangles = true});
   std::size_t count = 0;
   for (std::size_t t = 0; t < mesh.faces.size(); ++t) {
     bool is_low = true;

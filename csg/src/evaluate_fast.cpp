@@ -7,10 +7,10 @@
 #include "halfspace/csg/volume.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
 #include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/io/load_scene.hpp"
 
 namespace halfspace::csg {
@@ -34,16 +34,16 @@ class FastAlgebra {
         leaf_count_(static_cast<std::int32_t>(plan.leaves.size())) {}
 
   Result<Value> leaf(std::int32_t id) {
-    const Result<Solid> solid = operands_.leaf(id);
+    const Result<GridSolid> solid = operands_.leaf(id);
     if (!solid) return solid.error();
     Value value = numbered(fast::to_solid(*solid, nothing_, id),
                            operands_.polygons_of(id));
     if (!operands_.to_repair(id)) return value;
-    fast::Repaired repaired = fast::repair(value);
-    if (repaired.solid.faces.empty()) return operands_.nothing_left(id);
-    repairs_.push_back({id, repaired.crossings.size(), repaired.faces_cut,
-                        repaired.faces_dropped});
-    return std::move(repaired.solid);
+    fast::Resolved resolved = fast::resolve(value);
+    if (resolved.solid.faces.empty()) return operands_.nothing_left(id);
+    repairs_.push_back({id, resolved.self_intersections.size(),
+                        resolved.faces_cut, resolved.faces_dropped});
+    return std::move(resolved.solid);
   }
 
   Result<Value> plane(std::int32_t id) {
@@ -73,7 +73,7 @@ class FastAlgebra {
            (kind == NodeKind::kUnion || kind == NodeKind::kIntersection);
   }
   Value combine_all(NodeKind kind, const std::vector<Value>& values) {
-    return fast::combined(boolean_op(kind), values, threads_);
+    return fast::boolean_all(boolean_op(kind), values, threads_);
   }
 
  private:
@@ -94,11 +94,11 @@ class FastAlgebra {
 fast::Solid merged_by(fast::Solid solid, MergeRule rule) {
   switch (rule) {
     case MergeRule::kOrigin:
-      return fast::merged(std::move(solid), fast::Merge::kOrigin);
+      return fast::merge_faces(std::move(solid), fast::Merge::kOrigin);
     case MergeRule::kColor:
-      return fast::merged(std::move(solid), fast::Merge::kColor);
+      return fast::merge_faces(std::move(solid), fast::Merge::kColor);
     case MergeRule::kPlane:
-      return fast::merged(std::move(solid), fast::Merge::kPlane);
+      return fast::merge_faces(std::move(solid), fast::Merge::kPlane);
     case MergeRule::kNone:
       break;
   }
@@ -182,7 +182,7 @@ Outcome finished(fast::Solid solid, const EvaluateOptions& options) {
   // In steps, doubles hold every point of the grid.
   solid.unit = {2, 0};
   const fast::ExportOptions how{options.triangles, options.threads};
-  fast::ExportedMesh mesh = fast::exported(solid, how);
+  fast::ExportedMesh mesh = fast::to_mesh(solid, how);
   result.polygons = mesh.faces.size();
   result.bad_edges = bad_edges_of(mesh);
   result.volume = about_volume(mesh.vertices, mesh.first_corner, mesh.corners) *
@@ -194,10 +194,10 @@ Outcome finished(fast::Solid solid, const EvaluateOptions& options) {
   result.scene = scene_of(mesh, unit);
   if (result.scene) return result;
   solid.unit = unit;
-  if (unit != Unit{2, 0}) mesh = fast::exported(solid, how);
+  if (unit != Unit{2, 0}) mesh = fast::to_mesh(solid, how);
   result.moved = mesh.moved;
   result.max_move = mesh.max_move;
-  result.turned = std::move(mesh.turned);
+  result.flipped = std::move(mesh.flipped);
   result.mesh = {std::move(mesh.vertices), std::move(mesh.first_corner),
                  std::move(mesh.corners), std::move(mesh.colors)};
   return result;

@@ -23,7 +23,7 @@ class RefAlgebra {
       : operands_(operands), options_(options) {}
 
   Result<Value> leaf(std::int32_t id) {
-    const Result<Solid> solid = operands_.leaf(id);
+    const Result<GridSolid> solid = operands_.leaf(id);
     if (!solid) return solid.error();
     Value value{ref::to_solid(*solid), false};
     if (!operands_.to_repair(id)) return value;

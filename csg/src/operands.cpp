@@ -58,13 +58,13 @@ fast::Solid numbered(fast::Solid solid,
 
 /// Whether the surface must be repaired; an error if that is not wanted.
 Result<bool> Operands::needs_repair(
-    const Solid& solid, const std::vector<PolygonId>& polygons) const {
+    const GridSolid& solid, const std::vector<PolygonId>& polygons) const {
   if (solid.scene().polygon_count() == 0) return false;
   if (!options_.find_crossings) {
     // What is found without a search.
     const std::string volume = exact_volume(solid.scene());
     if (volume != "0" && volume.front() != '-') return false;
-    return Error{ErrorCode::kNotClosed,
+    return Error{ErrorCode::kInsideOut,
                  volume == "0"
                      ? "the surface holds nothing: its volume is 0"
                      : "the surface is inside out: its volume is " + volume};
@@ -93,7 +93,7 @@ Result<Done> Operands::read_files() {
     Result<Scene> scene = make_scene(trimmed(loaded->file.scene));
     if (!scene) return io::error_about(path, scene.error());
     *scene = closed(*std::move(scene));
-    const Result<Solid> solid = make_solid(*scene);
+    const Result<GridSolid> solid = make_solid(*scene);
     if (!solid) return io::error_about(path, solid.error());
     const Result<bool> repairs = needs_repair(*solid, loaded->polygons);
     if (!repairs) return io::error_about(path, repairs.error());
@@ -214,13 +214,13 @@ Result<Scene> Operands::moved_scene(const Leaf& leaf,
 Error Operands::nothing_left(std::int32_t leaf) const {
   return io::error_about(
       path_of(leaf),
-      {ErrorCode::kNotClosed,
+      {ErrorCode::kInsideOut,
        options_.repair_word +
            " leaves nothing of it: its surface winds round no place as it "
            "should, so it is empty or inside out"});
 }
 
-Result<Solid> Operands::leaf(std::int32_t id) {
+Result<GridSolid> Operands::leaf(std::int32_t id) {
   const Leaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
   const auto located = [&](Error error) {
     // The first matrix moves nothing.
@@ -232,7 +232,7 @@ Result<Solid> Operands::leaf(std::int32_t id) {
   std::vector<PolygonId>& polygons = polygons_[static_cast<std::size_t>(id)];
   Result<Scene> scene = moved_scene(leaf, polygons);
   if (!scene) return located(scene.error());
-  Result<Solid> solid = make_solid(closed(*std::move(scene)));
+  Result<GridSolid> solid = make_solid(closed(*std::move(scene)));
   if (!solid) return located(solid.error());
   // An exact map makes no new crossings.
   bool repairs = source_of(id).to_repair;
@@ -270,14 +270,14 @@ Result<std::array<GridPoint, 3>> Operands::plane(std::int32_t id) {
                       "one line; choose them farther apart");
 }
 
-Solid Operands::nothing() const {
+GridSolid Operands::nothing() const {
   SceneData data;
   data.unit = report_.unit;
   data.grid_bits = report_.grid_bits;
   Result<Scene> scene = make_scene(std::move(data));
   if (!scene) return {};
-  Result<Solid> solid = make_solid(*std::move(scene));
-  return solid ? *std::move(solid) : Solid();
+  Result<GridSolid> solid = make_solid(*std::move(scene));
+  return solid ? *std::move(solid) : GridSolid();
 }
 
 }  // namespace halfspace::csg

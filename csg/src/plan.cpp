@@ -265,7 +265,7 @@ bool Planner::reach_of(Step& step) {
   }
   const bool half = step.halves > 0 || (is_difference && is_half(*begin));
   if (half && !decided) {
-    return fail(step.place, ErrorCode::kNotClosed,
+    return fail(step.place, ErrorCode::kUnbounded,
                 "the surface of this would reach infinitely far; cut a solid, "
                 "as in solid & half(x < 5)");
   }
@@ -303,7 +303,7 @@ Result<Plan> Planner::plan() {
   if (!make_steps()) return *error_;
   const Step& result = plan_.steps.back();
   if (result.reach == Reach::kBounded) return std::move(plan_);
-  return error_at(result.place, ErrorCode::kNotClosed,
+  return error_at(result.place, ErrorCode::kUnbounded,
                   result.reach == Reach::kHalf
                       ? "the result is all on one side of a plane; cut a solid "
                         "with it"

@@ -103,7 +103,7 @@ TEST(CsgPlan, SurfacesThatReachInfinitelyFarAreRefused) {
   const auto verdict = [](const std::string& text) {
     const Result<Plan> plan = planned(text);
     if (plan) return std::string("fine");
-    EXPECT_EQ(plan.error().code, ErrorCode::kNotClosed);
+    EXPECT_EQ(plan.error().code, ErrorCode::kUnbounded);
     return plan.error().message.substr(0, 17);
   };
   for (const char* fine :

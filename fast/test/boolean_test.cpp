@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "intersect/candidates.hpp"
 #include "lattice.hpp"
 
@@ -43,8 +43,8 @@ Cubes combined(BooleanOp operation, const Cubes& a, const Cubes& b) {
 
 /// How many triangles the mesh has, and that it is closed.
 std::size_t triangles_of(const Solid& solid) {
-  const ExportedMesh mesh = exported(solid, {.triangles = true});
-  EXPECT_TRUE(mesh.turned.empty());
+  const ExportedMesh mesh = to_mesh(solid, {.triangles = true});
+  EXPECT_TRUE(mesh.flipped.empty());
   std::map<std::pair<VertexId, VertexId>, int> uses;
   for (std::size_t p = 0; p < mesh.faces.size(); ++p) {
     EXPECT_EQ(mesh.first_corner[p + 1], 3 * p + 3);
@@ -84,14 +84,14 @@ void expect_cubes(const Solid& solid, const Cubes& cubes) {
   bool whole = false;
   ASSERT_TRUE(lattice::outline(solid, whole) == lattice::outline(cubes));
   ASSERT_TRUE(whole);
-  const Solid least = merged(solid, Merge::kPlane);
+  const Solid least = merge_faces(solid, Merge::kPlane);
   ASSERT_TRUE(bad_edges(least).empty());
   ASSERT_TRUE(lattice::outline(least, whole) == lattice::outline(cubes));
   ASSERT_TRUE(whole);
   ASSERT_TRUE(lattice::is_least(least));
   triangles_of(least);
   const auto count = std::count(cubes.full.begin(), cubes.full.end(), true);
-  ASSERT_EQ(volume6(exported(least)), 6.0 * static_cast<double>(count));
+  ASSERT_EQ(volume6(to_mesh(least)), 6.0 * static_cast<double>(count));
 }
 
 /// What is checked of a campaign's many pairs: the surface, and that merged it
@@ -101,7 +101,7 @@ void expect_surface(const Solid& solid, const Cubes& cubes) {
   bool whole = false;
   ASSERT_TRUE(lattice::outline(solid, whole) == lattice::outline(cubes));
   ASSERT_TRUE(whole);
-  ASSERT_TRUE(lattice::is_least(merged(solid, Merge::kPlane)));
+  ASSERT_TRUE(lattice::is_least(merge_faces(solid, Merge::kPlane)));
 }
 
 TEST(FastBoolean, SolidsOfCubesAreCombinedCubeByCube) {
@@ -130,7 +130,7 @@ TEST(FastBoolean, SolidsOfCubesAreCombinedCubeByCube) {
       ASSERT_NO_FATAL_FAILURE(
           expect_cubes(boolean(then, result, third), combined(then, cubes, c)));
       ASSERT_NO_FATAL_FAILURE(
-          expect_cubes(boolean(then, third, merged(result, Merge::kPlane)),
+          expect_cubes(boolean(then, third, merge_faces(result, Merge::kPlane)),
                        combined(then, c, cubes)));
     }
   }
@@ -155,8 +155,8 @@ TEST(FastBoolean, ManyPairsOfSolidsOfCubes) {
     Solid first = to_solid(lattice::surface(a));
     Solid second = to_solid(lattice::surface(b), first);
     // In unit squares, and in as few faces as can be.
-    if (pair % 16 != 0) first = merged(first, Merge::kPlane);
-    if (pair % 16 > 1) second = merged(second, Merge::kPlane);
+    if (pair % 16 != 0) first = merge_faces(first, Merge::kPlane);
+    if (pair % 16 > 1) second = merge_faces(second, Merge::kPlane);
     for (const BooleanOp operation : kOperations) {
       ASSERT_NO_FATAL_FAILURE(expect_surface(boolean(operation, first, second),
                                              combined(operation, a, b)));
@@ -180,9 +180,9 @@ Cubes cubes_of(const std::array<int, 3>& low, const std::array<int, 3>& high) {
 Solid block(const std::array<int, 3>& low, const std::array<int, 3>& high,
             Rgb color, const Solid* with) {
   const auto surface = lattice::surface(cubes_of(low, high));
-  Solid solid =
-      merged(with != nullptr ? to_solid(surface, *with) : to_solid(surface),
-             Merge::kPlane);
+  Solid solid = merge_faces(
+      with != nullptr ? to_solid(surface, *with) : to_solid(surface),
+      Merge::kPlane);
   for (Face& face : solid.faces) face.color = color;
   return solid;
 }
@@ -224,9 +224,10 @@ TEST(FastBoolean, OfComplementsAreTheComplements) {
                               : lattice::random_cubes(2, state);
     const Cubes b = pair == 0 ? cubes_of({0, 0, 0}, {4, 4, 4})
                               : lattice::random_cubes(4, state);
-    const Solid first = merged(to_solid(lattice::surface(a)), Merge::kPlane);
+    const Solid first =
+        merge_faces(to_solid(lattice::surface(a)), Merge::kPlane);
     const Solid second =
-        merged(to_solid(lattice::surface(b), first), Merge::kPlane);
+        merge_faces(to_solid(lattice::surface(b), first), Merge::kPlane);
     const auto expect = [&](BooleanOp operation, const Solid& x, const Solid& y,
                             const Cubes& cubes) {
       const Solid result = boolean(operation, x, y);
@@ -243,7 +244,7 @@ TEST(FastBoolean, OfComplementsAreTheComplements) {
 }
 
 /// The octahedron of radius 4 about a point.
-halfspace::Solid octahedron(const GridPoint& at) {
+GridSolid octahedron(const GridPoint& at) {
   SceneData data;
   for (const std::int64_t r : {4, -4}) {
     data.vertices.push_back({at.x + r, at.y, at.z});
@@ -256,7 +257,7 @@ halfspace::Solid octahedron(const GridPoint& at) {
   data.colors.resize(8);
   Result<Scene> scene = make_scene(std::move(data));
   EXPECT_TRUE(scene);
-  Result<halfspace::Solid> solid = make_solid(*std::move(scene));
+  Result<GridSolid> solid = make_solid(*std::move(scene));
   EXPECT_TRUE(solid);
   return *std::move(solid);
 }
@@ -271,12 +272,12 @@ TEST(FastBoolean, PartsOfAFaceAreOnSidesOfTheirOwn) {
       state = state * 6364136223846793005u + 1442695040888963407u;
       *c = static_cast<std::int64_t>(state >> 33) % 9 - 4;
     }
-    const halfspace::Solid solid = octahedron(at);
+    const GridSolid solid = octahedron(at);
     return with == nullptr ? to_solid(solid) : to_solid(solid, *with);
   };
   const auto volume = [](const Solid& solid) {
     triangles_of(solid);
-    return volume6(exported(solid));
+    return volume6(to_mesh(solid));
   };
   for (int i = 0; i < 200; ++i) {
     SCOPED_TRACE("triple " + std::to_string(i));
@@ -313,7 +314,8 @@ TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
       const bool odd = at[0] % 2 == 1 && at[1] % 2 == 1;
       plates.full[i] = at[2] % 3 == 1 && (state >> 33) % 8 >= (odd ? 6 : 1);
     }
-    const Solid a = merged(to_solid(lattice::surface(plates)), Merge::kPlane);
+    const Solid a =
+        merge_faces(to_solid(lattice::surface(plates)), Merge::kPlane);
     const Solid b =
         to_solid(lattice::surface(lattice::random_cubes(1, state)), a);
     const EdgeBlocks blocks(a);
@@ -337,7 +339,7 @@ TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
 }
 
 /// Blocks in a row, two steps long and two apart.
-halfspace::Solid teeth(int count) {
+GridSolid teeth(int count) {
   SceneData data;
   for (int i = 0; i < count; ++i) {
     const auto first = static_cast<VertexId>(data.vertices.size());
@@ -373,8 +375,8 @@ double time_of_rod(int count, const GridPoint& low, const GridPoint& high) {
   const double time = static_cast<double>(std::clock() - start);
   const double area = static_cast<double>((high.y - low.y) * (high.z - low.z));
   const double rest6 = 6 * area * (2 * count + 1);
-  EXPECT_EQ(volume6(exported(rest)), rest6);
-  EXPECT_EQ(volume6(exported(both)), 6.0 * 200 * count + rest6);
+  EXPECT_EQ(volume6(to_mesh(rest)), rest6);
+  EXPECT_EQ(volume6(to_mesh(both)), 6.0 * 200 * count + rest6);
   EXPECT_TRUE(bad_edges(both).empty());
   return time;
 }

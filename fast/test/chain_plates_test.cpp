@@ -7,12 +7,12 @@
 
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-halfspace::Solid box(const GridPoint& low, const GridPoint& high) {
+GridSolid box(const GridPoint& low, const GridPoint& high) {
   SceneData data;
   for (int k = 0; k < 8; ++k) {
     data.vertices.push_back({(k & 1) != 0 ? high.x : low.x,
@@ -39,10 +39,10 @@ Solid plates(std::mt19937& random) {
       holes.push_back(to_solid(box({x - 1, y, z}, {x + 5, y + 5, z + 5}), all));
     }
   }
-  Solid result =
-      merged(boolean(BooleanOp::kDifference, combined(BooleanOp::kUnion, solid),
-                     combined(BooleanOp::kUnion, holes)),
-             Merge::kPlane);
+  Solid result = merge_faces(
+      boolean(BooleanOp::kDifference, boolean_all(BooleanOp::kUnion, solid),
+              boolean_all(BooleanOp::kUnion, holes)),
+      Merge::kPlane);
   std::stable_partition(result.faces.begin(), result.faces.end(),
                         [](const Face& face) { return face.edge_count > 9; });
   return result;
@@ -72,8 +72,8 @@ TEST(FastChain, TellsWhatIsBehindFacesWithManyEdges) {
       plain = boolean(BooleanOp::kDifference, plain, tool);
       chain.apply(BooleanOp::kDifference, tool);
       if (plain.faces.size() >= before + 6) ++inside;
-      const ExportedMesh a = exported(plain, {.triangles = true});
-      const ExportedMesh b = exported(chain.solid(), {.triangles = true});
+      const ExportedMesh a = to_mesh(plain, {.triangles = true});
+      const ExportedMesh b = to_mesh(chain.solid(), {.triangles = true});
       ASSERT_EQ(a.vertices, b.vertices) << round << " " << step;
       ASSERT_EQ(a.corners, b.corners) << round << " " << step;
     }
@@ -92,9 +92,9 @@ Solid combs() {
           to_solid(box({x - 1, y, 16 + x / 2}, {x + 5, y + 5, 65}), all));
     }
   }
-  return merged(
-      boolean(BooleanOp::kDifference, combined(BooleanOp::kUnion, solid),
-              combined(BooleanOp::kUnion, notches)),
+  return merge_faces(
+      boolean(BooleanOp::kDifference, boolean_all(BooleanOp::kUnion, solid),
+              boolean_all(BooleanOp::kUnion, notches)),
       Merge::kPlane);
 }
 
@@ -122,8 +122,8 @@ TEST(FastChain, WhatIsNearAndNotCutKeepsItsOwnEdges) {
       plain = boolean(BooleanOp::kDifference, plain, tool);
       chain.apply(BooleanOp::kDifference, tool);
       if (plain.faces.size() == before) ++passed;
-      const ExportedMesh a = exported(plain, {.triangles = true});
-      const ExportedMesh b = exported(chain.solid(), {.triangles = true});
+      const ExportedMesh a = to_mesh(plain, {.triangles = true});
+      const ExportedMesh b = to_mesh(chain.solid(), {.triangles = true});
       ASSERT_EQ(a.vertices, b.vertices) << round << " " << step;
       ASSERT_EQ(a.corners, b.corners) << round << " " << step;
     }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "lattice.hpp"
 
 namespace halfspace::fast {
@@ -81,39 +81,39 @@ TEST(FastChain, UnionsAreTheSameInAnyOrderAndLeast) {
                          : to_solid(lattice::surface(cubes), solids[0], part));
   }
   const auto least = [](const Solid& solid) {
-    return exported(merged(solid, Merge::kPlane), {.triangles = true});
+    return to_mesh(merge_faces(solid, Merge::kPlane), {.triangles = true});
   };
-  const ExportedMesh block = least(combined(BooleanOp::kUnion, solids));
+  const ExportedMesh block = least(boolean_all(BooleanOp::kUnion, solids));
   EXPECT_EQ(block.faces.size(), 12u);
   EXPECT_EQ(block.vertices.size(), 8u);
   // Every other cube, in three orders, and one after the other.
   std::vector<Solid> some;
   for (std::size_t i = 0; i < solids.size(); i += 2 + i % 3)
     some.push_back(solids[i]);
-  const ExportedMesh expected = least(combined(BooleanOp::kUnion, some));
+  const ExportedMesh expected = least(boolean_all(BooleanOp::kUnion, some));
   EXPECT_GT(expected.faces.size(), 12u);
   for (int turn = 0; turn < 3; ++turn) {
     std::rotate(some.begin(), some.begin() + 7, some.end());
     if (turn == 1) std::reverse(some.begin(), some.end());
-    EXPECT_TRUE(same_bytes(least(combined(BooleanOp::kUnion, some)), expected));
+    EXPECT_TRUE(
+        same_bytes(least(boolean_all(BooleanOp::kUnion, some)), expected));
     Chain chain(some[0]);
     for (std::size_t i = 1; i < some.size(); ++i)
       chain.apply(BooleanOp::kUnion, some[i]);
     EXPECT_TRUE(same_bytes(least(chain.solid()), expected));
   }
   // The block without some of its cubes, one after the other and at once.
-  Chain rest(combined(BooleanOp::kUnion, solids));
+  Chain rest(boolean_all(BooleanOp::kUnion, solids));
   for (const Solid& cube : some) rest.apply(BooleanOp::kDifference, cube);
-  some.insert(some.begin(), combined(BooleanOp::kUnion, solids));
+  some.insert(some.begin(), boolean_all(BooleanOp::kUnion, solids));
   EXPECT_TRUE(same_bytes(least(rest.solid()),
-                         least(combined(BooleanOp::kDifference, some))));
+                         least(boolean_all(BooleanOp::kDifference, some))));
 }
 
 /// Cubes under a linear map: of two such maps, no two solids have a plane in
 /// common but by chance, and corners of what is cut are fractions. Coordinates
 /// and slopes have either sign.
-halfspace::Solid skewed(int which, const Cubes& cubes,
-                        const GridPoint& by = {}) {
+GridSolid skewed(int which, const Cubes& cubes, const GridPoint& by = {}) {
   SceneData data = lattice::surface(cubes).scene().data();
   for (GridPoint& p : data.vertices) {
     p = {5 * p.x + (which % 4 == 2 ? -2 : which % 4) * p.y + by.x - 60,
@@ -123,26 +123,26 @@ halfspace::Solid skewed(int which, const Cubes& cubes,
   return *make_solid(*make_scene(std::move(data)));
 }
 
-halfspace::Solid skewed(int which, std::uint64_t& state) {
+GridSolid skewed(int which, std::uint64_t& state) {
   return skewed(which, lattice::random_cubes(4, state));
 }
 
 TEST(FastChain, UnionsOfAnySolidsAreTheSameInAnyOrder) {
   std::uint64_t state = 37;
-  std::vector<halfspace::Solid> all;
+  std::vector<GridSolid> all;
   for (int i = 0; i < 7; ++i) all.push_back(skewed(i, state));
   const auto least = [](const Solid& solid) {
-    return exported(merged(solid, Merge::kPlane), {.triangles = true});
+    return to_mesh(merge_faces(solid, Merge::kPlane), {.triangles = true});
   };
   std::optional<ExportedMesh> expected;
   for (std::size_t step = 1; step < 7; ++step) {
     // The table of planes and points, too, begins with another one.
     std::vector<Solid> solids;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const halfspace::Solid& solid = all[(step + i * step) % 7];
+      const GridSolid& solid = all[(step + i * step) % 7];
       solids.push_back(i == 0 ? to_solid(solid) : to_solid(solid, solids[0]));
     }
-    const ExportedMesh at_once = least(combined(BooleanOp::kUnion, solids));
+    const ExportedMesh at_once = least(boolean_all(BooleanOp::kUnion, solids));
     if (!expected) expected = at_once;
     EXPECT_GT(at_once.moved, 20u);
     EXPECT_TRUE(same_bytes(at_once, *expected));
@@ -171,7 +171,7 @@ Solid plates(std::uint64_t& state, const Solid* with) {
     }
     parts.push_back(to_solid(solid, *with));
   }
-  return combined(BooleanOp::kUnion, parts);
+  return boolean_all(BooleanOp::kUnion, parts);
 }
 
 TEST(FastChain, FacesWithManyEdgesAreCutAsTheirPartsAre) {
@@ -179,12 +179,12 @@ TEST(FastChain, FacesWithManyEdgesAreCutAsTheirPartsAre) {
   std::uint64_t state = 53;
   std::size_t most = 0;
   const auto least = [](const Solid& solid) {
-    return exported(merged(solid, Merge::kPlane), {.triangles = true});
+    return to_mesh(merge_faces(solid, Merge::kPlane), {.triangles = true});
   };
   for (int row = 0; row < 3; ++row) {
     SCOPED_TRACE("row " + std::to_string(row));
     const Solid squares = plates(state, nullptr);
-    const Solid whole = merged(squares, Merge::kPlane);
+    const Solid whole = merge_faces(squares, Merge::kPlane);
     for (const Face& face : whole.faces)
       most = std::max(most, std::size_t{face.edge_count});
     // Another one under the same map has planes in common with it.
@@ -193,7 +193,7 @@ TEST(FastChain, FacesWithManyEdgesAreCutAsTheirPartsAre) {
                  : to_solid(skewed(row, lattice::random_cubes(4, state),
                                    {50, 40, 1 - row}),
                             squares);
-    const Solid other_whole = merged(other, Merge::kPlane);
+    const Solid other_whole = merge_faces(other, Merge::kPlane);
     for (const BooleanOp operation :
          {BooleanOp::kUnion, BooleanOp::kIntersection,
           BooleanOp::kDifference}) {
@@ -232,7 +232,7 @@ bool same_solid(const Solid& a, const Solid& b) {
   for (std::size_t f = 0; f < a.faces.size(); ++f) {
     const Face& x = a.faces[f];
     const Face& y = b.faces[f];
-    if (x.plane != y.plane || x.turned != y.turned || x.source != y.source ||
+    if (x.plane != y.plane || x.flipped != y.flipped || x.source != y.source ||
         x.from_first != y.from_first || x.first_edge != y.first_edge ||
         x.edge_count != y.edge_count)
       return false;
@@ -257,7 +257,7 @@ TEST(FastThreads, ABooleanIsTheSameByAnyNumberOfThem) {
         const Solid second = to_solid(lattice::surface(b), first);
         const Solid result = boolean(operation, first, second, threads);
         const ExportedMesh written =
-            exported(result, {.triangles = true, .threads = threads});
+            to_mesh(result, {.triangles = true, .threads = threads});
         if (!expected) {
           expected = result;
           mesh = written;
@@ -286,10 +286,10 @@ TEST(FastThreads, ManySolidsAreCombinedIntoTheSameMesh) {
   }
   for (const BooleanOp operation :
        {BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference}) {
-    const ExportedMesh expected = exported(combined(operation, solids));
+    const ExportedMesh expected = to_mesh(boolean_all(operation, solids));
     for (int threads = 2; threads <= 4; ++threads) {
-      const Solid result = combined(operation, solids, threads);
-      ASSERT_TRUE(same_bytes(exported(result), expected));
+      const Solid result = boolean_all(operation, solids, threads);
+      ASSERT_TRUE(same_bytes(to_mesh(result), expected));
     }
   }
 }

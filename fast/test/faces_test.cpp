@@ -42,7 +42,8 @@ Solid with_faces_of(BooleanOp operation, const Solid& a, const Solid& b) {
     EXPECT_EQ(face.plane, source.plane);
     EXPECT_TRUE(face.box == face_box(result, face));
     EXPECT_TRUE(goes_round(result, face));
-    EXPECT_TRUE(seen.emplace(face.from_first, face.source, face.turned).second);
+    EXPECT_TRUE(
+        seen.emplace(face.from_first, face.source, face.flipped).second);
   }
   return result;
 }
@@ -61,7 +62,8 @@ TEST(FastBooleanFaces, AreOfTheirSourcesAndGoRound) {
       a.full[i] = i < 64 && i != 27 && i != 45 && i != 30;
       b.full[i] = i == 0;
     }
-    const Solid first = merged(to_solid(lattice::surface(a)), Merge::kPlane);
+    const Solid first =
+        merge_faces(to_solid(lattice::surface(a)), Merge::kPlane);
     const Solid second = to_solid(lattice::surface(b), first);
     for (const BooleanOp operation : kOperations) {
       const Solid result = with_faces_of(operation, first, second);
@@ -102,7 +104,8 @@ TEST(FastBooleanFaces, InPartsGoWhereEachPartIs) {
     channels.full[i] = (is_channel(x) || is_channel(y)) && z > 1;
     prongs.full[i] = block.full[i] && !channels.full[i];
   }
-  const Solid whole = merged(to_solid(lattice::surface(block)), Merge::kPlane);
+  const Solid whole =
+      merge_faces(to_solid(lattice::surface(block)), Merge::kPlane);
   const Solid cut =
       with_faces_of(BooleanOp::kDifference, whole,
                     to_solid(lattice::surface(channels), whole, 1));
@@ -148,7 +151,7 @@ TEST(FastBooleanFaces, KeepVerticesOfPartsThatStay) {
   for (Face& face : whole.faces) {
     if (face.box.low[2] > 3 && face.box.low[0] > 3) face.color.r = 1;
   }
-  whole = merged(whole, Merge::kColor);
+  whole = merge_faces(whole, Merge::kColor);
   EXPECT_EQ(whole.faces.size(), 7u);
   const Solid cut =
       with_faces_of(BooleanOp::kDifference, whole,
@@ -181,8 +184,9 @@ TEST(FastBooleanFaces, EndAtNoPointWhereNothingTurns) {
   }
   for (const auto& [d, e] : {std::pair(2, 1), std::pair(4, 4)}) {
     const Solid inner = pyramid(d, e);
-    const Solid outer = moved_to(
-        merged(to_solid(lattice::surface(cubes)), Merge::kPlane), inner.space);
+    const Solid outer =
+        moved_to(merge_faces(to_solid(lattice::surface(cubes)), Merge::kPlane),
+                 inner.space);
     // Vertices of the cube, which stay, are where nothing turns afterwards.
     const auto beside = [&inner](const lattice::Cubes& full) {
       return moved_to(to_solid(lattice::surface(full)), inner.space);
@@ -261,7 +265,7 @@ TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
     others[13].full[i] = x == 7 && z < 3;
     others[14].full[i] = x == 3 && y == 3 && (z == 0 || z == 4);
   }
-  Solid whole = merged(to_solid(lattice::surface(plate)), Merge::kPlane);
+  Solid whole = merge_faces(to_solid(lattice::surface(plate)), Merge::kPlane);
   std::stable_sort(
       whole.faces.begin(), whole.faces.end(),
       [](const Face& f, const Face& g) { return f.edge_count > g.edge_count; });

@@ -114,7 +114,7 @@ Cubes random_cubes(int lump, std::uint64_t& state) {
   return cubes;
 }
 
-Solid surface(const Cubes& cubes) {
+GridSolid surface(const Cubes& cubes) {
   SceneData data;
   std::vector<VertexId> ids(kPoints * kPoints * kPoints, -1);
   for_squares(cubes, [&](const std::array<Place, 4>& corners, int, bool) {
@@ -161,7 +161,7 @@ Outline outline(const fast::Solid& solid, bool& whole) {
       const Place to = place_of(solid, edge.to);
       whole = whole && from[static_cast<std::size_t>(axis)] ==
                            to[static_cast<std::size_t>(axis)];
-      add_edge(axis, !face.turned, from, to, result);
+      add_edge(axis, !face.flipped, from, to, result);
     }
   }
   return result;

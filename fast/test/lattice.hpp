@@ -22,7 +22,7 @@ struct Cubes {
 Cubes random_cubes(int lump, std::uint64_t& state);
 
 /// The surface in unit squares.
-Solid surface(const Cubes& cubes);
+GridSolid surface(const Cubes& cubes);
 
 /// The outlines of a surface's faces: for each grid step in each plane, and
 /// each way that a face may look, how often it is gone forwards rather than

@@ -12,9 +12,9 @@
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
 #include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "intersect/candidates.hpp"
 #include "solid/loops.hpp"
 #include "table/geometry_table.hpp"
@@ -158,8 +158,8 @@ TEST(FastNonsense, EveryBooleanOfClosedSurfacesEnds) {
     const bool fine = check_operand(a) && check_operand(b);
     if (!fine) ++refused;
     if (seed % 2 == 0) {
-      a = merged(a, Merge::kPlane);
-      b = merged(b, Merge::kPlane);
+      a = merge_faces(a, Merge::kPlane);
+      b = merge_faces(b, Merge::kPlane);
     }
     for (const BooleanOp operation :
          {BooleanOp::kUnion, BooleanOp::kIntersection,
@@ -172,9 +172,9 @@ TEST(FastNonsense, EveryBooleanOfClosedSurfacesEnds) {
       // What comes of it is nonsense as well, and goes on to be worked on.
       const Result<Done> said = check_operand(result);
       EXPECT_TRUE(said || !said.error().message.empty());
-      const Solid least = merged(result, Merge::kPlane);
+      const Solid least = merge_faces(result, Merge::kPlane);
       EXPECT_TRUE(is_held(result) && is_held(least));
-      if (is_closed) exported(least, {.triangles = true});
+      if (is_closed) to_mesh(least, {.triangles = true});
       EXPECT_TRUE(is_held(boolean(operation, least, b)));
       Chain chain(result);
       chain.apply(operation, b);
@@ -205,12 +205,12 @@ TEST(FastNonsense, RepairKeepsWhatIsWoundRound) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Solid solid = nonsense(seed);
-    const Repaired repaired = repair(solid);
-    if (!repaired.crossings.empty()) ++crossed;
-    const Result<Done> fine = check_operand(repaired.solid);
+    const Resolved resolved = resolve(solid);
+    if (!resolved.self_intersections.empty()) ++crossed;
+    const Result<Done> fine = check_operand(resolved.solid);
     ASSERT_TRUE(fine) << fine.error().message;
     const Locator before(solid, *solid.space, nullptr, nullptr);
-    const Locator after(repaired.solid, *solid.space, nullptr, nullptr);
+    const Locator after(resolved.solid, *solid.space, nullptr, nullptr);
     Surface draws(seed + 9000);
     for (int i = 0; i < 20; ++i) {
       const auto coordinate = [&] { return draws.draw(kStep * kPoints); };

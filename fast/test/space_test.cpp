@@ -224,7 +224,7 @@ TEST(Space, PlanesThatAreEqualAreOne) {
         const OrientedPlane other = space.add_plane(
             {p, point_at(p, u, v, a, b), point_at(p, u, v, c, d)});
         ASSERT_EQ(other.plane, one.plane);
-        ASSERT_EQ(other.turned == one.turned, a * d > b * c);
+        ASSERT_EQ(other.flipped == one.flipped, a * d > b * c);
       }
       ASSERT_EQ(space.plane_count(), count);
       // What is beside it, and parallel, is another plane.

@@ -98,14 +98,14 @@ constexpr const char* kTetrahedron =
     "OFF\n4 4 0\n0 0 0\n1.5 0 0\n0 2 0\n0 0 0.25\n"
     "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-Solid tetrahedron() {
+GridSolid tetrahedron() {
   const auto mesh = io::read_mesh(kTetrahedron, io::Format::kOff);
   return *make_solid(io::import_scene(*mesh, {})->scene);
 }
 
 std::vector<Task> tasks() {
   const SceneFile view = small_view(agree::Kind::kSmall);
-  const Solid solid = tetrahedron();
+  const GridSolid solid = tetrahedron();
   const std::string text = write_scene(view);
   return {
       {"reading a scene", [text] { return write_scene(*read_scene(text)); }},
@@ -160,7 +160,7 @@ std::vector<Task> tasks() {
          const auto rest = fast::boolean(BooleanOp::kDifference, a, part);
          return std::to_string(part.faces.size()) + " " +
                 std::to_string(
-                    fast::merged(rest, fast::Merge::kPlane).faces.size());
+                    fast::merge_faces(rest, fast::Merge::kPlane).faces.size());
        }},
   };
 }

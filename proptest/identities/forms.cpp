@@ -92,13 +92,13 @@ void find_vertex_in_edge(const Solid& solid, std::vector<std::string>& faults) {
 }  // namespace
 
 std::vector<Bound> bounds_of(const Solid& solid) {
-  const Solid least = fast::merged(solid, fast::Merge::kPlane);
+  const Solid least = fast::merge_faces(solid, fast::Merge::kPlane);
   std::map<Bound, int> count;
   for (const Face& face : least.faces) {
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const SolidEdge& edge = least.edges[face.first_edge + i];
       const auto [low, high] = std::minmax(edge.from, edge.to);
-      count[{face.plane, face.turned, low, high}] += edge.from == low ? 1 : -1;
+      count[{face.plane, face.flipped, low, high}] += edge.from == low ? 1 : -1;
     }
   }
   std::vector<Bound> bounds;

@@ -7,7 +7,7 @@
 
 #include "forms.hpp"
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "volume.hpp"
 
 namespace halfspace::identities {
@@ -24,7 +24,7 @@ using Outline = std::tuple<std::int32_t, bool, std::int32_t, PolygonId,
 std::vector<Outline> outlines_of(const Solid& solid) {
   std::vector<Outline> outlines;
   for (const Face& face : solid.faces) {
-    Outline outline{face.plane, face.turned, face.part, face.polygon, {}};
+    Outline outline{face.plane, face.flipped, face.part, face.polygon, {}};
     auto& edges = std::get<4>(outline);
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const SolidEdge& edge = solid.edges[face.first_edge + i];
@@ -48,8 +48,8 @@ bool is_same_set(const Solid& a, const Solid& b) {
 }
 
 std::size_t count_foreign_faces(const Solid& a, const Solid& b) {
-  const auto x = outlines_of(fast::merged(a, fast::Merge::kOrigin));
-  const auto y = outlines_of(fast::merged(b, fast::Merge::kOrigin));
+  const auto x = outlines_of(fast::merge_faces(a, fast::Merge::kOrigin));
+  const auto y = outlines_of(fast::merge_faces(b, fast::Merge::kOrigin));
   std::vector<Outline> foreign;
   std::set_symmetric_difference(x.begin(), x.end(), y.begin(), y.end(),
                                 std::back_inserter(foreign));
@@ -83,7 +83,7 @@ class Pair {
     for (const std::string& fault : faults_of(result))
       broken_.push_back(name + ": " + fault);
     for (const std::string& fault :
-         faults_of(fast::merged(result, fast::Merge::kPlane)))
+         faults_of(fast::merge_faces(result, fast::Merge::kPlane)))
       broken_.push_back(name + ", merged: " + fault);
     return result;
   }
@@ -130,8 +130,10 @@ class Pair {
                 "A^B = (A|B) - (A&B)");
     const Solid turned = boolean_(BooleanOp::kUnion, b_, a_);
     expect_same(either, turned, "A|B = B|A");
-    const auto x = fast::exported(fast::merged(either, fast::Merge::kPlane));
-    const auto y = fast::exported(fast::merged(turned, fast::Merge::kPlane));
+    const auto x =
+        fast::to_mesh(fast::merge_faces(either, fast::Merge::kPlane));
+    const auto y =
+        fast::to_mesh(fast::merge_faces(turned, fast::Merge::kPlane));
     expect(x.vertices == y.vertices && x.corners == y.corners &&
                x.first_corner == y.first_corner,
            "A|B and B|A are one mesh");

@@ -24,8 +24,7 @@ using agree::SolidKind;
 using fast::Solid;
 
 /// Two solids in one table.
-std::pair<Solid, Solid> fast_pair(
-    const std::pair<halfspace::Solid, halfspace::Solid>& pair) {
+std::pair<Solid, Solid> fast_pair(const std::pair<GridSolid, GridSolid>& pair) {
   Solid first = fast::to_solid(pair.first, 0);
   Solid second = fast::to_solid(pair.second, first, 1);
   return {std::move(first), std::move(second)};
@@ -35,9 +34,8 @@ TEST(Identities, HoldInEveryPosition) {
   Draws draws(6);
   std::size_t positions = 0;
   for (const SolidKind kind : kSolidKinds) {
-    const halfspace::Solid a = agree::random_solid(kind, 12, draws);
-    const halfspace::Solid b =
-        agree::random_solid(SolidKind::kSkewed, 12, draws);
+    const GridSolid a = agree::random_solid(kind, 12, draws);
+    const GridSolid b = agree::random_solid(SolidKind::kSkewed, 12, draws);
     for (const auto& [x, y] : {std::pair(&a, &b), std::pair(&a, &a)}) {
       for (const Position position : kPositions) {
         SCOPED_TRACE(name_of(position));
@@ -80,7 +78,7 @@ Solid wrong(int fault, BooleanOp operation, const Solid& a, const Solid& b) {
       result.faces.pop_back();
       break;
     case 2:
-      result.faces.back().turned = !result.faces.back().turned;
+      result.faces.back().flipped = !result.faces.back().flipped;
       break;
     case 3:
       // A union that is told to be the first operand's alone.

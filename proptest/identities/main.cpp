@@ -20,7 +20,7 @@ namespace {
 
 struct Model {
   std::string path;
-  Solid solid;
+  GridSolid solid;
   std::size_t size = 0;
 };
 
@@ -29,7 +29,7 @@ std::vector<Model> usable(const std::vector<std::string>& paths,
                           std::size_t most) {
   std::vector<Model> models;
   for (const std::string& path : paths) {
-    const Result<Solid> solid = load(path);
+    const Result<GridSolid> solid = load(path);
     if (!solid) {
       std::printf("left out: %s: %s\n", path.c_str(),
                   solid.error().message.c_str());

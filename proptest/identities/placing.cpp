@@ -5,9 +5,9 @@
 #include <numeric>
 #include <vector>
 
+#include "halfspace/csg/trimmed.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/read_mesh.hpp"
-#include "halfspace/csg/trimmed.hpp"
 
 namespace halfspace::identities {
 namespace {
@@ -43,11 +43,11 @@ void centre(std::vector<GridPoint>& points) {
                 -low.z - (high.z - low.z) / 2});
 }
 
-std::optional<Solid> solid_of(SceneData data, int grid_bits) {
+std::optional<GridSolid> solid_of(SceneData data, int grid_bits) {
   data.grid_bits = grid_bits;
   Result<Scene> scene = make_scene(std::move(data));
   if (!scene) return std::nullopt;
-  Result<Solid> solid = make_solid(*std::move(scene));
+  Result<GridSolid> solid = make_solid(*std::move(scene));
   if (!solid) return std::nullopt;
   return *std::move(solid);
 }
@@ -101,7 +101,7 @@ const char* name_of(Position position) {
   return kNames[static_cast<std::size_t>(position)];
 }
 
-Result<Solid> load(const std::string& path) {
+Result<GridSolid> load(const std::string& path) {
   const Result<io::Mesh> mesh = io::read_mesh(path);
   if (!mesh) return mesh.error();
   Result<io::Imported> imported = io::import_scene(*mesh, {});
@@ -116,8 +116,9 @@ Result<Solid> load(const std::string& path) {
   return make_solid(*std::move(scene));
 }
 
-std::optional<std::pair<Solid, Solid>> placed(const Solid& a, const Solid& b,
-                                              Position position) {
+std::optional<std::pair<GridSolid, GridSolid>> placed(const GridSolid& a,
+                                                      const GridSolid& b,
+                                                      Position position) {
   if (position >= Position::kSame && !(a.scene() == b.scene()))
     return std::nullopt;
   SceneData first = a.scene().data();

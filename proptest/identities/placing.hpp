@@ -27,13 +27,14 @@ constexpr Position kPositions[] = {Position::kGeneral, Position::kLow,
 const char* name_of(Position position);
 
 /// The mesh in a file as a solid about the origin, in steps of 1: without the
-/// vertices that no polygon has. Errors: those of reading it; kNotClosed.
-Result<Solid> load(const std::string& path);
+/// vertices that no polygon has. Errors: those of reading it; kOpen.
+Result<GridSolid> load(const std::string& path);
 
 /// The second solid brought to about the first one's size by a power of two,
 /// and put where the position says; both on one grid. Nothing if the position
 /// is one for a solid with itself and they are two, or if no grid holds them.
-std::optional<std::pair<Solid, Solid>> placed(const Solid& a, const Solid& b,
-                                              Position position);
+std::optional<std::pair<GridSolid, GridSolid>> placed(const GridSolid& a,
+                                                      const GridSolid& b,
+                                                      Position position);
 
 }  // namespace halfspace::identities

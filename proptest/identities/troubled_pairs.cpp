@@ -230,7 +230,7 @@ Surface rod(bool is_cube, Draws& draws) {
   return surface;
 }
 
-Solid solid_of(const Surface& surface, const GridPoint& by, int grid_bits) {
+GridSolid solid_of(const Surface& surface, const GridPoint& by, int grid_bits) {
   SceneData data;
   std::map<GridPoint, VertexId> ids;
   for (const Polygon& polygon : surface) {
@@ -288,7 +288,7 @@ const char* name_of(Trouble trouble) {
   return kNames[static_cast<std::size_t>(trouble)];
 }
 
-std::pair<Solid, Solid> troubled_pair(Trouble trouble, Draws& draws) {
+std::pair<GridSolid, GridSolid> troubled_pair(Trouble trouble, Draws& draws) {
   const Surface first = surface_of(trouble, true, draws);
   const Surface second = surface_of(trouble, false, draws);
   const std::array<std::pair<int, std::int64_t>, 3> places{

@@ -26,6 +26,7 @@ constexpr Trouble kTroubles[] = {
 const char* name_of(Trouble trouble);
 
 /// A random pair of such solids on one grid, near the origin or far from it.
-std::pair<Solid, Solid> troubled_pair(Trouble trouble, agree::Draws& draws);
+std::pair<GridSolid, GridSolid> troubled_pair(Trouble trouble,
+                                              agree::Draws& draws);
 
 }  // namespace halfspace::identities

@@ -26,7 +26,7 @@ constexpr PolygonId kAlong = 0;
 constexpr PolygonId kAgainst = 1;
 
 /// Separate blocks as one solid.
-Solid solid_of(const std::vector<Block>& blocks) {
+GridSolid solid_of(const std::vector<Block>& blocks) {
   // A corner by the bits of its number: greatest x, y, z.
   constexpr std::array<std::array<int, 4>, 6> kSides = {{{1, 3, 7, 5},
                                                          {0, 4, 6, 2},
@@ -58,7 +58,7 @@ Solid solid_of(const std::vector<Block>& blocks) {
 }
 
 /// What the fast library does with the face kAlong of `operand`.
-Keep kept(BooleanOp operation, const Solid& operand, const Solid& other,
+Keep kept(BooleanOp operation, const GridSolid& operand, const GridSolid& other,
           bool first_operand) {
   const fast::Solid ours = fast::to_solid(operand);
   const fast::Solid theirs = fast::to_solid(other);
@@ -66,14 +66,15 @@ Keep kept(BooleanOp operation, const Solid& operand, const Solid& other,
       operation, first_operand ? ours : theirs, first_operand ? theirs : ours);
   for (const fast::Face& face : result.faces) {
     if (face.from_first != first_operand || face.source != kAlong) continue;
-    return face.turned == ours.faces[kAlong].turned ? Keep::kKeep : Keep::kFlip;
+    return face.flipped == ours.faces[kAlong].flipped ? Keep::kKeep
+                                                      : Keep::kFlip;
   }
   return Keep::kDrop;
 }
 
 /// A solid against which the face kAlong of the block from 0 to 4 is of that
 /// class.
-Solid other_of(SolidClass solid_class) {
+GridSolid other_of(SolidClass solid_class) {
   switch (solid_class) {
     case SolidClass::kInside:
       return solid_of({{{-1, -1, -1}, {5, 5, 5}}});
@@ -126,7 +127,7 @@ Line line_of(int number) {
 
 /// A face in a plane in which `other` has faces of both directions; the tree
 /// takes the first.
-void ask_classes_of(Inquiry& inquiry, const Solid& other, bool along) {
+void ask_classes_of(Inquiry& inquiry, const GridSolid& other, bool along) {
   BuildOptions options;
   options.rule = RootRule::kFirst;
   const ref::BspTree tree = ref::build(ref::to_solid(other), options);
@@ -159,7 +160,7 @@ void ask_classes_of(Inquiry& inquiry, const Solid& other, bool along) {
 }  // namespace
 
 void ask_table(Inquiry& inquiry) {
-  const Solid block = solid_of({{{0, 0, 0}, {4, 4, 4}}});
+  const GridSolid block = solid_of({{{0, 0, 0}, {4, 4, 4}}});
   for (const BooleanOp operation :
        {BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference}) {
     for (const SolidClass solid_class :

@@ -5,14 +5,14 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
-#include "halfspace/fast/crossings.hpp"
 #include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/render.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
+#include "halfspace/fast/self_intersections.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/splitter.hpp"
@@ -190,7 +190,7 @@ void take_all() {
   take(&ref::is_solid);  // S6.2
   {  // S6.2
     using namespace fast;
-    using Kind = fast::Solid(const halfspace::Solid&, std::int32_t);
+    using Kind = fast::Solid(const halfspace::GridSolid&, std::int32_t);
     take<Kind>(&fast::to_solid);
   }
   take(&fast::check_operand);  // S6.2
@@ -201,9 +201,9 @@ void take_all() {
   take(&ref::boolean);  // S6.5
   take(&fast::boolean);  // S6.5
   take(&ref::is_solid);  // S6.6
-  take(&fast::crossings);  // S6.6
+  take(&fast::self_intersections);  // S6.6
   take(&ref::resolve);  // S6.7
-  take(&fast::repair);  // S6.7
+  take(&fast::resolve);  // S6.7
 }
 
 }  // namespace

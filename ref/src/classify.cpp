@@ -67,7 +67,7 @@ void descend(Part part, const Node& node, std::vector<Part>& parts) {
 
 }  // namespace
 
-Solid to_solid(const halfspace::Solid& solid) {
+Solid to_solid(const GridSolid& solid) {
   const Scene& scene = solid.scene();
   Solid result;
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {

@@ -36,7 +36,7 @@ Polygons tetrahedron(GridPoint p, GridPoint q, GridPoint r, GridPoint s) {
 }
 
 Solid solid_of(const Polygons& polygons) {
-  const Result<halfspace::Solid> solid = make_solid(scene_of(polygons));
+  const Result<GridSolid> solid = make_solid(scene_of(polygons));
   HALFSPACE_ASSERT(solid.has_value());
   return to_solid(*solid);
 }

@@ -45,7 +45,7 @@ class Exact {
       const std::optional<bool> covers = is_over(face, p);
       if (!covers || (*covers && sign(value) == 0)) return {};
       if (!*covers || sign(value) * sign(a) > 0) continue;
-      winding += (sign(a) > 0) != face.turned ? 1 : -1;
+      winding += (sign(a) > 0) != face.flipped ? 1 : -1;
     }
     return winding;
   }

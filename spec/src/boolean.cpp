@@ -113,18 +113,18 @@ std::vector<BadEdge> bad_edges(const Scene& scene) {
   return bad;
 }
 
-Result<Solid> make_solid(Scene scene) {
+Result<GridSolid> make_solid(Scene scene) {
   const std::vector<BadEdge> bad = bad_edges(scene);
   if (!bad.empty()) {
     const BadEdge& first = bad.front();
-    return Error{ErrorCode::kNotClosed,
+    return Error{ErrorCode::kOpen,
                  "the surface is not closed or not consistently oriented: " +
                      std::to_string(bad.size()) +
                      " bad edges, the first from " + text_of(first.from) +
                      " to " + text_of(first.to) + " (in grid steps)",
                  static_cast<std::int64_t>(bad.size())};
   }
-  Solid solid;
+  GridSolid solid;
   solid.scene_ = std::move(scene);
   return solid;
 }

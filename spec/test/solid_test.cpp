@@ -148,16 +148,16 @@ TEST(BadEdges, AreThoseOfMixturesOfTrianglesOnFivePoints) {
 TEST(MakeSolid, NamesTheFirstBadEdgeAndHowManyThereAre) {
   const std::vector<GridPoint> vertices = {
       {0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, -9}};
-  const Result<Solid> open =
+  const Result<GridSolid> open =
       make_solid(scene_of(vertices, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}}));
   ASSERT_FALSE(open);
-  EXPECT_EQ(open.error().code, ErrorCode::kNotClosed);
+  EXPECT_EQ(open.error().code, ErrorCode::kOpen);
   EXPECT_EQ(open.error().index, 3);
   EXPECT_EQ(open.error().message,
             "the surface is not closed or not consistently oriented: 3 bad "
             "edges, the first from (0, 0, 0) to (0, 0, -9) (in grid steps)");
   const Triangles closed = {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
-  const Result<Solid> solid = make_solid(scene_of(vertices, closed));
+  const Result<GridSolid> solid = make_solid(scene_of(vertices, closed));
   ASSERT_TRUE(solid);
   EXPECT_EQ(solid->scene(), scene_of(vertices, closed));
 }

@@ -216,7 +216,7 @@ Status Job::finish(const csg::Script& script, const csg::Plan& plan,
         "result has " +
         edges + (checked ? "" : "; " + checked.error().message));
   }
-  if (!result.turned.empty() && arguments_.strict) {
+  if (!result.flipped.empty() && arguments_.strict) {
     return fail(turned_sentence(context) + "; nothing was written");
   }
   const Result<io::ExportReport> report =

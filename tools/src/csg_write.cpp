@@ -113,7 +113,7 @@ Result<Done> write_origins(const std::string& path, const CsgContext& context) {
 }
 
 std::string turned_sentence(const CsgContext& context) {
-  const auto& turned = context.result.turned;
+  const auto& turned = context.result.flipped;
   std::string sentence =
       "rounding to doubles may have turned over or "
       "flattened " +
@@ -156,7 +156,7 @@ nlohmann::json stats_of(const CsgContext& context,
                           {"export",
                            {{"moved", report.moved},
                             {"max_move", report.max_move},
-                            {"turned", result.turned.size()},
+                            {"turned", result.flipped.size()},
                             {"triangulated", report.triangulated}}}};
   if (context.checks) {
     stats["shadow_booleans"] = context.checks->operations;
@@ -205,7 +205,7 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
               result.moved > 0 ? "vertices" : "coordinates", report.max_move,
               report.triangulated);
   std::printf("\n");
-  if (!result.turned.empty())
+  if (!result.flipped.empty())
     std::printf("warning: %s\n", turned_sentence(context).c_str());
 }
 

@@ -24,7 +24,7 @@ Solid Engine::result() {
   Solid result;
   result.unit = operands_[0].solid->unit;
   result.space = operands_[0].solid->space;
-  result.is_noded = is_noded_[0] && is_noded_[1];
+  result.is_conforming = is_noded_[0] && is_noded_[1];
   result.unbounded =
       truth_(operands_[0].solid->unbounded, operands_[1].solid->unbounded);
   notes_.pinned.forget();
@@ -144,7 +144,7 @@ void Engine::add_run(std::size_t o, std::int32_t f, bool beyond,
 void Engine::begin_face(std::size_t o, std::int32_t f, bool flipped,
                         Solid& result) const {
   Face face = operands_[o].face(f);
-  face.turned = face.turned != flipped;
+  face.flipped = face.flipped != flipped;
   face.from_first = o == 0;
   face.source = f;
   face.first_edge = static_cast<std::uint32_t>(result.edges.size());

@@ -27,7 +27,8 @@ void append(const Solid& from, const Face& face, Solid& to) {
 }
 
 Solid without_faces(const Solid& solid) {
-  return {{}, {}, solid.unbounded, solid.unit, solid.space, solid.is_noded};
+  return {{},         {},          solid.unbounded,
+          solid.unit, solid.space, solid.is_conforming};
 }
 
 /// A solid with some of the faces of another.
@@ -55,7 +56,7 @@ struct Chain::State {
 
   /// With another solid.
   void restart() {
-    solid.is_noded = is_known_noded(solid);
+    solid.is_conforming = is_known_conforming(solid);
     blocks = std::make_shared<EdgeBlocks>(solid);
     begin();
   }
@@ -141,13 +142,13 @@ void Chain::State::apply(const Truth& truth, const Solid& other) {
   }
   if (!engine.has_nodes(1)) return apply(truth, noded(other));
   Solid result = engine.run();
-  solid.is_noded = solid.is_noded && result.is_noded;
+  solid.is_conforming = solid.is_conforming && result.is_conforming;
   // Step 3: the others are all beyond the other solid's box.
   const bool beyond = other.unbounded;
   const bool stay = truth(true, beyond) && !truth(false, beyond);
   solid.unbounded = result.unbounded;
   if (!stay || all_near) {
-    result.is_noded = solid.is_noded;
+    result.is_conforming = solid.is_conforming;
     solid = std::move(result);
     *blocks = std::move(engine.blocks());
     begin();
@@ -166,7 +167,7 @@ void Chain::State::exchange(const std::vector<std::int32_t>& near,
     if (face.from_first && engine.is_untouched(face.source)) {
       const auto at = static_cast<std::size_t>(face.source);
       const Face& old = solid.faces[static_cast<std::size_t>(near[at])];
-      if (old.edge_count == face.edge_count && old.turned == face.turned) {
+      if (old.edge_count == face.edge_count && old.flipped == face.flipped) {
         stays[at] = 1;
         continue;
       }
@@ -291,8 +292,8 @@ std::vector<Solid> blocks_of(BooleanOp operation,
 
 }  // namespace
 
-Solid combined(BooleanOp operation, std::span<const Solid> solids,
-               int threads) {
+Solid boolean_all(BooleanOp operation, std::span<const Solid> solids,
+                  int threads) {
   HALFSPACE_ASSERT(!solids.empty());
   const bool without = operation == BooleanOp::kDifference;
   const BooleanOp among = without ? BooleanOp::kUnion : operation;

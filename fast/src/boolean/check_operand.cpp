@@ -40,8 +40,8 @@ std::int32_t face_at(const Solid& solid, std::int32_t u, std::int32_t v) {
   return -1;
 }
 
-Error not_closed(const std::string& sentence, std::int32_t face) {
-  return {ErrorCode::kNotClosed, sentence, face};
+Error open_at(const std::string& sentence, std::int32_t face) {
+  return {ErrorCode::kOpen, sentence, face};
 }
 
 /// A vertex at which the face is open, or -1.
@@ -61,8 +61,8 @@ std::int32_t open_vertex(const Solid& solid, const Face& face,
   return begun == from.end() ? -1 : std::min(*begun, *ended);
 }
 
-Error crossed(const Solid& solid, const std::vector<Crossing>& found) {
-  const Crossing& first = found.front();
+Error crossed(const Solid& solid, const std::vector<SelfIntersection>& found) {
+  const SelfIntersection& first = found.front();
   std::string sentence =
       "the surface crosses itself: polygons " + polygon_of(solid, first.first) +
       " and " + polygon_of(solid, first.second) +
@@ -71,7 +71,7 @@ Error crossed(const Solid& solid, const std::vector<Crossing>& found) {
     sentence += ", and " + std::to_string(found.size() - 1) +
                 " more pairs do such things";
   }
-  return not_closed(sentence, first.first);
+  return {ErrorCode::kSelfCrossing, sentence, first.first};
 }
 
 /// Where a surface does not pass through itself, each connected part of it has
@@ -88,11 +88,12 @@ Result<Done> check_windings(const Solid& solid, SelfWings& wings) {
     const int level = wings.level_outside(id);
     if (level == 0 || ++wrong > 1) continue;
     const std::string polygon = "polygon " + polygon_of(solid, id);
-    error = not_closed(
-        level < 0 ? "the surface is inside out: " + polygon + " faces inwards"
-                  : "the surface winds round a place twice: " + polygon +
-                        " is within the solid, and faces outwards",
-        id);
+    error = {level < 0 ? ErrorCode::kInsideOut : ErrorCode::kSelfCrossing,
+             level < 0
+                 ? "the surface is inside out: " + polygon + " faces inwards"
+                 : "the surface winds round a place twice: " + polygon +
+                       " is within the solid, and faces outwards",
+             id};
     error.message += near(solid, solid.edges[face.first_edge].from);
   }
   if (wrong == 0) return Done{};
@@ -119,25 +120,24 @@ Result<Done> check_operand(const Solid& solid) {
   if (!bad.empty()) {
     const BadEdge& first = bad.front();
     const std::int32_t face = face_at(solid, first.from, first.to);
-    return not_closed(
-        "the surface is not closed or not consistently oriented: " +
-            std::to_string(bad.size()) +
-            (bad.size() == 1 ? " bad edge" : " bad edges") +
-            ", the first at polygon " + polygon_of(solid, face) +
-            near(solid, first.from),
-        face);
+    return open_at("the surface is not closed or not consistently oriented: " +
+                       std::to_string(bad.size()) +
+                       (bad.size() == 1 ? " bad edge" : " bad edges") +
+                       ", the first at polygon " + polygon_of(solid, face) +
+                       near(solid, first.from),
+                   face);
   }
   std::vector<std::int32_t> from, to;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     const std::int32_t v = open_vertex(solid, solid.faces[f], from, to);
     if (v < 0) continue;
     const auto face = static_cast<std::int32_t>(f);
-    return not_closed("the edges of a face make no loops: of polygon " +
-                          polygon_of(solid, face) + near(solid, v),
-                      face);
+    return open_at("the edges of a face make no loops: of polygon " +
+                       polygon_of(solid, face) + near(solid, v),
+                   face);
   }
   SelfWings wings(solid);
-  const auto found = crossings_of(wings.contacts());
+  const auto found = self_intersections_of(wings.contacts());
   if (!found.empty()) return crossed(solid, found);
   return check_windings(solid, wings);
 }

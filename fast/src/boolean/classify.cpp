@@ -15,7 +15,7 @@ Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
     : truth_(truth), threads_(threads), space_(space), notes_(space.notes()) {
   operands_[0].solid = &a;
   operands_[1].solid = &b;
-  is_noded_ = {is_known_noded(a), is_known_noded(b)};
+  is_noded_ = {is_known_conforming(a), is_known_conforming(b)};
 }
 
 Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
@@ -265,7 +265,7 @@ std::optional<bool> Engine::crossing_tells(std::size_t o, std::int32_t edge,
   if (cuts.size() != 1) return std::nullopt;
   const Face& face = operands_[1 - o].face(cuts[0].face);
   const int side = space_.side(face.plane, towards);
-  return face.turned ? side > 0 : side < 0;
+  return face.flipped ? side > 0 : side < 0;
 }
 
 const Locator& Engine::locator(std::size_t o) {

@@ -11,7 +11,7 @@
 #include "box/bvh.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 #include "intersect/line_section.hpp"
 #include "intersect/radial_order.hpp"
 
@@ -25,7 +25,7 @@ bool is_convex(const Solid& solid) {
         return std::all_of(
             solid.edges.begin(), solid.edges.end(), [&](const SolidEdge& edge) {
               const int side = solid.space->side(face.plane, edge.from);
-              return face.turned ? side >= 0 : side <= 0;
+              return face.flipped ? side >= 0 : side <= 0;
             });
       });
 }
@@ -299,10 +299,10 @@ void Noder::find_vertices_on_traces() {
 
 }  // namespace
 
-bool is_known_noded(const Solid& solid) {
+bool is_known_conforming(const Solid& solid) {
   // Beyond so much it is sooner to look at what matters.
   constexpr std::size_t kMost = 2048;
-  return solid.is_noded ||
+  return solid.is_conforming ||
          (solid.faces.size() * solid.edges.size() <= kMost && is_convex(solid));
 }
 
@@ -318,11 +318,11 @@ Solid noded(const Solid& solid) {
   if (!is_bounded_by_edges || !bad_edges(solid).empty() ||
       !open_faces(solid).empty()) {
     Solid same = solid;
-    same.is_noded = true;
+    same.is_conforming = true;
     return same;
   }
-  return solid.unbounded ? complement(repair(complement(solid)).solid)
-                         : repair(solid).solid;
+  return solid.unbounded ? complement(resolve(complement(solid)).solid)
+                         : resolve(solid).solid;
 }
 
 }  // namespace halfspace::fast

@@ -20,7 +20,7 @@ namespace halfspace::fast {
 
 /// Whether the solid is known to be noded: it says so, or it has few faces and
 /// is convex.
-bool is_known_noded(const Solid& solid);
+bool is_known_conforming(const Solid& solid);
 
 /// Cuts an operand's edges where they lie in the other one's surface, and
 /// traces, at the points of that surface at which the operand touches them.

@@ -7,7 +7,7 @@ namespace halfspace::fast {
 
 Wing Engine::wing_of(std::size_t o, std::int32_t f, int turn) const {
   const Face& face = operands_[o].face(f);
-  return {static_cast<std::int32_t>(o), f, face.plane, turn, face.turned};
+  return {static_cast<std::int32_t>(o), f, face.plane, turn, face.flipped};
 }
 
 void Engine::emit_edges(std::size_t o) {
@@ -91,8 +91,8 @@ void Engine::emit_parts(std::size_t o, std::int32_t id) {
     }
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
       const EdgeUse& use = operands_[o].uses[edge.first_use + u];
-      const bool turned = operands_[o].face(use.face).turned;
-      wings_.push_back(wing_of(o, use.face, use.forward != turned ? 1 : -1));
+      const bool flipped = operands_[o].face(use.face).flipped;
+      wings_.push_back(wing_of(o, use.face, use.forward != flipped ? 1 : -1));
     }
     const std::int32_t other =
         second_plane(operands_[o].edge(id), operands_[o], space_);
@@ -127,7 +127,7 @@ bool Engine::is_before_inside(std::size_t o, bool member) const {
 
 /// Of the wings from `first` to before `last`, which stand in one place, the
 /// one that the result's face is a part of: the first operand's (S6.4), which
-/// never has to be turned over for that. No operand has two.
+/// never has to be flipped for that. No operand has two.
 const Wing& Engine::source_of(std::size_t first, std::size_t last) const {
   return wings_[wings_[first].operand == 0 ? first : last - 1];
 }
@@ -151,10 +151,10 @@ void Engine::emit(const Segment& segment, const std::array<bool, 2>& member) {
     } while (j < wings_.size() && as_last(wings_, j));
     if (before != truth_(inside[0], inside[1])) {
       // Outwards is on from here where the result ends, else back.
-      const bool turned = wings_[i].turn == (before ? -1 : 1);
+      const bool flipped = wings_[i].turn == (before ? -1 : 1);
       const Wing& source = source_of(i, j);
       Piece piece{bucket_of(static_cast<std::size_t>(source.operand),
-                            source.face, source.turned != turned),
+                            source.face, source.flipped != flipped),
                   source.plane, segment.low, segment.high,
                   other_than(source.plane, segment.planes)};
       if (!before) std::swap(piece.from, piece.to);

@@ -42,7 +42,7 @@ int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
     if (face.edge_count == 0) {
       // No ray: its side decides for itself. Nothing is asked of a vertex in
       // its plane: an edge has a part on one side only, and an end there.
-      winding = space_.side(face.plane, vertex) == (face.turned ? 1 : -1);
+      winding = space_.side(face.plane, vertex) == (face.flipped ? 1 : -1);
     } else {
       winding += share(0, f, vertex, towards);
     }
@@ -61,7 +61,7 @@ int Locator::share(int axis, std::int32_t f, std::int32_t vertex,
   // The face lies ahead where the normal that points along the ray has the
   // point behind it.
   if (side * along >= 0 || !is_above(axis, f, vertex, towards)) return 0;
-  return (along > 0) != face.turned ? 1 : -1;
+  return (along > 0) != face.flipped ? 1 : -1;
 }
 
 /// Seen along the axis, with the next one to the right and the last one

@@ -16,7 +16,7 @@ struct Wing {
   std::int32_t face;
   std::int32_t plane;
   int turn;
-  bool turned;
+  bool flipped;
 };
 
 /// A segment, from low to high along the axis, in two planes.
@@ -48,7 +48,7 @@ inline bool as_last(const std::vector<Wing>& wings, std::size_t i) {
 }
 
 /// Whether its operand ends there, round the segment, or begins.
-inline bool leaves(const Wing& w) { return (w.turn > 0) != w.turned; }
+inline bool leaves(const Wing& w) { return (w.turn > 0) != w.flipped; }
 
 /// What a wing adds to how often its surface winds round what is there.
 inline int change(const Wing& w) { return leaves(w) ? -1 : 1; }

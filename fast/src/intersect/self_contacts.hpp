@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "halfspace/fast/crossings.hpp"
+#include "halfspace/fast/self_intersections.hpp"
 #include "intersect/candidates.hpp"
 
 namespace halfspace::fast {
@@ -17,6 +17,7 @@ struct SelfContacts {
 
 SelfContacts self_contacts(const Solid& solid);
 
-std::vector<Crossing> crossings_of(const SelfContacts& contacts);
+std::vector<SelfIntersection> self_intersections_of(
+    const SelfContacts& contacts);
 
 }  // namespace halfspace::fast

@@ -69,9 +69,9 @@ void SelfWings::add_wings(std::int32_t f, const Segment& segment) {
   const bool positive_is_left =
       space_.cross_sign(segment.axis, across, of.plane) > 0;
   if (positive_is_left ? positive : negative)
-    wings_.push_back({0, f, of.plane, 1, of.turned});
+    wings_.push_back({0, f, of.plane, 1, of.flipped});
   if (positive_is_left ? negative : positive)
-    wings_.push_back({0, f, of.plane, -1, of.turned});
+    wings_.push_back({0, f, of.plane, -1, of.flipped});
 }
 
 /// How often the surface winds round the wedge before the first wing.

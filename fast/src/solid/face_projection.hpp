@@ -19,7 +19,7 @@ class FaceView {
                                      std::abs(n.c)};
     axis_ = static_cast<int>(std::max_element(size.begin(), size.end()) -
                              size.begin());
-    sign_ = space_.normal_sign(face.plane, axis_) * (face.turned ? -1 : 1);
+    sign_ = space_.normal_sign(face.plane, axis_) * (face.flipped ? -1 : 1);
   }
   /// 1 if r is on the left of p and q, -1 if on the right.
   int turn(std::int32_t p, std::int32_t q, std::int32_t r) const {

@@ -17,7 +17,7 @@ struct Piece {
   std::int32_t from = 0;
   std::int32_t to = 0;
   std::int32_t other = -1;  ///< as SolidEdge::other
-  /// So many edges of the source in a row from this one on, if not 0, turned
+  /// So many edges of the source in a row from this one on, if not 0, flipped
   /// round as the face is.
   std::uint32_t run_first = 0;
   std::uint32_t run_count = 0;

@@ -261,7 +261,7 @@ void line_up(Solid& solid) {
   solid.edges.swap(row);
 }
 
-Solid merged(Solid solid, Merge rule) {
+Solid merge_faces(Solid solid, Merge rule) {
   line_up(solid);
   Merger(solid, rule).run();
   return solid;

@@ -18,7 +18,7 @@ struct EdgeOfFace {
 };
 
 bool may_merge(const Face& f, const Face& g, Merge rule) {
-  if (f.plane != g.plane || f.turned != g.turned) return false;
+  if (f.plane != g.plane || f.flipped != g.flipped) return false;
   switch (rule) {
     case Merge::kOrigin:
       return f.part == g.part && f.polygon == g.polygon;
@@ -49,7 +49,7 @@ std::vector<std::uint8_t> company(const Solid& solid) {
   numbers.reserve(solid.faces.size());
   Extent extent;
   for (const Face& face : solid.faces) {
-    numbers.push_back(2 * face.plane + (face.turned ? 1 : 0));
+    numbers.push_back(2 * face.plane + (face.flipped ? 1 : 0));
     extent.add(numbers.back());
   }
   Places places(extent);

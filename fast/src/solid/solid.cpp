@@ -55,7 +55,7 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
   // In its place: a copy would wait for what was just written.
   Face& face = solid.faces.emplace_back();
   face.plane = plane.plane;
-  face.turned = plane.turned;
+  face.flipped = plane.flipped;
   face.color = scene.color(id);
   face.source = id;
   face.part = part;
@@ -73,7 +73,7 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
   solid.edges.push_back({from, first});
 }
 
-Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
+Solid in_space(const GridSolid& solid, std::shared_ptr<Space> space,
                std::int32_t part) {
   const Scene& scene = solid.scene();
   Solid result;
@@ -115,19 +115,18 @@ Solid in_space(const halfspace::Solid& solid, std::shared_ptr<Space> space,
 
 }  // namespace
 
-Solid to_solid(const halfspace::Solid& solid, std::int32_t part) {
+Solid to_solid(const GridSolid& solid, std::int32_t part) {
   return in_space(solid, std::make_shared<Space>(solid.scene().grid_bits()),
                   part);
 }
 
-Solid to_solid(const halfspace::Solid& solid, const Solid& with,
-               std::int32_t part) {
+Solid to_solid(const GridSolid& solid, const Solid& with, std::int32_t part) {
   HALFSPACE_ASSERT(solid.scene().grid_bits() <= with.space->grid_bits());
   return in_space(solid, with.space, part);
 }
 
 Solid complement(Solid solid) {
-  for (Face& face : solid.faces) face.turned = !face.turned;
+  for (Face& face : solid.faces) face.flipped = !face.flipped;
   for (SolidEdge& edge : solid.edges) std::swap(edge.from, edge.to);
   // The edges of a loop stand in a row.
   for (const Face& face : solid.faces) {
@@ -146,7 +145,7 @@ Solid half_space(const std::array<GridPoint, 3>& corners, const Solid& with) {
   const OrientedPlane plane = result.space->add_plane(corners);
   result.faces.emplace_back();
   result.faces[0].plane = plane.plane;
-  result.faces[0].turned = plane.turned;
+  result.faces[0].flipped = plane.flipped;
   result.faces[0].box = face_box(result, result.faces[0]);
   return result;
 }

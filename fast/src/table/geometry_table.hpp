@@ -42,10 +42,10 @@ struct SpaceVertex {
   }
 };
 
-/// A plane with an orientation: `turned` if against the table's.
+/// A plane with an orientation: `flipped` if against the table's.
 struct OrientedPlane {
   std::int32_t plane = -1;
-  bool turned = false;
+  bool flipped = false;
 };
 
 template <int kBits>

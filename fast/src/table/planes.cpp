@@ -10,27 +10,27 @@
 
 namespace halfspace::fast {
 
-/// A plane with its normal turned as in the table. Equal planes have equal
+/// A plane with its normal flipped as in the table. Equal planes have equal
 /// hashes.
 template <int kBits>
 struct PlaneEntry {
   ExactPlane<kBits> exact;
   double offset = 0;  ///< its value at the origin, rounded
   std::uint64_t hash = 0;
-  bool turned = false;
+  bool flipped = false;
 };
 
 namespace {
 
 /// Turns a normal so that its first component that is not zero is positive.
-/// Whether it was turned.
+/// Whether it was flipped.
 template <class Int>
 bool turn_normal(Vector3<Int>& n) {
-  const bool turned = (n.x != 0 ? n.x : n.y != 0 ? n.y : n.z) < 0;
+  const bool flipped = (n.x != 0 ? n.x : n.y != 0 ? n.y : n.z) < 0;
   // Nothing can foretell it: no branch.
-  const Int sign = turned ? -1 : 1;
+  const Int sign = flipped ? -1 : 1;
   n = {sign * n.x, sign * n.y, sign * n.z};
-  return turned;
+  return flipped;
 }
 
 /// Divides a normal by its greatest common divisor.
@@ -96,7 +96,7 @@ template <int kBits>
 inline void set_entry(const ExactPlane<kBits>& exact,
                       PlaneEntry<kBits>& entry) {
   auto n = exact.normal;
-  entry.turned = turn_normal(n);
+  entry.flipped = turn_normal(n);
   if constexpr (kBits != 26) reduce_normal(n);
   const auto offset = value_at(ExactPlane<kBits>{n, exact.origin}, GridPoint{});
   entry.offset = to_double(offset);
@@ -118,7 +118,7 @@ PlaneEntry<kBits> plane_entry(const ExactPlane<kBits>& exact) {
   return entry;
 }
 
-/// Whether two normals turned alike are multiples of each other.
+/// Whether two normals flipped alike are multiples of each other.
 bool parallel(const Vector3<std::int64_t>& m, const Vector3<std::int64_t>& n) {
   const auto same = [](std::int64_t a, std::int64_t b, std::int64_t c,
                        std::int64_t d) {
@@ -196,7 +196,7 @@ OrientedPlane Space::enter(const PlaneEntry<kBits>& entry) {
     const ExactPlane<kBits> other = exact_at<kBits>(p);
     return parallel(other.normal, n) && sign(value_at(other, origin)) == 0;
   });
-  if (known >= 0) return {known, entry.turned};
+  if (known >= 0) return {known, entry.flipped};
   const auto id = static_cast<std::int32_t>(planes_.size());
   SpacePlane& plane = planes_.emplace_back();
   plane.filter = filter_plane(
@@ -204,7 +204,7 @@ OrientedPlane Space::enter(const PlaneEntry<kBits>& entry) {
   plane.origin = origin;
   if constexpr (kBits != 26) normals_.push_back(n);
   plane_index_.enter(entry.hash, id);
-  return {id, entry.turned};
+  return {id, entry.flipped};
 }
 
 std::int32_t Space::add_line_plane(std::int32_t u, std::int32_t v, int axis) {

@@ -36,20 +36,20 @@ struct BadEdge {
 std::vector<BadEdge> bad_edges(const Scene& scene);
 
 /// A scene whose polygons are the surface of a solid (S6.1).
-class Solid {
+class GridSolid {
  public:
   const Scene& scene() const { return scene_; }
 
  private:
-  friend Result<Solid> make_solid(Scene scene);
+  friend Result<GridSolid> make_solid(Scene scene);
   Scene scene_;
 };
 
 /// The solid whose surface is `scene`, faces outwards (S6.1).
 ///
 /// Requires: no two polygons cross each other or overlap (S6.2); not checked.
-/// Errors:   kNotClosed, if bad_edges(scene) is not empty; says how many there
+/// Errors:   kOpen, if bad_edges(scene) is not empty; says how many there
 ///           are and where the first is.
-Result<Solid> make_solid(Scene scene);
+Result<GridSolid> make_solid(Scene scene);
 
 }  // namespace halfspace

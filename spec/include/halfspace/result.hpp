@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -25,9 +28,62 @@ enum class ErrorCode {
   kNotConvex,       ///< a polygon turns the wrong way, or more than once round
   kNotTriangle,     ///< a polygon with differing vertex colours has more than 3
   kBadCamera,       ///< the image plane passes through the eye, or is no plane
-  kNotClosed,       ///< a solid's edges do not cancel in pairs
+  kOpen,            ///< a solid's edges do not cancel in pairs
+  kSelfCrossing,    ///< a solid's surface passes through itself or winds twice
+  kInsideOut,       ///< a solid's faces look inwards, or hold nothing
+  kUnbounded,       ///< a solid reaches infinitely far
   kEmpty,           ///< there is nothing to work on
+  kStopped,         ///< a callback stopped the work
 };
+
+/// A few words for the code, such as "open surface".
+constexpr std::string_view to_string(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kUnreadable:
+      return "unreadable file";
+    case ErrorCode::kUnwritable:
+      return "unwritable file";
+    case ErrorCode::kUnknownFormat:
+      return "unknown format";
+    case ErrorCode::kSyntax:
+      return "syntax error";
+    case ErrorCode::kTruncated:
+      return "truncated input";
+    case ErrorCode::kNotFinite:
+      return "number not finite";
+    case ErrorCode::kOutOfRange:
+      return "out of range";
+    case ErrorCode::kBadIndex:
+      return "bad index";
+    case ErrorCode::kTooFewVertices:
+      return "too few vertices";
+    case ErrorCode::kRepeatedVertex:
+      return "repeated vertex";
+    case ErrorCode::kZeroArea:
+      return "zero area";
+    case ErrorCode::kNotPlanar:
+      return "polygon not planar";
+    case ErrorCode::kNotConvex:
+      return "polygon not convex";
+    case ErrorCode::kNotTriangle:
+      return "polygon not a triangle";
+    case ErrorCode::kBadCamera:
+      return "bad camera";
+    case ErrorCode::kOpen:
+      return "open surface";
+    case ErrorCode::kSelfCrossing:
+      return "surface crosses itself";
+    case ErrorCode::kInsideOut:
+      return "surface inside out";
+    case ErrorCode::kUnbounded:
+      return "unbounded solid";
+    case ErrorCode::kEmpty:
+      return "nothing there";
+    case ErrorCode::kStopped:
+      return "stopped";
+  }
+  return "unknown error";
+}
 
 /// An error at the boundary: a code to test, a sentence to read, and where.
 struct Error {
@@ -38,6 +94,18 @@ struct Error {
   /// The index of the offending polygon, vertex, line or byte; -1 if none.
   std::int64_t index = -1;
 };
+
+/// Stops the program where the value of a Result is used that has none: a bug
+/// of the caller, who is given the error's message.
+[[noreturn]] inline void stop_without_value(const Error& error) {
+  const std::string_view code = to_string(error.code);
+  std::fprintf(stderr,
+               "halfspace: the value of a Result was used that holds an error "
+               "(%.*s): %s\n",
+               static_cast<int>(code.size()), code.data(),
+               error.message.c_str());
+  std::abort();
+}
 
 /// A value, or the error that stands in its place.
 ///
@@ -51,10 +119,10 @@ class [[nodiscard]] Result {
   bool has_value() const { return state_.index() == 0; }
   explicit operator bool() const { return has_value(); }
 
-  /// Requires: has_value().
-  const T& value() const& { return std::get<0>(state_); }
-  T& value() & { return std::get<0>(state_); }
-  T&& value() && { return std::get<0>(std::move(state_)); }
+  /// Requires: has_value(); without one the program stops with the message.
+  const T& value() const& { return checked(), *std::get_if<0>(&state_); }
+  T& value() & { return checked(), *std::get_if<0>(&state_); }
+  T&& value() && { return checked(), std::move(*std::get_if<0>(&state_)); }
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
   T&& operator*() && { return std::move(*this).value(); }
@@ -65,6 +133,11 @@ class [[nodiscard]] Result {
   const Error& error() const { return std::get<1>(state_); }
 
  private:
+  void checked() const {
+    if (const Error* error = std::get_if<1>(&state_))
+      stop_without_value(*error);
+  }
+
   std::variant<T, Error> state_;
 };
 

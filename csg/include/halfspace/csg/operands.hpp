@@ -38,17 +38,17 @@ class Operands {
   /// Reads the files and chooses the grid (S1.7).
   ///
   /// Requires: `script` and `plan` outlive the operands, which are the plan's.
-  /// Errors: those of reading and importing; kNotClosed
+  /// Errors: those of reading and importing; kOpen, kSelfCrossing, kInsideOut
   ///         (bad edges, faces that cross, inside out). The message names the
   ///         file.
   static Result<Operands> load(const Script& script, const Plan& plan,
                                const OperandOptions& options);
 
   /// The solid of a leaf, mirrored ones turned outwards again.
-  /// Errors: those of importing; kNotClosed; kOutOfRange (it is less than a
-  ///         step of the grid). The message names the file, and where in the
-  ///         script it is moved.
-  Result<Solid> leaf(std::int32_t id);
+  /// Errors: those of importing; kOpen, kSelfCrossing, kInsideOut;
+  ///         kOutOfRange (it is less than a step of the grid). The message names
+  ///         the file, and where in the script it is moved.
+  Result<GridSolid> leaf(std::int32_t id);
 
   /// Of each polygon of a leaf that was asked for the one in its file that it
   /// is, or is a part of.
@@ -61,7 +61,7 @@ class Operands {
   Result<std::array<GridPoint, 3>> plane(std::int32_t id);
 
   /// The empty solid there.
-  Solid nothing() const;
+  GridSolid nothing() const;
 
   /// What reading, moving and rounding did so far; the grid of all.
   const io::ImportReport& report() const { return report_; }
@@ -106,7 +106,7 @@ class Operands {
         repair_(plan.leaves.size()),
         polygons_(plan.leaves.size()) {}
   Scene closed(Scene scene);
-  Result<bool> needs_repair(const Solid& solid,
+  Result<bool> needs_repair(const GridSolid& solid,
                             const std::vector<PolygonId>& polygons) const;
   Result<Done> read_files();
   Result<Done> choose_grid();

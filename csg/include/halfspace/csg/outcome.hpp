@@ -76,7 +76,7 @@ struct Outcome {
   double volume = 0;            ///< rounded; model units
   std::vector<Origin> origins;  ///< by polygon; empty: not known
   /// The polygons that rounding may have turned over or flattened.
-  std::vector<std::int32_t> turned;
+  std::vector<std::int32_t> flipped;
   std::vector<Repair> repairs;
 };
 

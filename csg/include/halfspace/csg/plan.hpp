@@ -62,7 +62,7 @@ constexpr std::size_t kMostSteps = std::size_t{1} << 20;
 ///
 /// Exact:  yes.
 /// Errors: kOutOfRange (over `most_steps`; transforms within one another that
-///         need too many digits); kNotClosed (the surface of a step would reach
+///         need too many digits); kUnbounded (the surface of a step would reach
 ///         infinitely far, or the result is all but a bounded part of space).
 ///         The message begins with the place; index is the line.
 /// Cost:   n log n in the steps.

@@ -19,9 +19,10 @@ namespace halfspace::fast {
 ///        within a face, and every vertex on an edge is an end of it.
 ///        Of an operand that is not noded the last is so only where the other
 ///        one is; if one of its faces has a part of an edge in it there, that
-///        is no edge of its own, it is noded as repair() does it first.
+///        is no edge of its own, it is noded as resolve() does it first.
 /// Keeps: planes and colours, and where faces came from.
-/// Exact: yes. Of closed surfaces that check_operand() refuses the result may be
+/// Exact: yes. Of closed surfaces that check_operand() refuses the result may
+/// be
 ///        anything, and open, but there is one.
 /// Cost:  n log n, and what the surfaces have in common. With more threads what
 ///        is near what is found by all of them; the result is the same.

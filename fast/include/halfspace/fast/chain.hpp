@@ -46,7 +46,7 @@ class Chain {
 /// its own: the faces are the same, but points and planes may have other ids.
 /// The same exported mesh for any number of threads.
 /// Requires: not empty, and all in one unit.
-Solid combined(BooleanOp operation, std::span<const Solid> solids,
-               int threads = 1);
+Solid boolean_all(BooleanOp operation, std::span<const Solid> solids,
+                  int threads = 1);
 
 }  // namespace halfspace::fast

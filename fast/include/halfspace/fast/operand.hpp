@@ -18,10 +18,12 @@ std::vector<std::int32_t> open_faces(const Solid& solid);
 /// winds round points once or not at all.
 ///
 /// Exact:  yes.
-/// Errors: kNotClosed, with the number of the first face concerned. Names the
+/// Errors: kOpen, kSelfCrossing (also where it winds round a point twice),
+///         kInsideOut; with the number of the first face. The message names the
 ///         polygons that the faces come from, and the place in model units,
 ///         rounded for people to read.
-/// Cost:   of bad_edges() and crossings(), and a search for each connected part
+/// Cost:   of bad_edges() and self_intersections(), and a search for each
+/// connected part
 ///         of the surface.
 Result<Done> check_operand(const Solid& solid);
 

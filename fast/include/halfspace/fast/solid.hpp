@@ -30,7 +30,7 @@ struct SolidEdge {
 /// convex nor connected, and it may have holes.
 struct Face {
   std::int32_t plane = -1;
-  bool turned = false;  ///< outwards is against the plane's normal
+  bool flipped = false;  ///< outwards is against the plane's normal
   Rgb color;
   /// Where the face came from: which operand of the last boolean, and which of
   /// that operand's faces. In a solid that no boolean made, itself.
@@ -64,16 +64,16 @@ struct Solid {
   /// and no face has a part of an edge in it that is not one of its own edges
   /// from end to end. Results of booleans of such solids are. Of others a
   /// boolean finds out what it has to know.
-  bool is_noded = false;
+  bool is_conforming = false;
 };
 
 /// The same solid, its points and planes in a table of its own. Face `p` is
 /// polygon `p`. `part` is noted as where the faces came from.
-Solid to_solid(const halfspace::Solid& solid, std::int32_t part = 0);
+Solid to_solid(const GridSolid& solid, std::int32_t part = 0);
 
 /// Likewise in the table of `with`, for long chains of booleans.
 /// Requires: its grid has no fewer bits than the solid's.
-Solid to_solid(const halfspace::Solid& solid, const Solid& with,
+Solid to_solid(const GridSolid& solid, const Solid& with,
                std::int32_t part = 0);
 
 /// What is outside of the solid, regularised. An operand like any other.
@@ -112,7 +112,7 @@ enum class Merge : std::uint8_t {
 ///        meet too, where the surface touches itself, stay.
 /// Cost:  of a solid that is given away no copy: what is merged takes the place
 ///        of what was there, and most is but looked at.
-Solid merged(Solid solid, Merge rule);
+Solid merge_faces(Solid solid, Merge rule);
 
 /// The plane normal.(p - origin) = 0. The normal's components have no common
 /// divisor, and its first one that is not zero is positive.

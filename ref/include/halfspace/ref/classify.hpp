@@ -28,7 +28,7 @@ struct Solid {
 };
 
 /// The same solid, its vertices as rationals. Face `p` is polygon `p`.
-Solid to_solid(const halfspace::Solid& solid);
+Solid to_solid(const GridSolid& solid);
 
 /// Face number `id` as a fragment, uncut, with that number as its source.
 Fragment whole(const Solid& solid, PolygonId id);

@@ -1,3 +1,5 @@
+#include "boolean/conform.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,13 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "boolean/conform.hpp"
 #include "boolean/engine.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
 #include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "lattice.hpp"
 #include "scenes.hpp"
 
@@ -101,7 +102,7 @@ Solid with_tetrahedra(Solid solid,
 }
 
 double volume(const Solid& solid) {
-  const ExportedMesh mesh = exported(solid, {.triangles = true});
+  const ExportedMesh mesh = to_mesh(solid, {.triangles = true});
   double sum = 0;
   for (std::size_t i = 0; i + 2 < mesh.corners.size(); i += 3) {
     const auto at = [&](std::size_t k) {
@@ -160,45 +161,46 @@ void expect_right(const Solid& a, const Solid& b, double common) {
   EXPECT_NEAR(volume(outside), of_b - common, 1e-6);
 }
 
-TEST(FastNoding, IsKnownOfWhatIsConvexAndSmall) {
-  EXPECT_TRUE(is_known_noded(blocks({})));
-  EXPECT_TRUE(is_known_noded(blocks({{{0, 0, 0}, {1, 2, 3}}})));
-  EXPECT_FALSE(is_known_noded(two_that_touch()));
-  EXPECT_FALSE(is_known_noded(prism_on_block()));
-  EXPECT_FALSE(is_known_noded(complement(blocks({{{0, 0, 0}, {1, 2, 3}}}))));
+TEST(FastConform, IsKnownOfWhatIsConvexAndSmall) {
+  EXPECT_TRUE(is_known_conforming(blocks({})));
+  EXPECT_TRUE(is_known_conforming(blocks({{{0, 0, 0}, {1, 2, 3}}})));
+  EXPECT_FALSE(is_known_conforming(two_that_touch()));
+  EXPECT_FALSE(is_known_conforming(prism_on_block()));
+  EXPECT_FALSE(
+      is_known_conforming(complement(blocks({{{0, 0, 0}, {1, 2, 3}}}))));
   // Only faces that look up are not convex, or only such as look down.
   constexpr std::size_t kRow = lattice::kSize;
   constexpr std::size_t kFour[] = {0, kRow, kRow * kRow, kRow * (kRow + 1)};
   for (const std::size_t left_out : {kFour[0], kFour[3]}) {
     lattice::Cubes cubes;
     for (const std::size_t at : kFour) cubes.full[at] = at != left_out;
-    EXPECT_FALSE(is_known_noded(
-        merged(to_solid(lattice::surface(cubes)), Merge::kPlane)));
+    EXPECT_FALSE(is_known_conforming(
+        merge_faces(to_solid(lattice::surface(cubes)), Merge::kPlane)));
   }
 }
 
-TEST(FastNoding, IsPassedOnFromOperandsToResults) {
+TEST(FastConform, IsPassedOnFromOperandsToResults) {
   const Solid a = blocks({{{0, 0, 0}, {2, 2, 2}}});
   const Solid b = blocks({{{1, 1, 1}, {3, 3, 3}}});
   const Solid both = boolean(BooleanOp::kUnion, a, b);
-  EXPECT_TRUE(both.is_noded);
-  EXPECT_TRUE(merged(complement(both), Merge::kPlane).is_noded);
-  EXPECT_TRUE(boolean(BooleanOp::kDifference, both, b).is_noded);
+  EXPECT_TRUE(both.is_conforming);
+  EXPECT_TRUE(merge_faces(complement(both), Merge::kPlane).is_conforming);
+  EXPECT_TRUE(boolean(BooleanOp::kDifference, both, b).is_conforming);
   // Nothing has to be known of what nothing is near.
   const Solid far = blocks({{{9, 9, 9}, {10, 10, 10}}});
   const Solid some = boolean(BooleanOp::kUnion, two_that_touch(), far);
-  EXPECT_FALSE(some.is_noded);
+  EXPECT_FALSE(some.is_conforming);
   Chain chain(far);
   chain.apply(BooleanOp::kUnion, blocks({{{8, 8, 8}, {9, 9, 9}}}));
-  EXPECT_TRUE(chain.solid().is_noded);
+  EXPECT_TRUE(chain.solid().is_conforming);
   chain.apply(BooleanOp::kUnion, some);
-  EXPECT_FALSE(chain.solid().is_noded);
+  EXPECT_FALSE(chain.solid().is_conforming);
 }
 
-TEST(FastNoding, PartsFacesWhereTheSurfaceTouchesItself) {
+TEST(FastConform, PartsFacesWhereTheSurfaceTouchesItself) {
   for (const Solid& solid : {two_that_touch(), prism_on_block()}) {
     const Solid parted = noded(solid);
-    EXPECT_TRUE(parted.is_noded);
+    EXPECT_TRUE(parted.is_conforming);
     EXPECT_TRUE(check_operand(parted));
     EXPECT_GT(parted.edges.size(), solid.edges.size());
     EXPECT_NEAR(volume(parted), volume(solid), 1e-6);
@@ -210,7 +212,7 @@ TEST(FastNoding, PartsFacesWhereTheSurfaceTouchesItself) {
   open.edges.resize(open.edges.size() - open.faces.back().edge_count);
   open.faces.pop_back();
   EXPECT_EQ(noded(open).edges, open.edges);
-  EXPECT_TRUE(noded(open).is_noded);
+  EXPECT_TRUE(noded(open).is_conforming);
 }
 
 /// Whether either operand has nodes where the other one meets it.
@@ -223,7 +225,7 @@ std::array<bool, 2> have_nodes(const Solid& a, const Solid& b) {
 
 constexpr std::array<bool, 2> kBoth{true, true};
 
-TEST(FastNoding, IsAskedForOnlyWhereAFaceHasAnEdgeThatIsNotItsOwn) {
+TEST(FastConform, IsAskedForOnlyWhereAFaceHasAnEdgeThatIsNotItsOwn) {
   const std::array<bool, 2> not_first{false, true}, not_second{true, false};
   const Solid a = two_that_touch();
   const Solid beside = blocks({{{1, 1, 0}, {2, 2, 1}}});
@@ -248,11 +250,11 @@ TEST(FastNoding, IsAskedForOnlyWhereAFaceHasAnEdgeThatIsNotItsOwn) {
         to_solid(lattice::surface(lattice::random_cubes(1 + i % 2, state)));
     EXPECT_EQ(have_nodes(x, x), kBoth);
     EXPECT_EQ(have_nodes(x, y), kBoth);
-    EXPECT_EQ(have_nodes(merged(x, Merge::kPlane), y), kBoth);
+    EXPECT_EQ(have_nodes(merge_faces(x, Merge::kPlane), y), kBoth);
   }
 }
 
-TEST(FastNoding, BooleansAreRightWhereEdgesLieInEdgesInPart) {
+TEST(FastConform, BooleansAreRightWhereEdgesLieInEdgesInPart) {
   const Solid a = two_that_touch();
   // Between the two, at the edges that lie in each other.
   expect_right(a, blocks({{{1, 1, 0}, {2, 2, 1}}}), 0);
@@ -265,7 +267,7 @@ TEST(FastNoding, BooleansAreRightWhereEdgesLieInEdgesInPart) {
   expect_right(a, a, volume(a));
 }
 
-TEST(FastNoding, BooleansAreRightWhereAnEdgeLiesInAFace) {
+TEST(FastConform, BooleansAreRightWhereAnEdgeLiesInAFace) {
   const Solid a = prism_on_block();
   // Beside the edge, on the face: right at it, and beyond its ends.
   expect_right(a, blocks({{{1, 2, 2}, {3, 3, 3}}}), 0.5);
@@ -278,7 +280,7 @@ TEST(FastNoding, BooleansAreRightWhereAnEdgeLiesInAFace) {
   expect_right(a, blocks({{{2, -1, -1}, {5, 5, 5}}}), volume(a) / 2);
 }
 
-TEST(FastNoding, BooleansAreRightWhereManyEdgesLieInAFace) {
+TEST(FastConform, BooleansAreRightWhereManyEdgesLieInAFace) {
   constexpr int kPrisms = 12;
   std::vector<GridPoint> vertices;
   std::vector<std::vector<VertexId>> polygons;
@@ -320,7 +322,7 @@ TEST(FastNoding, BooleansAreRightWhereManyEdgesLieInAFace) {
   expect_right(a, blocks({{{2, -1, -1}, {5, kLong + 1, 5}}}), volume(a) / 2);
 }
 
-TEST(FastNoding, BooleansAreRightWhereAnEdgeLiesInAFaceWithManyEdges) {
+TEST(FastConform, BooleansAreRightWhereAnEdgeLiesInAFaceWithManyEdges) {
   lattice::Cubes board;
   for (std::size_t i = 0; i < lattice::kSize; ++i) {
     for (std::size_t j = 0; j < lattice::kSize; ++j) {
@@ -328,7 +330,8 @@ TEST(FastNoding, BooleansAreRightWhereAnEdgeLiesInAFaceWithManyEdges) {
           i % 2 == 0 || j % 2 == 0;
     }
   }
-  const Solid whole = merged(to_solid(lattice::surface(board)), Merge::kPlane);
+  const Solid whole =
+      merge_faces(to_solid(lattice::surface(board)), Merge::kPlane);
   const Solid a =
       with_tetrahedra(whole, {{{{2, 2, 1}, {3, 3, 1}, {2, 3, 3}, {3, 2, 3}}}});
   ASSERT_TRUE(check_operand(a));
@@ -353,7 +356,7 @@ void expect_corners(const Solid& a, const Solid& b) {
     for (const bool swapped : {false, true}) {
       const Solid result =
           swapped ? boolean(operation, b, a) : boolean(operation, a, b);
-      EXPECT_EQ(repair(result).faces_cut, 0u);
+      EXPECT_EQ(resolve(result).faces_cut, 0u);
     }
   }
 }
@@ -365,7 +368,7 @@ GridPoint turned(const GridPoint& p, int times) {
   return q;
 }
 
-TEST(FastNoding, APointOnAnEdgeThatTheOtherCoversIsACorner) {
+TEST(FastConform, APointOnAnEdgeThatTheOtherCoversIsACorner) {
   using Tetrahedron = std::array<GridPoint, 4>;
   // With a face along the edge, with none, with an edge across it, and at
   // another edge.
@@ -397,7 +400,7 @@ TEST(FastNoding, APointOnAnEdgeThatTheOtherCoversIsACorner) {
   }
 }
 
-TEST(FastNoding, APointOnAFaceWhereTheOtherCutsItIsACorner) {
+TEST(FastConform, APointOnAFaceWhereTheOtherCutsItIsACorner) {
   std::vector<std::array<GridPoint, 4>> list;
   for (const std::int64_t y : {8, 2, 5}) {
     list.push_back({{{2, y, 2}, {1, y - 1, 4}, {3, y - 1, 4}, {2, y + 1, 4}}});

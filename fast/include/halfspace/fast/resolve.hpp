@@ -3,16 +3,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "halfspace/fast/crossings.hpp"
+#include "halfspace/fast/self_intersections.hpp"
 #include "halfspace/fast/solid.hpp"
 
 namespace halfspace::fast {
 
-/// What repair() did.
-struct Repaired {
+/// What resolve() did.
+struct Resolved {
   Solid solid;
   /// What was resolved: where faces crossed or overlapped.
-  std::vector<Crossing> crossings;
+  std::vector<SelfIntersection> self_intersections;
   std::size_t faces_cut = 0;      ///< of which parts are left
   std::size_t faces_dropped = 0;  ///< of which nothing is left
 };
@@ -22,10 +22,11 @@ struct Repaired {
 /// out as it is, if it is noded: where its surface touches itself along a
 /// segment, or a vertex lies on an edge, faces are parted and edges cut.
 ///
-/// Requires: bounded, and closed: bad_edges(solid) is empty. No face's own edges
+/// Requires: bounded, and closed: bad_edges(solid) is empty. No face's own
+/// edges
 ///           cross each other: none of to_solid() has such.
 /// Shape:    as of boolean(): closed, and faces are parts of the solid's.
 /// Exact:    yes.
-Repaired repair(const Solid& solid);
+Resolved resolve(const Solid& solid);
 
 }  // namespace halfspace::fast

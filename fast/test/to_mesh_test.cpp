@@ -1,4 +1,4 @@
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,13 +27,13 @@ Solid sliver(Unit unit) {
 }
 
 TEST(Export, WhatDoublesHoldIsNotTurnedOver) {
-  const ExportedMesh mesh = exported(sliver({2, -3}));
+  const ExportedMesh mesh = to_mesh(sliver({2, -3}));
   EXPECT_EQ(mesh.moved, 0u);
-  EXPECT_TRUE(mesh.turned.empty());
+  EXPECT_TRUE(mesh.flipped.empty());
   // Of thousandths it is not sure, and so it says.
-  const ExportedMesh decimal = exported(sliver({10, -3}));
+  const ExportedMesh decimal = to_mesh(sliver({10, -3}));
   EXPECT_EQ(decimal.moved, 4u);
-  EXPECT_FALSE(decimal.turned.empty());
+  EXPECT_FALSE(decimal.flipped.empty());
 }
 
 TEST(Export, TellsWhatRoundingFlattened) {
@@ -59,13 +59,13 @@ TEST(Export, TellsWhatRoundingFlattened) {
   const Solid slab = boolean(
       BooleanOp::kDifference,
       boolean(BooleanOp::kIntersection, box, below(kFar - 1)), below(kFar));
-  const ExportedMesh mesh = exported(slab);
+  const ExportedMesh mesh = to_mesh(slab);
   EXPECT_EQ(mesh.faces.size(), 6u);
   EXPECT_EQ(mesh.vertices.size(), 8u);
   EXPECT_GE(mesh.moved, 4u);
   EXPECT_LE(mesh.max_move, 0x1p-28);
   // The four sides are lines now; what is above and below is not.
-  EXPECT_EQ(mesh.turned.size(), 4u);
+  EXPECT_EQ(mesh.flipped.size(), 4u);
   for (std::size_t p = 0; p < mesh.faces.size(); ++p) {
     std::vector<std::array<double, 2>> shadow;  // on the xy plane
     for (std::size_t c = mesh.first_corner[p]; c < mesh.first_corner[p + 1];
@@ -76,7 +76,7 @@ TEST(Export, TellsWhatRoundingFlattened) {
     std::sort(shadow.begin(), shadow.end());
     const bool is_side =
         std::unique(shadow.begin(), shadow.end()) - shadow.begin() == 2;
-    EXPECT_EQ(std::count(mesh.turned.begin(), mesh.turned.end(),
+    EXPECT_EQ(std::count(mesh.flipped.begin(), mesh.flipped.end(),
                          static_cast<std::int32_t>(p)),
               is_side ? 1 : 0);
   }

@@ -1,4 +1,4 @@
-#include "halfspace/fast/crossings.hpp"
+#include "halfspace/fast/self_intersections.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,14 +13,14 @@ namespace {
 
 /// Where faces in one plane begin to overlap: an edge of one with both of them
 /// on the same side of it.
-void add_overlaps(const Operand& a, std::vector<Crossing>& found) {
+void add_overlaps(const Operand& a, std::vector<SelfIntersection>& found) {
   for (const Cover& cover : a.covers) {
     const LineEdge& edge = a.edges[static_cast<std::size_t>(cover.edge)];
     const Face& other = a.face(cover.face);
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
       const EdgeUse& use = a.uses[edge.first_use + u];
       const Face& face = a.face(use.face);
-      const bool left = use.forward != face.turned;
+      const bool left = use.forward != face.flipped;
       if (use.face == cover.face || face.plane != other.plane ||
           !(left ? cover.left : cover.right))
         continue;
@@ -45,7 +45,7 @@ class Passages {
               [](const Cover& c, const Cover& d) { return c.edge < d.edge; });
   }
 
-  void add_to(std::vector<Crossing>& found) {
+  void add_to(std::vector<SelfIntersection>& found) {
     auto cover = covers_.begin();
     for (std::size_t e = 0; e < operand_.edges.size(); ++e) {
       const auto first = cover;
@@ -70,10 +70,10 @@ class Passages {
     return u != v && space_.compare(axis, u, v) < 0;
   }
 
-  void add_edge(const LineEdge& edge, std::vector<Crossing>& found);
+  void add_edge(const LineEdge& edge, std::vector<SelfIntersection>& found);
   void add_wing(std::int32_t face, int turn) {
     const Face& of = operand_.face(face);
-    wings_.push_back({0, face, of.plane, turn, of.turned});
+    wings_.push_back({0, face, of.plane, turn, of.flipped});
   }
 
   const Operand& operand_;
@@ -84,7 +84,8 @@ class Passages {
   std::vector<Wing> wings_;
 };
 
-void Passages::add_edge(const LineEdge& edge, std::vector<Crossing>& found) {
+void Passages::add_edge(const LineEdge& edge,
+                        std::vector<SelfIntersection>& found) {
   const int axis = edge.axis;
   ends_ = {edge.low, edge.high};
   for (const Cover& cover : others_)
@@ -98,7 +99,7 @@ void Passages::add_edge(const LineEdge& edge, std::vector<Crossing>& found) {
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
       const EdgeUse& use = operand_.uses[edge.first_use + u];
       add_wing(use.face,
-               use.forward != operand_.face(use.face).turned ? 1 : -1);
+               use.forward != operand_.face(use.face).flipped ? 1 : -1);
     }
     for (const Cover& cover : others_) {
       if (is_before(axis, ends_[i], cover.low) ||
@@ -141,30 +142,33 @@ SelfContacts self_contacts(const Solid& solid) {
   return result;
 }
 
-std::vector<Crossing> crossings_of(const SelfContacts& contacts) {
-  std::vector<Crossing> found;
+std::vector<SelfIntersection> self_intersections_of(
+    const SelfContacts& contacts) {
+  std::vector<SelfIntersection> found;
   for (const Trace& trace : contacts.traces) {
     if (trace.first < trace.second)
       found.push_back({trace.first, trace.second, trace.low, false});
   }
   add_overlaps(contacts.operand, found);
   Passages(contacts.operand, *contacts.operand.solid->space).add_to(found);
-  const auto key = [](const Crossing& c) {
+  const auto key = [](const SelfIntersection& c) {
     return std::tuple(c.first, c.second, c.in_plane);
   };
-  std::stable_sort(
-      found.begin(), found.end(),
-      [&](const Crossing& c, const Crossing& d) { return key(c) < key(d); });
-  found.erase(std::unique(found.begin(), found.end(),
-                          [](const Crossing& c, const Crossing& d) {
-                            return c.first == d.first && c.second == d.second;
-                          }),
-              found.end());
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const SelfIntersection& c, const SelfIntersection& d) {
+                     return key(c) < key(d);
+                   });
+  found.erase(
+      std::unique(found.begin(), found.end(),
+                  [](const SelfIntersection& c, const SelfIntersection& d) {
+                    return c.first == d.first && c.second == d.second;
+                  }),
+      found.end());
   return found;
 }
 
-std::vector<Crossing> crossings(const Solid& solid) {
-  return crossings_of(self_contacts(solid));
+std::vector<SelfIntersection> self_intersections(const Solid& solid) {
+  return self_intersections_of(self_contacts(solid));
 }
 
 }  // namespace halfspace::fast

@@ -1,4 +1,4 @@
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 
 #include <algorithm>
 #include <set>
@@ -28,16 +28,16 @@ class Resolver {
               [](const Cut& x, const Cut& y) { return x.edge < y.edge; });
   }
 
-  Repaired run() {
-    Repaired repaired;
-    repaired.crossings = crossings_of(contacts_);
+  Resolved run() {
+    Resolved resolved;
+    resolved.self_intersections = self_intersections_of(contacts_);
     mark_cut_faces();
     for (std::size_t e = 0; e < operand_.edges.size(); ++e) emit_edge(e);
     for (const Trace& trace : contacts_.traces) {
       if (trace.first < trace.second) emit_trace(trace);
     }
-    repaired.solid = result(repaired);
-    return repaired;
+    resolved.solid = result(resolved);
+    return resolved;
   }
 
  private:
@@ -54,7 +54,7 @@ class Resolver {
   void add_points(const Segment& line);
   void add_points_of(std::int32_t f, const Segment& line);
   bool is_in_extent(std::int32_t f, std::int32_t v) const;
-  Solid result(Repaired& repaired);
+  Solid result(Resolved& resolved);
 
   const Solid& solid_;
   Space& space_;
@@ -97,7 +97,7 @@ void Resolver::mark_cut_faces() {
     mark(cover.face);
   }
   // Faces in one plane that have all edges in common.
-  for (const Crossing& crossing : crossings_of(contacts_)) {
+  for (const SelfIntersection& crossing : self_intersections_of(contacts_)) {
     mark(crossing.first);
     mark(crossing.second);
   }
@@ -231,7 +231,7 @@ void Resolver::emit(const Segment& segment) {
     pieces_.resize(before_any);
 }
 
-Solid Resolver::result(Repaired& repaired) {
+Solid Resolver::result(Resolved& resolved) {
   Solid result{{}, {}, false, solid_.unit, solid_.space, true};
   // Step 1: the faces that nothing cuts, as they are.
   const std::vector<std::int32_t> part = parts_of_surface(operand_, is_cut_);
@@ -268,18 +268,18 @@ Solid Resolver::result(Repaired& repaired) {
     const auto f = static_cast<std::int32_t>(pieces_[i].bucket);
     if (i == 0 || pieces_[i - 1].bucket != pieces_[i].bucket) {
       begin(f);
-      ++repaired.faces_cut;
+      ++resolved.faces_cut;
     }
     result.edges.push_back({pieces_[i].from, pieces_[i].to, pieces_[i].other});
     ++result.faces.back().edge_count;
   }
   for (Face& of : result.faces) of.box = face_box(result, of);
-  repaired.faces_dropped = solid_.faces.size() - result.faces.size();
+  resolved.faces_dropped = solid_.faces.size() - result.faces.size();
   return result;
 }
 
 }  // namespace
 
-Repaired repair(const Solid& solid) { return Resolver(solid).run(); }
+Resolved resolve(const Solid& solid) { return Resolver(solid).run(); }
 
 }  // namespace halfspace::fast

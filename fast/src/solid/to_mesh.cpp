@@ -1,4 +1,4 @@
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -256,7 +256,7 @@ bool surely_faces_out(const ExportedMesh& mesh,
 
 }  // namespace
 
-ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
+ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options) {
   ExportedMesh mesh;
   if (solid.faces.empty()) return mesh;
   Polygons polygons = polygons_of(solid, options);
@@ -302,8 +302,8 @@ ExportedMesh exported(const Solid& solid, const ExportOptions& options) {
     const Face& face = solid.faces[static_cast<std::size_t>(f)];
     if (is_moved(corners)) {
       const Plane& normal = solid.space->plane(face.plane).filter.plane;
-      if (!surely_faces_out(mesh, corners, normal, face.turned ? -1 : 1))
-        mesh.turned.push_back(static_cast<std::int32_t>(at));
+      if (!surely_faces_out(mesh, corners, normal, face.flipped ? -1 : 1))
+        mesh.flipped.push_back(static_cast<std::int32_t>(at));
     }
     for (const std::int32_t v : corners) *corner++ = v;
     mesh.first_corner[at + 1] =

@@ -7,15 +7,16 @@
 
 namespace halfspace::fast {
 
-/// Two faces at a place where a surface passes through itself (S6.6): they cross
-/// each other's interior, overlap in one plane, or are neighbours in the radial
-/// order round a segment that both enter there, or both leave.
-struct Crossing {
+/// Two faces at a place where a surface passes through itself (S6.6): they
+/// cross each other's interior, overlap in one plane, or are neighbours in the
+/// radial order round a segment that both enter there, or both leave.
+struct SelfIntersection {
   std::int32_t first = 0;
   std::int32_t second = 0;
   std::int32_t vertex = 0;  ///< where it begins
   bool in_plane = false;
-  friend bool operator==(const Crossing&, const Crossing&) = default;
+  friend bool operator==(const SelfIntersection&,
+                         const SelfIntersection&) = default;
 };
 
 /// Where the solid's surface passes through itself, one place for each pair of
@@ -27,6 +28,6 @@ struct Crossing {
 ///           faces that cross or overlap.
 /// Exact:    yes.
 /// Source:   S6.6; radial order as in Weiler's radial edge structure.
-std::vector<Crossing> crossings(const Solid& solid);
+std::vector<SelfIntersection> self_intersections(const Solid& solid);
 
 }  // namespace halfspace::fast

@@ -30,7 +30,7 @@ struct ExportedMesh {
   std::size_t moved = 0;  ///< vertices that doubles may not hold exactly
   double max_move = 0;    ///< no coordinate moved farther
   /// The polygons that rounding may have turned over or flattened.
-  std::vector<std::int32_t> turned;
+  std::vector<std::int32_t> flipped;
 };
 
 /// The solid as convex polygons, or as triangles, in doubles: the nearest ones,
@@ -42,6 +42,6 @@ struct ExportedMesh {
 ///        equal solids give equal meshes, however they came about, if their
 ///        faces do. Where a surface crosses itself, which booleans do not
 ///        make of solids, it may be open.
-ExportedMesh exported(const Solid& solid, const ExportOptions& options = {});
+ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options = {});
 
 }  // namespace halfspace::fast

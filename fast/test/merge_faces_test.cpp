@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/export.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "lattice.hpp"
 #include "scenes.hpp"
 #include "solid/loops.hpp"
@@ -15,10 +15,10 @@
 namespace halfspace::fast {
 namespace {
 
-TEST(Merged, FacesThatLookOppositeWaysStay) {
+TEST(MergeFaces, FacesThatLookOppositeWaysStay) {
   const Solid sheet =
       solid_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}, {2, 1, 0}});
-  EXPECT_EQ(merged(sheet, Merge::kPlane).faces.size(), 2u);
+  EXPECT_EQ(merge_faces(sheet, Merge::kPlane).faces.size(), 2u);
 }
 
 /// A block of two cubes, its upper and lower faces in halves, and on the edge
@@ -39,16 +39,16 @@ Solid block(bool with_tetrahedron) {
   return solid_of(vertices, polygons);
 }
 
-TEST(Merged, AHalfOfSpaceStays) {
+TEST(MergeFaces, AHalfOfSpaceStays) {
   const Solid half =
       half_space({GridPoint{0, 0, 0}, GridPoint{1, 0, 0}, GridPoint{0, 1, 0}},
                  block(false));
-  EXPECT_EQ(merged(half, Merge::kPlane).faces.size(), 1u);
+  EXPECT_EQ(merge_faces(half, Merge::kPlane).faces.size(), 1u);
 }
 
-TEST(Merged, EdgesWhereTheSurfaceTouchesItselfStay) {
-  EXPECT_EQ(merged(block(false), Merge::kPlane).faces.size(), 6u);
-  EXPECT_EQ(merged(block(true), Merge::kPlane).faces.size(), 7u + 4u);
+TEST(MergeFaces, EdgesWhereTheSurfaceTouchesItselfStay) {
+  EXPECT_EQ(merge_faces(block(false), Merge::kPlane).faces.size(), 6u);
+  EXPECT_EQ(merge_faces(block(true), Merge::kPlane).faces.size(), 7u + 4u);
 }
 
 /// A face's plane, which way it looks, and its edges.
@@ -60,7 +60,7 @@ std::vector<Shape> shapes_of(const Solid& solid) {
   for (const Face& face : solid.faces) {
     const auto first = solid.edges.begin() + std::ptrdiff_t{face.first_edge};
     shapes.emplace_back(
-        face.plane, face.turned,
+        face.plane, face.flipped,
         std::vector<SolidEdge>(first, first + std::ptrdiff_t{face.edge_count}));
     EXPECT_TRUE(face.box == face_box(solid, face));
     edge_count += face.edge_count;
@@ -69,22 +69,23 @@ std::vector<Shape> shapes_of(const Solid& solid) {
   return shapes;
 }
 
-TEST(Merged, BitByBitIsAsAtOnce) {
+TEST(MergeFaces, BitByBitIsAsAtOnce) {
   // What is merged takes other places than what stays.
   std::uint64_t state = 23;
   for (int round = 0; round < 6; ++round) {
     Solid solid = to_solid(lattice::surface(lattice::random_cubes(3, state)));
     for (std::size_t f = 0; f < solid.faces.size(); ++f)
       solid.faces[f].color.r = static_cast<std::uint8_t>(f / 3 % 3);
-    const Solid colors = merged(solid, Merge::kColor);
-    const Solid planes = merged(solid, Merge::kPlane);
+    const Solid colors = merge_faces(solid, Merge::kColor);
+    const Solid planes = merge_faces(solid, Merge::kPlane);
     EXPECT_LT(colors.faces.size(), solid.faces.size());
     EXPECT_LT(planes.faces.size(), colors.faces.size());
     EXPECT_FALSE(std::is_sorted(colors.faces.begin(), colors.faces.end(),
                                 [](const Face& f, const Face& g) {
                                   return f.first_edge < g.first_edge;
                                 }));
-    EXPECT_TRUE(shapes_of(merged(colors, Merge::kPlane)) == shapes_of(planes));
+    EXPECT_TRUE(shapes_of(merge_faces(colors, Merge::kPlane)) ==
+                shapes_of(planes));
     EXPECT_TRUE(bad_edges(planes).empty());
   }
 }
@@ -140,7 +141,7 @@ Solid shuffled(Solid solid, bool loops, std::mt19937& random) {
   return solid;
 }
 
-TEST(Merged, DoesNotDependOnTheOrderOfEdges) {
+TEST(MergeFaces, DoesNotDependOnTheOrderOfEdges) {
   std::mt19937 random(29);
   std::uint64_t state = 29;
   const auto check = [&](Solid solid) {
@@ -149,15 +150,15 @@ TEST(Merged, DoesNotDependOnTheOrderOfEdges) {
     const Solid edges = shuffled(solid, false, random);
     const Solid loops = shuffled(solid, true, random);
     for (const Merge rule : {Merge::kOrigin, Merge::kColor, Merge::kPlane}) {
-      const Solid least = merged(solid, rule);
-      EXPECT_TRUE(shapes_of(merged(edges, rule)) == shapes_of(least));
-      EXPECT_TRUE(shapes_of(merged(loops, rule)) == shapes_of(least));
+      const Solid least = merge_faces(solid, rule);
+      EXPECT_TRUE(shapes_of(merge_faces(edges, rule)) == shapes_of(least));
+      EXPECT_TRUE(shapes_of(merge_faces(loops, rule)) == shapes_of(least));
       // Where a face touches itself its loops may be others, but not what they
       // go round.
       for (const bool parted : {false, true}) {
         const ExportOptions options{.triangles = parted};
-        const ExportedMesh once = exported(least, options);
-        const ExportedMesh twice = exported(merged(least, rule), options);
+        const ExportedMesh once = to_mesh(least, options);
+        const ExportedMesh twice = to_mesh(merge_faces(least, rule), options);
         EXPECT_EQ(once.corners, twice.corners);
         EXPECT_EQ(once.vertices, twice.vertices);
       }
@@ -168,10 +169,10 @@ TEST(Merged, DoesNotDependOnTheOrderOfEdges) {
     const Solid b = to_solid(
         lattice::surface(lattice::random_cubes(round % 2 + 1, state)), a);
     // Parts of the others' faces have a few short loops.
-    const Solid c =
-        merged(to_solid(lattice::surface(lattice::random_cubes(4, state)), a),
-               Merge::kPlane);
-    const Solid d = merged(b, Merge::kPlane);
+    const Solid c = merge_faces(
+        to_solid(lattice::surface(lattice::random_cubes(4, state)), a),
+        Merge::kPlane);
+    const Solid d = merge_faces(b, Merge::kPlane);
     check(a);
     check(b);
     for (const BooleanOp operation :
@@ -180,11 +181,12 @@ TEST(Merged, DoesNotDependOnTheOrderOfEdges) {
       check(boolean(operation, a, b));
       check(boolean(operation, c, d));
     }
-    check(merged(boolean(BooleanOp::kUnion, a, b), Merge::kPlane));
+    check(merge_faces(boolean(BooleanOp::kUnion, a, b), Merge::kPlane));
     // Faces that touch themselves.
     for (int k = 0; k < 8; ++k) {
-      check(merged(to_solid(lattice::surface(lattice::random_cubes(4, state))),
-                   Merge::kPlane));
+      check(merge_faces(
+          to_solid(lattice::surface(lattice::random_cubes(4, state))),
+          Merge::kPlane));
     }
   }
 }

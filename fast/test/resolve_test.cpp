@@ -1,4 +1,4 @@
-#include "halfspace/fast/repair.hpp"
+#include "halfspace/fast/resolve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/export.hpp"
 #include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "lattice.hpp"
 
 namespace halfspace::fast {
@@ -23,8 +23,9 @@ using lattice::Cubes;
 /// The surfaces of two heaps of cubes, each in as few faces as possible, as if
 /// they were one solid's.
 Solid both_surfaces(const Cubes& a, const Cubes& b) {
-  Solid both = merged(to_solid(lattice::surface(a)), Merge::kPlane);
-  const Solid more = merged(to_solid(lattice::surface(b), both), Merge::kPlane);
+  Solid both = merge_faces(to_solid(lattice::surface(a)), Merge::kPlane);
+  const Solid more =
+      merge_faces(to_solid(lattice::surface(b), both), Merge::kPlane);
   const auto edges = static_cast<std::uint32_t>(both.edges.size());
   both.edges.insert(both.edges.end(), more.edges.begin(), more.edges.end());
   for (Face face : more.faces) {
@@ -46,28 +47,29 @@ Cubes block(int first, int last, int up_to) {
   return cubes;
 }
 
-TEST(FastRepair, SurfacesThatCrossThemselvesAreFound) {
+TEST(FastResolve, SurfacesThatCrossThemselvesAreFound) {
   std::uint64_t state = 5;
   for (int i = 0; i < 20; ++i) {
     const Cubes cubes = lattice::random_cubes(1 + i % 3, state);
     const Solid solid = to_solid(lattice::surface(cubes));
-    EXPECT_TRUE(crossings(solid).empty());
-    EXPECT_TRUE(crossings(merged(solid, Merge::kPlane)).empty());
+    EXPECT_TRUE(self_intersections(solid).empty());
+    EXPECT_TRUE(self_intersections(merge_faces(solid, Merge::kPlane)).empty());
   }
   // One block within another, beside it, through it, and flush with it.
   const auto found = [](const Cubes& a, const Cubes& b) {
-    return crossings(both_surfaces(a, b));
+    return self_intersections(both_surfaces(a, b));
   };
   EXPECT_TRUE(found(block(0, 6, 6), block(1, 4, 4)).empty());
   EXPECT_TRUE(found(block(0, 2, 2), block(4, 6, 6)).empty());
   const auto through = found(block(0, 4, 4), block(1, 3, 7));
   ASSERT_EQ(through.size(), 4u);
-  for (const Crossing& crossing : through) EXPECT_FALSE(crossing.in_plane);
+  for (const SelfIntersection& crossing : through)
+    EXPECT_FALSE(crossing.in_plane);
   const auto flush = found(block(0, 4, 4), block(1, 3, 4));
   // The sides of the small one leave the common plane between the two.
   ASSERT_EQ(flush.size(), 5u);
   EXPECT_EQ(std::count_if(flush.begin(), flush.end(),
-                          [](const Crossing& c) { return c.in_plane; }),
+                          [](const SelfIntersection& c) { return c.in_plane; }),
             1);
   EXPECT_EQ(found(block(0, 4, 4), block(0, 4, 4)).size(), 6u);
 }
@@ -76,7 +78,7 @@ TEST(FastRepair, SurfacesThatCrossThemselvesAreFound) {
 void add_surface(const Cubes& cubes, bool turned, bool in_least_faces,
                  Solid& solid) {
   Solid more = to_solid(lattice::surface(cubes), solid);
-  if (in_least_faces) more = merged(more, Merge::kPlane);
+  if (in_least_faces) more = merge_faces(more, Merge::kPlane);
   if (turned) more = complement(std::move(more));
   const auto edges = static_cast<std::uint32_t>(solid.edges.size());
   solid.edges.insert(solid.edges.end(), more.edges.begin(), more.edges.end());
@@ -94,7 +96,7 @@ std::string said_of(const Solid& solid) {
 
 TEST(FastOperand, IsRefusedWithThePlace) {
   Solid solid =
-      merged(to_solid(lattice::surface(block(0, 4, 4))), Merge::kPlane);
+      merge_faces(to_solid(lattice::surface(block(0, 4, 4))), Merge::kPlane);
   EXPECT_EQ(said_of(solid), "fine");
   EXPECT_TRUE(open_faces(solid).empty());
   // The edges of two faces change places: all edges together are as before.
@@ -159,7 +161,7 @@ TEST(FastOperand, WindsRoundPlacesOnceOrNotAtAll) {
   }
 }
 
-TEST(FastRepair, WhatIsWoundRoundIsKept) {
+TEST(FastResolve, WhatIsWoundRoundIsKept) {
   std::uint64_t state = 3;
   std::size_t crossed = 0;
   for (int row = 0; row < 24; ++row) {
@@ -177,25 +179,25 @@ TEST(FastRepair, WhatIsWoundRoundIsKept) {
     for (std::size_t i = 0; i < winding.size(); ++i)
       expected.full[i] = winding[i] > 0;
     ASSERT_TRUE(bad_edges(solid).empty());
-    const Repaired repaired = repair(solid);
-    crossed += repaired.crossings.size();
-    ASSERT_TRUE(bad_edges(repaired.solid).empty());
+    const Resolved resolved = resolve(solid);
+    crossed += resolved.self_intersections.size();
+    ASSERT_TRUE(bad_edges(resolved.solid).empty());
     bool whole = false;
-    ASSERT_TRUE(lattice::outline(repaired.solid, whole) ==
+    ASSERT_TRUE(lattice::outline(resolved.solid, whole) ==
                 lattice::outline(expected));
     ASSERT_TRUE(whole);
-    EXPECT_TRUE(crossings(repaired.solid).empty());
+    EXPECT_TRUE(self_intersections(resolved.solid).empty());
     // Nothing is left to do.
-    const Repaired again = repair(repaired.solid);
-    EXPECT_TRUE(again.crossings.empty());
+    const Resolved again = resolve(resolved.solid);
+    EXPECT_TRUE(again.self_intersections.empty());
     EXPECT_EQ(again.faces_cut + again.faces_dropped, 0u);
-    EXPECT_EQ(again.solid.edges, repaired.solid.edges);
+    EXPECT_EQ(again.solid.edges, resolved.solid.edges);
   }
   EXPECT_GT(crossed, 100u);
 }
 
 /// A tetrahedron whose corners are anywhere, as long as it has a volume.
-halfspace::Solid tetrahedron(std::uint64_t& state) {
+GridSolid tetrahedron(std::uint64_t& state) {
   SceneData data;
   while (true) {
     data.vertices.clear();
@@ -225,10 +227,10 @@ halfspace::Solid tetrahedron(std::uint64_t& state) {
   return *std::move(solid);
 }
 
-TEST(FastRepair, SolidsThroughEachOtherBecomeTheirUnion) {
+TEST(FastResolve, SolidsThroughEachOtherBecomeTheirUnion) {
   std::uint64_t state = 8;
   const auto least = [](const Solid& solid) {
-    return exported(merged(solid, Merge::kPlane), {.triangles = true});
+    return to_mesh(merge_faces(solid, Merge::kPlane), {.triangles = true});
   };
   std::size_t crossed = 0;
   for (int row = 0; row < 30; ++row) {
@@ -245,14 +247,14 @@ TEST(FastRepair, SolidsThroughEachOtherBecomeTheirUnion) {
       all.edges.insert(all.edges.end(), solids.back().edges.begin(),
                        solids.back().edges.end());
     }
-    const Repaired repaired = repair(all);
-    crossed += repaired.crossings.size();
-    ASSERT_TRUE(bad_edges(repaired.solid).empty());
-    const ExportedMesh mesh = least(repaired.solid);
-    const ExportedMesh expected = least(combined(BooleanOp::kUnion, solids));
+    const Resolved resolved = resolve(all);
+    crossed += resolved.self_intersections.size();
+    ASSERT_TRUE(bad_edges(resolved.solid).empty());
+    const ExportedMesh mesh = least(resolved.solid);
+    const ExportedMesh expected = least(boolean_all(BooleanOp::kUnion, solids));
     ASSERT_TRUE(mesh.vertices == expected.vertices &&
                 mesh.corners == expected.corners);
-    EXPECT_TRUE(repair(repaired.solid).crossings.empty());
+    EXPECT_TRUE(resolve(resolved.solid).self_intersections.empty());
   }
   EXPECT_GT(crossed, 100u);
 }
