@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "halfspace/bsp_tree.hpp"
+#include "halfspace/splitmix.hpp"
 
 namespace halfspace::bench {
 
@@ -10,12 +10,9 @@ namespace halfspace::bench {
 /// generator of S3.4, so that a seed names a workload for ever.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(mix(seed)) {}
+  explicit Random(std::uint64_t seed) : generator_(mix(seed) + kSplitMixStep) {}
 
-  std::uint64_t next() {
-    state_ += 0x9e3779b97f4a7c15u;
-    return mix(state_);
-  }
+  std::uint64_t next() { return generator_.next(); }
 
   /// From `first` to `last`, both included; the bias is below 2^-32.
   /// Requires: first <= last and last - first < 2^32.
@@ -25,7 +22,7 @@ class Random {
   }
 
  private:
-  std::uint64_t state_;
+  SplitMix64 generator_;
 };
 
 }  // namespace halfspace::bench

@@ -29,3 +29,11 @@ function(halfspace_unity_group target group)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target}
     PROPERTIES UNITY_GROUP ${group})
 endfunction()
+
+# The tests of a room, beside which this CMakeLists.txt stands: they are listed
+# there and nowhere else, and are one unity group.
+function(halfspace_test_room target)
+  target_sources(${target} PRIVATE ${ARGN})
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME name)
+  halfspace_unity_group(${target} ${name} ${ARGN})
+endfunction()

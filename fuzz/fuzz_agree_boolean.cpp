@@ -2,14 +2,14 @@
 #include <map>
 #include <utility>
 
-#include "both_solid.hpp"
-#include "definition.hpp"
+#include "adapters/both_solid.hpp"
+#include "definition/definition.hpp"
 #include "fuzz.hpp"
+#include "generate/shapes.hpp"
 #include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/winding.hpp"
-#include "shapes.hpp"
 
 namespace halfspace {
 namespace {

@@ -1,4 +1,4 @@
-#include "definition.hpp"
+#include "definition/definition.hpp"
 #include "fuzz.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"

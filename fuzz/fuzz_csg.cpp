@@ -7,9 +7,9 @@
 #include "csg_points.hpp"
 #include "csg_text.hpp"
 #include "fuzz.hpp"
+#include "generate/shapes.hpp"
 #include "halfspace/csg/evaluate.hpp"
 #include "halfspace/fast/boolean.hpp"
-#include "shapes.hpp"
 
 namespace halfspace {
 namespace {

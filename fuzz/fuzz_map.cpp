@@ -45,8 +45,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const SceneFile view = fuzz::view_of(bytes);
   const std::string text = write_scene(view);
   const MapOptions options = {view.options.cull, {}};
-  const auto map = fast::visible_map(
-      view.scene, fast::build(view.scene, build), *view.camera, options);
+  const auto map = fast::visible_map(view.scene, fast::build(view.scene, build),
+                                     *view.camera, options);
   HALFSPACE_FUZZ_EXPECT(map.has_value(), text);
   fast::DisplayTreeOptions display;
   display.leaf_size = build.candidates;

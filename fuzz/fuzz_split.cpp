@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "definition.hpp"
+#include "definition/definition.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/ref/split.hpp"
 #include "views.hpp"

@@ -1,4 +1,4 @@
-#include "definition.hpp"
+#include "definition/definition.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/traverse.hpp"

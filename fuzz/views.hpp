@@ -1,9 +1,9 @@
 #pragma once
 
 #include "fuzz.hpp"
+#include "generate/shapes.hpp"
+#include "generate/viewpoints.hpp"
 #include "halfspace/bsp_tree.hpp"
-#include "shapes.hpp"
-#include "viewpoints.hpp"
 
 /// What the bytes of a fuzzer mean to the generators of proptest/.
 namespace halfspace::fuzz {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds proptest/determinism with many compilers, levels of optimisation and
 # sanitizers, and with filters that are never sure, and compares what it prints
-# with proptest/determinism.txt and with one another.
+# with proptest/agree/determinism.txt and with one another.
 #
 #   tools/determinism.sh                    all compilers that are there
 #   tools/determinism.sh g++-12 clang++-19  these
@@ -41,7 +41,7 @@ try() {
   if cmake -S . -B "$folder" -G Ninja -DHALFSPACE_WARNINGS_AS_ERRORS=OFF \
     "$@" >"$folder.log" 2>&1 &&
     cmake --build "$folder" --target determinism >>"$folder.log" 2>&1 &&
-    "$folder/proptest/determinism" proptest/determinism.txt \
+    "$folder/proptest/determinism" proptest/agree/determinism.txt \
       >>"$folder.log" 2>&1 &&
     "$folder/proptest/determinism" --all >"$folder.hashes" &&
     "$compare" "$folder.hashes"; then

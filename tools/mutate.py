@@ -43,7 +43,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIBCLANG = "/usr/lib/llvm-14/lib/libclang-14.so.1"
 
 FILES = [
-    "ref/include/halfspace/ref/screen.hpp", "ref/src/screen.cpp", "ref/src/split.cpp", "ref/src/predicate.cpp",
+    "spec/include/halfspace/span.hpp", "ref/src/screen.cpp", "ref/src/split.cpp", "ref/src/predicate.cpp",
     "ref/src/splitter.cpp", "ref/src/build.cpp", "ref/src/traverse.cpp",
     "ref/src/projection.cpp", "ref/src/scan.cpp", "ref/src/render.cpp",
     "ref/src/shade.cpp", "ref/src/classify.cpp", "ref/src/boolean.cpp",
@@ -90,7 +90,7 @@ FILES = [
 ]
 
 # The source by which a header with functions of its own is compiled.
-HOSTS = {"ref/include/halfspace/ref/screen.hpp": "ref/src/screen.cpp"}
+HOSTS = {"spec/include/halfspace/span.hpp": "ref/src/screen.cpp"}
 
 OTHERS = {
     "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"],

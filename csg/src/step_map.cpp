@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "halfspace/int128.hpp"
+#include "halfspace/big_integer.hpp"
 
 namespace halfspace::csg {
 namespace {
@@ -21,24 +21,9 @@ std::size_t bits_of(const Integer& value) {
   return value == 0 ? 0 : msb(abs(value)) + 1;
 }
 
-Int128 narrowed(const Integer& value) {
-  const Integer size = abs(value);
-  Int128 result = static_cast<std::uint64_t>(size >> 64);
-  result = result * (Int128{1} << 64) +
-           static_cast<std::uint64_t>(size & ~std::uint64_t{0});
-  return value < 0 ? -result : result;
-}
-
 const Integer& widened(const Integer& value) { return value; }
 
-Integer widened(Int128 value) {
-  const bool negative = value < 0;
-  if (negative) value = -value;
-  Integer result = static_cast<std::uint64_t>(value >> 64);
-  result <<= 64;
-  result += static_cast<std::uint64_t>(value);
-  return negative ? Integer(-result) : result;
-}
+Integer widened(Int128 value) { return to_big<Integer>(value); }
 
 std::int32_t twos_in(const Integer& value) {
   return static_cast<std::int32_t>(lsb(abs(value)));
@@ -86,7 +71,8 @@ bool is_narrow(const StepMap& map) {
 Rows<Int128> narrowed(const StepMap& map) {
   Rows<Int128> rows;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) rows.k[i][j] = narrowed(map.rows[i][j]);
+    for (std::size_t j = 0; j < 4; ++j)
+      rows.k[i][j] = to_int128(map.rows[i][j]);
   }
   return rows;
 }
@@ -197,7 +183,7 @@ PlacedPoints placed(const StepMap& map, std::span<const GridPoint> points,
     for (Integer& entry : row) entry *= factor;
   }
   if (is_narrow(scaled) && bits_of(divisor) <= 124)
-    return placed_by(narrowed(scaled), narrowed(divisor), points, unit);
+    return placed_by(narrowed(scaled), to_int128(divisor), points, unit);
   return placed_by(Rows<Integer>{scaled.rows}, divisor, points, unit);
 }
 

@@ -94,12 +94,12 @@ std::string size_of(const Figure& figure) {
 
 std::string svg_of(const Figure& figure, const FigureOptions& options) {
   const Pen pen = {options.decimals, -1};
-  std::string text =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-      std::to_string(figure.width) + "\" height=\"" +
-      std::to_string(figure.height) + "\" viewBox=\"0 0 " + size_of(figure) +
-      "\">\n<defs>\n<g id=\"regions\" fill-rule=\"evenodd\" "
-      "stroke-linejoin=\"round\">\n";
+  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+                     std::to_string(figure.width) + "\" height=\"" +
+                     std::to_string(figure.height) + "\" viewBox=\"0 0 " +
+                     size_of(figure) +
+                     "\">\n<defs>\n<g id=\"regions\" fill-rule=\"evenodd\" "
+                     "stroke-linejoin=\"round\">\n";
   for (const FigureRegion& region : figure.regions) {
     const auto loops = loops_of(region, pen);
     if (loops.empty()) continue;
@@ -141,8 +141,8 @@ struct Words {
 std::string operators_of(const Figure& figure, const FigureOptions& options,
                          const Words& words, bool is_pdf) {
   const Pen pen = {options.decimals, static_cast<double>(figure.height)};
-  std::string text = is_pdf ? "1 j 1 J 1 w\n"
-                            : "1 setlinejoin 1 setlinecap 1 setlinewidth\n";
+  std::string text =
+      is_pdf ? "1 j 1 J 1 w\n" : "1 setlinejoin 1 setlinecap 1 setlinewidth\n";
   for (const bool with_strokes : {true, false}) {
     for (const FigureRegion& region : figure.regions) {
       const auto loops = loops_of(region, pen);
@@ -210,8 +210,7 @@ std::string eps_of(const Figure& figure, const FigureOptions& options) {
   return "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 " + size_of(figure) +
          "\n%%EndComments\n/m {moveto} def /l {lineto} def "
          "/h {closepath} def /c {setrgbcolor} def\n" +
-         operators_of(figure, options, words, false) +
-         "showpage\n%%EOF\n";
+         operators_of(figure, options, words, false) + "showpage\n%%EOF\n";
 }
 
 /// PGF's basic layer: big points, as in PDF.
@@ -219,8 +218,8 @@ std::string tex_of(const Figure& figure, const FigureOptions& options) {
   const Pen pen = {options.decimals, static_cast<double>(figure.height)};
   const auto point = [](const std::string& text) {
     const std::size_t gap = text.find(' ');
-    return "\\pgfpoint{" + text.substr(0, gap) + "bp}{" +
-           text.substr(gap + 1) + "bp}";
+    return "\\pgfpoint{" + text.substr(0, gap) + "bp}{" + text.substr(gap + 1) +
+           "bp}";
   };
   const auto color = [](const char* what, Rgb rgb) {
     std::string text = std::string("\\definecolor{h}{RGB}{");
@@ -245,8 +244,8 @@ std::string tex_of(const Figure& figure, const FigureOptions& options) {
           text += "\\pgfpathlineto{" + point(loop[k]) + "}\n";
         text += "\\pgfpathclose\n";
       }
-      text += with_strokes ? "\\pgfusepath{fill,stroke}\n"
-                           : "\\pgfusepath{fill}\n";
+      text +=
+          with_strokes ? "\\pgfusepath{fill,stroke}\n" : "\\pgfusepath{fill}\n";
     }
   }
   for (const FigureStrokes& strokes : figure.strokes) {
@@ -289,8 +288,8 @@ Result<std::string> figure_bytes(std::string_view ending, const Figure& figure,
   for (const FigureFormat& format : kFormats) {
     if (format.ending == ending) return format.write(figure, options);
   }
-  return Error{ErrorCode::kUnknownFormat, "a figure's name ends in one of " +
-                                              figure_format_names()};
+  return Error{ErrorCode::kUnknownFormat,
+               "a figure's name ends in one of " + figure_format_names()};
 }
 
 Result<Done> write_figure(const std::filesystem::path& path,

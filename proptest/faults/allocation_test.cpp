@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../agree_scenes.hpp"
+#include "generate/random_scenes.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"

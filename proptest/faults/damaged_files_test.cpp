@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "../agree_scenes.hpp"
+#include "generate/random_scenes.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/picture.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "../agree_solids.hpp"
+#include "generate/random_solids.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/operand.hpp"
 #include "halfspace/ref/boolean.hpp"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "../agree_scenes.hpp"
+#include "generate/random_scenes.hpp"
 #include "halfspace/boolean.hpp"
 
 namespace halfspace::identities {

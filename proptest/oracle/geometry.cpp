@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "../agree_scenes.hpp"
+#include "generate/random_scenes.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/traverse.hpp"

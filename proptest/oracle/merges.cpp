@@ -1,6 +1,6 @@
 #include <vector>
 
-#include "../agree_scenes.hpp"
+#include "generate/random_scenes.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "question.hpp"

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "agree_scenes.hpp"
-#include "definition.hpp"
-#include "scenes.hpp"
+#include "adapters/scenes.hpp"
+#include "definition/definition.hpp"
+#include "generate/random_scenes.hpp"
 
 namespace halfspace::vectors {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "both.hpp"
-#include "both_solid.hpp"
+#include "adapters/both.hpp"
+#include "adapters/both_solid.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/big_integer.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -19,26 +20,6 @@ const BigInteger& least_int128() {
 const BigInteger& greatest_int128() {
   static const BigInteger value = (BigInteger(1) << 127) - 1;
   return value;
-}
-
-/// Requires: least_int128() <= value <= greatest_int128().
-Int128 to_int128(const BigInteger& value) {
-  const bool negative = value < 0;
-  const BigInteger magnitude = negative ? -value : value;
-  const BigInteger high = magnitude >> 64;
-  const BigInteger low = magnitude - (high << 64);
-  // Unsigned, so that 2^127, the magnitude of the least value, is no overflow.
-  __extension__ using UInt128 = unsigned __int128;
-  const UInt128 bits = UInt128{high.convert_to<std::uint64_t>()} << 64 |
-                       low.convert_to<std::uint64_t>();
-  return static_cast<Int128>(negative ? -bits : bits);
-}
-
-BigInteger to_big_integer(Int128 value) {
-  BigInteger result = static_cast<std::int64_t>(value >> 64);
-  result <<= 64;
-  result += static_cast<std::uint64_t>(value);
-  return result;
 }
 
 /// A value above / below, perhaps not in lowest terms. below > 0.
@@ -90,7 +71,7 @@ const BigRational& Rational::in(BigRational& room) const {
   if (is_word(small_)) {
     room = static_cast<std::int64_t>(small_);
   } else {
-    room = to_big_integer(small_);
+    room = to_big<BigInteger>(small_);
   }
   return room;
 }
@@ -118,7 +99,7 @@ int Rational::sign_of_big_affine(const Rational& a, const Rational& x,
     if (value.big_) return quotient_of(*value.big_);
     if (is_word(value.small_))
       return Quotient{static_cast<std::int64_t>(value.small_), 1};
-    return Quotient{to_big_integer(value.small_), 1};
+    return Quotient{to_big<BigInteger>(value.small_), 1};
   };
   return (quotient(a) * quotient(x) + quotient(b) * quotient(y) +
           quotient(c) * quotient(z) + quotient(d))

@@ -52,8 +52,8 @@ class Forms {
     const std::vector<Plane> planes = planes_of(scene);
     for (PolygonId id = 0; id < std::ssize(planes); ++id) {
       const auto index = static_cast<std::size_t>(id);
-      polygons_.push_back(covering_of(lattice_corners(scene, id),
-                                      planes[index], eye, options.cull));
+      polygons_.push_back(covering_of(lattice_corners(scene, id), planes[index],
+                                      eye, options.cull));
       keys_.push_back(options.keys.empty() ? id : options.keys[index]);
     }
   }
@@ -130,7 +130,8 @@ std::vector<MapArc> parts_of(const Line& line, const std::vector<Line>& lines,
     if (point && forms.holds(*point)) points.push_back(*point);
   }
   std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end(), are_equal), points.end());
+  points.erase(std::unique(points.begin(), points.end(), are_equal),
+               points.end());
   std::vector<MapArc> parts;
   for (std::size_t k = 1; k < points.size(); ++k) {
     const ImagePoint& from = points[k - 1];
@@ -183,7 +184,8 @@ std::vector<MapArc> visible_map(const Scene& scene, const Camera& camera,
     }
   }
   std::sort(map.begin(), map.end(), [](const MapArc& f, const MapArc& g) {
-    return are_equal(f.from, g.from) ? before(f.to, g.to) : before(f.from, g.from);
+    return are_equal(f.from, g.from) ? before(f.to, g.to)
+                                     : before(f.from, g.from);
   });
   return map;
 }

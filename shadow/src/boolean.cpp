@@ -7,8 +7,8 @@
 #include <sstream>
 #include <utility>
 
-#include "halfspace/bsp_tree.hpp"
 #include "halfspace/ref/predicate.hpp"
+#include "halfspace/splitmix.hpp"
 
 namespace halfspace::shadow {
 namespace {
@@ -109,14 +109,13 @@ class Exact {
 /// Random numbers of one operation's check.
 class Stream {
  public:
-  explicit Stream(std::uint64_t seed) : state_(mix(seed)) {}
+  explicit Stream(std::uint64_t seed) : generator_(mix(seed) + kSplitMixStep) {}
   std::int64_t below(std::size_t count) {
-    state_ += 0x9e3779b97f4a7c15u;
-    return static_cast<std::int64_t>(mix(state_) % count);
+    return static_cast<std::int64_t>(generator_.next() % count);
   }
 
  private:
-  std::uint64_t state_;
+  SplitMix64 generator_;
 };
 
 /// A point near a face: amid three of its vertices, and off by anything from

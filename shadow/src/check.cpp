@@ -11,6 +11,7 @@
 #include "halfspace/ref/raycast.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/scene_file.hpp"
+#include "halfspace/splitmix.hpp"
 #include "polygons.hpp"
 
 namespace halfspace::shadow {
@@ -41,10 +42,10 @@ class Samples {
     const auto width = static_cast<std::size_t>(shown.items.width_px);
     const std::size_t pixels = shown.items.pixels.size();
     all_.reserve((pixels + step - 1) / step);
-    std::uint64_t state = how.seed;
+    SplitMix64 generator(how.seed);
     for (std::size_t first = 0; first < pixels; first += step) {
       const std::size_t length = std::min(step, pixels - first);
-      const std::size_t at = first + next(state) % length;
+      const std::size_t at = first + generator.next() % length;
       Sample sample;
       sample.i = left_ + static_cast<std::int32_t>(at % width);
       sample.j = top_ + static_cast<std::int32_t>(at / width);
@@ -130,13 +131,6 @@ class Samples {
 
   static constexpr std::uint32_t kAtOnce = 64;
 
-  /// The generator splitmix64.
-  static std::uint64_t next(std::uint64_t& state) {
-    std::uint64_t z = state += 0x9e3779b97f4a7c15;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-    z = (z ^ z >> 27) * 0x94d049bb133111eb;
-    return z ^ z >> 31;
-  }
   std::int32_t tile(std::int32_t pixels) const { return pixels >> shift_; }
   std::size_t tile_of(const Sample& sample) const {
     return static_cast<std::size_t>(tile(sample.j - top_)) *

@@ -105,9 +105,9 @@ io::Figure figure_of(const fast::VisibleMap& map, const Scene& scene,
       io::FigureRegion drawn;
       const bool is_background = region.item == kBackground;
       drawn.fill = is_background ? image.background : scene.color(region.item);
-      drawn.title = is_background ? "background"
-                                  : arguments.by + " " +
-                                        std::to_string(region.key);
+      drawn.title = is_background
+                        ? "background"
+                        : arguments.by + " " + std::to_string(region.key);
       for (std::int32_t l = 0; l < region.loop_count; ++l) {
         const auto loop = static_cast<std::size_t>(region.first_loop + l);
         std::vector<io::FigurePoint> points;
@@ -150,10 +150,9 @@ Status run_draw(const DrawArguments& arguments) {
   fast::BspTree tree = fast::build_display_tree(scene, display);
   if (LongWork::interrupted()) return stop("interrupted");
   fast::divide_leaves(tree, scene);
-  const Result<fast::VisibleMap> map =
-      fast::visible_map(scene, tree, chosen->camera,
-                        {image.cull, keys_of(scene, arguments.by)},
-                        {arguments.most_cells});
+  const Result<fast::VisibleMap> map = fast::visible_map(
+      scene, tree, chosen->camera, {image.cull, keys_of(scene, arguments.by)},
+      {arguments.most_cells});
   if (!map) return fail(arguments.path, map.error());
   const io::Figure figure =
       figure_of(*map, scene, chosen->camera, image, arguments);

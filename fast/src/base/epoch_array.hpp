@@ -1,39 +1,42 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "halfspace/fast/list.hpp"
 
 namespace halfspace::fast {
 
-/// Values by number, few of them given, which can all be forgotten at once in
-/// no time.
+/// Values by index, few of which are set; clear() takes constant time. A value
+/// counts only if it was set in the present epoch.
+///
+/// Requires: indices are not negative.
 template <class T>
-class Stamped {
+class EpochArray {
  public:
-  void forget() {
-    if (++now_ != 0) return;
+  void clear() {
+    if (++epoch_ != 0) return;
     slots_.clear();
-    now_ = 1;
+    epoch_ = 1;
   }
-  T get(std::int32_t number, T otherwise) const {
-    const auto at = static_cast<std::size_t>(number);
-    return at < slots_.size() && slots_[at].stamp == now_ ? slots_[at].value
-                                                          : otherwise;
+  T get(std::int32_t index, T otherwise) const {
+    const auto at = static_cast<std::size_t>(index);
+    return at < slots_.size() && slots_[at].epoch == epoch_ ? slots_[at].value
+                                                            : otherwise;
   }
-  void set(std::int32_t number, T value) {
-    const auto at = static_cast<std::size_t>(number);
+  void set(std::int32_t index, T value) {
+    const auto at = static_cast<std::size_t>(index);
     if (at >= slots_.size()) slots_.resize(at + 1 + at / 2);
-    slots_[at] = {now_, value};
+    slots_[at] = {epoch_, value};
   }
 
  private:
   struct Slot {
-    std::uint32_t stamp = 0;
+    std::uint32_t epoch = 0;
     T value{};
   };
   List<Slot> slots_;
-  std::uint32_t now_ = 1;
+  std::uint32_t epoch_ = 1;
 };
 
 }  // namespace halfspace::fast

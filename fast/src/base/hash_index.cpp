@@ -6,14 +6,12 @@
 namespace halfspace::fast {
 
 void HashIndex::place(const Slot& slot) {
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t s = slot.mark & mask;
-  while (slots_[s].index >= 0) s = (s + 1) & mask;
-  slots_[s] = slot;
+  const auto is_free = [this](std::size_t s) { return slots_[s].index < 0; };
+  slots_[probe(slot.mark, slots_.size() - 1, is_free)] = slot;
 }
 
 void HashIndex::grow(std::size_t size) {
-  List<Slot> old(size);
+  List<Slot> old(size, slots_.get_allocator());
   old.swap(slots_);
   for (const Slot& slot : old) {
     if (slot.index >= 0) place(slot);

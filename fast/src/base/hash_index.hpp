@@ -7,8 +7,19 @@
 
 namespace halfspace::fast {
 
-/// A table from hashes to indices, with open addresses. What the indices mean,
-/// and when two of them are equal, is its user's affair.
+/// The first slot from `start` on, cyclically, for which `stops(slot)` holds:
+/// linear probing (KNU98 sec. 6.4, algorithm L).
+///
+/// Requires: 2^k slots, `mask` being 2^k - 1; some slot stops.
+template <class Stops>
+std::size_t probe(std::size_t start, std::size_t mask, Stops&& stops) {
+  std::size_t slot = start & mask;
+  while (!stops(slot)) slot = (slot + 1) & mask;
+  return slot;
+}
+
+/// A hash table of indices, with open addressing. Its user knows what the
+/// indices mean and when two entries are equal.
 class HashIndex {
  public:
   /// The index for which `equal(index)` holds among those entered with `hash`,
@@ -16,26 +27,27 @@ class HashIndex {
   template <class Equal>
   std::int32_t find(std::uint64_t hash, Equal&& equal) const {
     if (slots_.empty()) return -1;
-    const std::size_t mask = slots_.size() - 1;
     const std::uint32_t mark = mark_of(hash);
-    for (std::size_t s = mark & mask; slots_[s].index >= 0;
-         s = (s + 1) & mask) {
-      if (slots_[s].mark == mark && equal(slots_[s].index))
-        return slots_[s].index;
-    }
-    return -1;
+    return slots_[probe(mark, slots_.size() - 1,
+                        [&](std::size_t s) {
+                          const Slot& slot = slots_[s];
+                          return slot.index < 0 ||
+                                 (slot.mark == mark && equal(slot.index));
+                        })]
+        .index;
   }
   void enter(std::uint64_t hash, std::int32_t index);
-  /// Begins to fetch what find() will look at first.
+  /// Begins to fetch the slot that find() reads first.
   void prefetch(std::uint64_t hash) const {
     if (!slots_.empty())
       __builtin_prefetch(&slots_[mark_of(hash) & (slots_.size() - 1)]);
   }
-  /// Makes room for so many in all; and for `more`, if there was too little.
+  /// Makes room for `count` entries in all; where there was too little, also
+  /// for `more` beyond them.
   void reserve(std::size_t count, std::size_t more);
 
  private:
-  /// A part of the hash is enough to tell nearly all that are not equal.
+  /// Half of the hash distinguishes nearly all entries that are not equal.
   struct Slot {
     std::uint32_t mark = 0;
     std::int32_t index = -1;

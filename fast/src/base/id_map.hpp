@@ -7,101 +7,102 @@
 #include <limits>
 #include <vector>
 
+#include "base/hash_index.hpp"
+
 namespace halfspace::fast {
 
-/// The least and the greatest of some numbers, and how many they were.
-struct Extent {
+/// The least and the greatest of some ids, and how many were added.
+struct IdRange {
   std::int32_t low = std::numeric_limits<std::int32_t>::max();
   std::int32_t high = -1;
   std::size_t uses = 0;
 
-  void add(std::int32_t number) {
-    low = std::min(low, number);
-    high = std::max(high, number);
+  void add(std::int32_t id) {
+    low = std::min(low, id);
+    high = std::max(high, id);
     ++uses;
   }
+  /// Whether an array of all ids from `low` to `high` is worth its size.
+  /// Untuned: 8 bytes a use is what the hashed form takes.
   bool is_dense() const {
     return uses > 0 && static_cast<std::size_t>(high - low) < 8 * uses;
   }
 };
 
-/// Tells most numbers that are not among some others, by their last digits.
-class Sieve {
+/// A set of ids that has false positives and no false negatives: a Bloom
+/// filter (BLO70) with one hash function, the id's low bits.
+class BloomFilter {
  public:
-  explicit Sieve(std::size_t count)
-      : digits_(std::bit_ceil(8 * count + 1) - 1), may_(digits_ + 1) {}
-  void add(std::int32_t number) { may_[place(number)] = 1; }
-  /// Never false for one of them.
-  bool may_hold(std::int32_t number) const { return may_[place(number)] != 0; }
+  explicit BloomFilter(std::size_t count)
+      : mask_(std::bit_ceil(8 * count + 1) - 1), may_hold_(mask_ + 1) {}
+  void add(std::int32_t id) { may_hold_[slot(id)] = 1; }
+  bool may_hold(std::int32_t id) const { return may_hold_[slot(id)] != 0; }
 
  private:
-  std::size_t place(std::int32_t number) const {
-    return static_cast<std::size_t>(number) & digits_;
+  std::size_t slot(std::int32_t id) const {
+    return static_cast<std::size_t>(id) & mask_;
   }
 
-  std::size_t digits_;
-  std::vector<std::uint8_t> may_;
+  std::size_t mask_;
+  std::vector<std::uint8_t> may_hold_;
 };
 
-/// Places in a list for numbers, which are not negative: a list that is not
-/// much longer than the numbers are many, however large they are.
-class Places {
+/// Maps sparse ids, which are not negative, to slots of a compact array: by
+/// offset if they are dense, else by hashing.
+class IdMap {
  public:
-  explicit Places(const Extent& extent) {
-    if (extent.is_dense()) {
-      low_ = extent.low;
-      size_ = static_cast<std::size_t>(extent.high - extent.low) + 1;
+  explicit IdMap(const IdRange& range) {
+    if (range.is_dense()) {
+      low_ = range.low;
+      size_ = static_cast<std::size_t>(range.high - range.low) + 1;
     } else {
-      size_ = std::bit_ceil(2 * extent.uses + 1);
+      size_ = std::bit_ceil(2 * range.uses + 1);
       keys_.assign(size_, -1);
     }
   }
+  /// The number of slots.
   std::size_t size() const { return size_; }
-  /// Calls `work` with what gives numbers their places, for work that asks for
-  /// so many that it should not ask each time which kind of list this is.
+  /// Calls `work(slot_of)`, `slot_of` being operator() without its test for
+  /// the kind of map: for loops over many ids.
   template <class Work>
-  void with_places(const Work& work) {
+  void with_slots(const Work& work) {
     if (keys_.empty()) {
-      work([low = low_](std::int32_t number) {
-        return static_cast<std::size_t>(number - low);
+      work([low = low_](std::int32_t id) {
+        return static_cast<std::size_t>(id - low);
       });
     } else {
-      work([this](std::int32_t number) { return (*this)(number); });
+      work([this](std::int32_t id) { return (*this)(id); });
     }
   }
 
-  /// The place of one of the numbers that make up the extent.
-  std::size_t operator()(std::int32_t number) {
-    if (keys_.empty()) return static_cast<std::size_t>(number - low_);
-    const std::size_t at = probe(number);
-    keys_[at] = number;
-    return at;
+  /// The slot of an id of the range, which is given one if it has none.
+  std::size_t operator()(std::int32_t id) {
+    if (keys_.empty()) return static_cast<std::size_t>(id - low_);
+    const std::size_t slot = slot_of(id);
+    keys_[slot] = id;
+    return slot;
   }
-  /// Likewise; for one that has been given no place yet, any that is free.
-  std::size_t find(std::int32_t number) const {
-    return keys_.empty() ? static_cast<std::size_t>(number - low_)
-                         : probe(number);
+  /// The slot of an id of the range; for one that has none, a free slot.
+  std::size_t find(std::int32_t id) const {
+    return keys_.empty() ? static_cast<std::size_t>(id - low_) : slot_of(id);
   }
-  /// The number that was given a place, or may be; -1 if there is none.
-  std::int32_t number_at(std::size_t place) const {
-    return keys_.empty() ? low_ + static_cast<std::int32_t>(place)
-                         : keys_[place];
+  /// The id of a slot: -1 if the slot is free, but of dense ids each has one.
+  std::int32_t id_at(std::size_t slot) const {
+    return keys_.empty() ? low_ + static_cast<std::int32_t>(slot) : keys_[slot];
   }
-  /// Whether the number is one that number_at() gives.
-  bool holds(std::int32_t number) const {
-    return keys_.empty() ? number >= low_ &&
-                               static_cast<std::size_t>(number - low_) < size_
-                         : keys_[probe(number)] == number;
+  /// Whether id_at() gives this id for some slot.
+  bool holds(std::int32_t id) const {
+    return keys_.empty()
+               ? id >= low_ && static_cast<std::size_t>(id - low_) < size_
+               : keys_[slot_of(id)] == id;
   }
 
  private:
-  /// Numbers stand in rows, nearly. A few apart they are near each other, and
-  /// leave room between them at which a search for another one ends.
-  std::size_t probe(std::int32_t number) const {
-    const std::size_t mask = size_ - 1;
-    std::size_t at = 5 * static_cast<std::size_t>(number) & mask;
-    while (keys_[at] >= 0 && keys_[at] != number) at = (at + 1) & mask;
-    return at;
+  /// Ids mostly follow each other. A multiple keeps them near each other and
+  /// leaves gaps between them, at which the search for another id ends.
+  std::size_t slot_of(std::int32_t id) const {
+    return probe(5 * static_cast<std::size_t>(id), size_ - 1,
+                 [&](std::size_t s) { return keys_[s] < 0 || keys_[s] == id; });
   }
 
   std::int32_t low_ = 0;

@@ -27,10 +27,10 @@ void for_blocks(int threads, std::size_t count, std::size_t size, Work&& work) {
   // Asking for more threads than there are makes the library complain.
   oneapi::tbb::task_arena arena(
       std::min(threads, oneapi::tbb::info::default_concurrency()));
-  const SharedWork shared;
+  const TsanForkJoin shared;
   arena.execute([&] {
     oneapi::tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-      shared.part([&] { one(b); });
+      shared.task([&] { one(b); });
     });
   });
 }

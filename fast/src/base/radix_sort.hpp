@@ -10,43 +10,57 @@
 
 namespace halfspace::fast {
 
-/// What is to be sorted, by a key.
-struct Keyed {
-  std::uint64_t key;
-  std::uint32_t item;
-};
-
-/// Sorts by key; what has one key stays in its order.
+/// Sorts by `key_of(item)`, an unsigned integer; items of one key stay in
+/// their order. Radix sort from the lowest digit on (KNU98 sec. 5.2.5).
 ///
-/// Requires: items ascend.
 /// Cost: linear, with a pass for each digit in which keys differ.
-inline void sort_by_key(List<Keyed>& keyed) {
+template <class T, class KeyOf>
+void radix_sort(List<T>& items, KeyOf&& key_of) {
+  // A table of 2^11 counts fits the first-level cache. Untuned.
   constexpr int kDigitBits = 11;
-  constexpr std::size_t kMany = 256;
-  if (keyed.size() < kMany) {
-    std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) {
-      return a.key != b.key ? a.key < b.key : a.item < b.item;
-    });
-    return;
-  }
+  constexpr std::uint64_t kMask = (1u << kDigitBits) - 1;
+  if (items.empty()) return;
   std::uint64_t differs = 0;
-  for (const Keyed& k : keyed) differs |= k.key ^ keyed.front().key;
-  List<Keyed> sorted(keyed.size());
+  const std::uint64_t first = key_of(items.front());
+  for (const T& item : items) differs |= key_of(item) ^ first;
+  List<T> sorted(items.size(), items.get_allocator());
   for (std::uint64_t left = differs; left != 0;) {
     // The next digit begins with a bit in which keys differ.
     const int shift = std::countr_zero(left);
-    constexpr std::uint64_t kMask = (1u << kDigitBits) - 1;
     left &= ~(kMask << shift);
-    std::array<std::uint32_t, kMask + 2> place{};
-    for (const Keyed& k : keyed) ++place[(k.key >> shift & kMask) + 1];
-    for (std::size_t d = 1; d < place.size(); ++d) place[d] += place[d - 1];
-    for (const Keyed& k : keyed) sorted[place[k.key >> shift & kMask]++] = k;
-    keyed.swap(sorted);
+    const auto digit = [&](const T& item) {
+      return static_cast<std::size_t>(key_of(item) >> shift & kMask);
+    };
+    std::array<std::uint32_t, kMask + 2> begin{};
+    for (const T& item : items) ++begin[digit(item) + 1];
+    for (std::size_t d = 1; d < begin.size(); ++d) begin[d] += begin[d - 1];
+    for (const T& item : items) sorted[begin[digit(item)]++] = item;
+    items.swap(sorted);
   }
 }
 
-/// A key in whose order numbers are, -0 before 0.
-/// Requires: it is a number.
+/// An item's index in some array, and the key by which it is sorted.
+struct KeyedIndex {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+/// Sorts by key, and by index where keys are equal.
+/// Requires: indices ascend.
+inline void sort_by_key(List<KeyedIndex>& row) {
+  constexpr std::size_t kMany = 256;  // untuned
+  if (row.size() >= kMany) {
+    radix_sort(row, [](const KeyedIndex& k) { return k.key; });
+    return;
+  }
+  std::sort(row.begin(), row.end(),
+            [](const KeyedIndex& a, const KeyedIndex& b) {
+              return a.key != b.key ? a.key < b.key : a.index < b.index;
+            });
+}
+
+/// A key that orders numbers as they are, -0 before 0.
+/// Requires: `value` is not NaN.
 inline std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63;

@@ -14,43 +14,44 @@
 
 namespace halfspace::fast {
 
-/// What a thread has done until now is done before what another does after its
-/// `take_over()` of the same token. Only told to the thread sanitizer, which
-/// does not see how oneTBB begins and ends tasks: wherever these stand, oneTBB
-/// orders the two itself.
-inline void hand_over([[maybe_unused]] const void* token) {
+/// Happens-before annotations for the thread sanitizer, which does not see how
+/// oneTBB orders the beginning and end of tasks. Without it they do nothing.
+///
+/// What a thread did before tsan_release(token) happens before what another
+/// does after tsan_acquire(token).
+inline void tsan_release([[maybe_unused]] const void* token) {
 #ifdef HALFSPACE_THREAD_SANITIZER
   __tsan_release(const_cast<void*>(token));
 #endif
 }
 
-inline void take_over([[maybe_unused]] const void* token) {
+inline void tsan_acquire([[maybe_unused]] const void* token) {
 #ifdef HALFSPACE_THREAD_SANITIZER
   __tsan_acquire(const_cast<void*>(token));
 #endif
 }
 
-/// Work that several threads do, between one's beginning and end: what it did
-/// before is done before theirs, and theirs before it goes on.
-class SharedWork {
+/// Annotates a fork and join: what the owner did before it made this happens
+/// before every task, and every task before the destructor returns.
+class TsanForkJoin {
  public:
-  SharedWork() { hand_over(&begun_); }
-  ~SharedWork() { take_over(&done_); }
-  SharedWork(const SharedWork&) = delete;
-  SharedWork& operator=(const SharedWork&) = delete;
+  TsanForkJoin() { tsan_release(&fork_); }
+  ~TsanForkJoin() { tsan_acquire(&join_); }
+  TsanForkJoin(const TsanForkJoin&) = delete;
+  TsanForkJoin& operator=(const TsanForkJoin&) = delete;
 
-  /// Calls `work()`, a part of it. Never inlined: what the thread sanitizer
-  /// reports within functions of oneTBB is suppressed.
+  /// Calls `work()` as one of the tasks. Never inlined: what the thread
+  /// sanitizer reports within functions of oneTBB is suppressed.
   template <class Work>
-  [[gnu::noinline]] void part(Work&& work) const {
-    take_over(&begun_);
+  [[gnu::noinline]] void task(Work&& work) const {
+    tsan_acquire(&fork_);
     work();
-    hand_over(&done_);
+    tsan_release(&join_);
   }
 
  private:
-  char begun_ = 0;
-  char done_ = 0;
+  char fork_ = 0;
+  char join_ = 0;
 };
 
 }  // namespace halfspace::fast

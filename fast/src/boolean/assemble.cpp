@@ -27,7 +27,7 @@ Solid Engine::result() {
   result.is_conforming = is_noded_[0] && is_noded_[1];
   result.unbounded =
       truth_(operands_[0].solid->unbounded, operands_[1].solid->unbounded);
-  notes_.pinned.forget();
+  notes_.pinned.clear();
   std::size_t faces = 0, edges = 0;
   for (const Operand& operand : operands_) {
     faces += operand.solid->faces.size();

@@ -142,33 +142,14 @@ std::span<const Cover> Engine::covers_of(std::size_t o,
       .subspan(first_cover_[o][e], first_cover_[o][e + 1] - first_cover_[o][e]);
 }
 
-/// What is beyond the other operand's box has the root 0, for all of it is on
-/// one side; vertices are numbered from 1 on.
-std::int32_t Engine::find_root(std::size_t o, std::int32_t vertex) {
-  Stamped<std::int32_t>& parent = notes_.parent[o];
-  std::int32_t v = vertex + 1;
-  std::int32_t up = parent.get(v, -1);
-  if (up < 0) {
-    up = is_beyond_other(o, vertex) ? 0 : v;
-    parent.set(v, up);
-    return up;
-  }
-  while (true) {
-    const std::int32_t next = parent.get(up, up);
-    if (next == up) return up;
-    parent.set(v, next);
-    v = up;
-    up = next;
-  }
-}
-
 /// Whether a triangle's vertices are known to be joined: most are, by the
 /// triangles beside it.
 bool Engine::is_joined(std::size_t o, const SolidEdge* edges) const {
-  const Stamped<std::int32_t>& parent = notes_.parent[o];
-  const std::int32_t up = parent.get(edges[0].from + 1, -1);
-  return up >= 0 && up == parent.get(edges[1].from + 1, -1) &&
-         up == parent.get(edges[2].from + 1, -1);
+  // A vertex of no set yet is its own parent, so different from the others'.
+  const SparseParents& parents = notes_.sets[o].parents();
+  const std::int32_t up = parents.get(edges[0].from + 1);
+  return up == parents.get(edges[1].from + 1) &&
+         up == parents.get(edges[2].from + 1);
 }
 
 void Engine::join(std::size_t o, std::int32_t u, std::int32_t v) {
@@ -177,17 +158,15 @@ void Engine::join(std::size_t o, std::int32_t u, std::int32_t v) {
 
 /// Joins a vertex and those whose root is `r`. Their root.
 std::int32_t Engine::join_root(std::size_t o, std::int32_t r, std::int32_t v) {
-  const std::int32_t s = root(o, v);
-  if (r != s) notes_.parent[o].set(std::max(r, s), std::min(r, s));
-  return std::min(r, s);
+  return notes_.sets[o].unite_roots(r, root(o, v));
 }
 
 /// Joins vertices that are on the same side of the other operand's surface,
 /// because the surface does not come between.
 void Engine::join_vertices(std::size_t o) {
   const Operand& operand = operands_[o];
-  notes_.parent[o].forget();
-  notes_.member[o].forget();
+  notes_.sets[o].parents().clear();
+  notes_.member[o].clear();
   notes_.member[o].set(0,
                        operands_[1 - o].solid->unbounded ? kInside : kOutside);
   for (std::size_t f = 0; f < operand.solid->faces.size(); ++f) {

@@ -122,14 +122,14 @@ class Engine {
   bool is_beyond_other(std::size_t o, std::int32_t vertex) const {
     return is_beyond(operands_[o].reach, space_.vertex(vertex).approximate);
   }
+  /// The root of a vertex's set, of `vertex + 1`: 0 for vertices beyond the
+  /// other operand's box, all of which are on one side of it.
   std::int32_t root(std::size_t o, std::int32_t vertex) {
-    const Stamped<std::int32_t>& parent = notes_.parent[o];
-    const std::int32_t up = parent.get(vertex + 1, -1);
-    // Nearly always.
-    if (up >= 0 && parent.get(up, up) == up) return up;
-    return find_root(o, vertex);
+    SparseDisjointSets& sets = notes_.sets[o];
+    if (!sets.parents().holds(vertex + 1))
+      sets.attach(vertex + 1, is_beyond_other(o, vertex) ? 0 : vertex + 1);
+    return sets.root(vertex + 1);
   }
-  std::int32_t find_root(std::size_t o, std::int32_t vertex);
   bool is_joined(std::size_t o, const SolidEdge* edges) const;
   void join(std::size_t o, std::int32_t u, std::int32_t v);
   std::int32_t join_root(std::size_t o, std::int32_t r, std::int32_t v);

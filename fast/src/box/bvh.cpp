@@ -45,7 +45,7 @@ void BoxTree::sort_items(std::vector<Item>& items) {
   for (std::size_t k = 0; k < 3; ++k) size = std::max(size, high[k] - low[k]);
   constexpr float kMost = (1 << kKeyBits) - 1;
   const float scale = size > 0 ? kMost / size : 0;
-  List<Keyed> keyed;
+  List<KeyedIndex> keyed;
   keyed.reserve(items.size());
   for (const Item& item : items) {
     std::uint64_t key = 0;
@@ -58,7 +58,7 @@ void BoxTree::sort_items(std::vector<Item>& items) {
   sort_by_key(keyed);
   std::vector<Item> sorted;
   sorted.reserve(items.size());
-  for (const Keyed& k : keyed) sorted.push_back(items[k.item]);
+  for (const KeyedIndex& k : keyed) sorted.push_back(items[k.index]);
   items.swap(sorted);
 }
 

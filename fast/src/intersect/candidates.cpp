@@ -20,7 +20,7 @@ void prepare(Operand& a, Operand& b, Space& space) {
     if (!operand->blocks)
       operand->blocks = std::make_shared<const EdgeBlocks>(solid);
   }
-  space.notes().on_other.forget();
+  space.notes().on_other.clear();
   a.reach = b.extent;
   b.reach = a.extent;
 }
@@ -85,7 +85,7 @@ void add_edges(Operand& operand, const Space& space) {
     std::int32_t face;
   };
   std::vector<Entry> entries;
-  List<Keyed> keyed;  // by the lesser end, then the greater one
+  List<KeyedIndex> keyed;  // by the lesser end, then the greater one
   for (const std::int32_t f : operand.active) {
     const Face& face = operand.face(f);
     const auto add = [&](std::uint32_t first, std::uint32_t count) {
@@ -115,7 +115,7 @@ void add_edges(Operand& operand, const Space& space) {
   operand.uses.reserve(entries.size());
   for (std::size_t i = 0; i < keyed.size();) {
     const std::uint64_t ends = keyed[i].key;
-    const Entry& first = entries[keyed[i].item];
+    const Entry& first = entries[keyed[i].index];
     LineEdge edge{static_cast<std::int32_t>(ends >> 32),
                   static_cast<std::int32_t>(ends & 0xffffffff)};
     edge.axis = space.edge_axis(edge.low, edge.high);
@@ -128,7 +128,7 @@ void add_edges(Operand& operand, const Space& space) {
     edge.first_use = static_cast<std::uint32_t>(operand.uses.size());
     const auto id = static_cast<std::int32_t>(operand.edges.size());
     for (; i < keyed.size() && keyed[i].key == ends; ++i) {
-      const Entry& entry = entries[keyed[i].item];
+      const Entry& entry = entries[keyed[i].index];
       operand.uses.push_back(
           {entry.face, solid.edges[entry.edge].from == edge.low});
       operand.edge_of[entry.edge] = id;

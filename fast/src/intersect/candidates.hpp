@@ -90,7 +90,7 @@ struct Operand {
   std::vector<Cut> cuts;
   std::vector<Cover> covers;
   /// By vertex: on both operands' surfaces.
-  Stamped<std::uint8_t>* on_other = nullptr;
+  EpochArray<std::uint8_t>* on_other = nullptr;
 
   const Face& face(std::int32_t f) const {
     return solid->faces[static_cast<std::size_t>(f)];

@@ -22,7 +22,7 @@ void Contact::begin_line() {
     start_[o] = before_[o];
     if (face(o).edge_count == 0) start_[o].fill(true);
     along_[o].clear();
-    is_along_[o].forget();
+    is_along_[o].clear();
   }
 }
 

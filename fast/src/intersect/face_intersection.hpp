@@ -107,9 +107,9 @@ class Contact {
   State before_{};
   /// From where to where either face is on the line, in doubles.
   std::array<double, 2> low_{}, high_{};
-  State start_{};                                   ///< before the first mark
-  std::array<std::vector<std::int32_t>, 2> along_;  ///< edges on the line
-  std::array<Stamped<std::uint8_t>, 2> is_along_;   ///< by edge
+  State start_{};                                     ///< before the first mark
+  std::array<std::vector<std::int32_t>, 2> along_;    ///< edges on the line
+  std::array<EpochArray<std::uint8_t>, 2> is_along_;  ///< by edge
   std::vector<Mark> marks_;
 };
 

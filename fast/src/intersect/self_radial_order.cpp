@@ -1,8 +1,9 @@
 #include "intersect/self_radial_order.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "base/disjoint_sets.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -120,16 +121,7 @@ int SelfWings::level_outside(std::int32_t f) {
 
 std::vector<std::int32_t> parts_of_surface(
     const Operand& operand, const std::vector<std::uint8_t>& left_out) {
-  std::vector<std::int32_t> parent(left_out.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t f) {
-    while (parent[static_cast<std::size_t>(f)] != f) {
-      std::int32_t& up = parent[static_cast<std::size_t>(f)];
-      up = parent[static_cast<std::size_t>(up)];
-      f = up;
-    }
-    return f;
-  };
+  DisjointSets faces(left_out.size());
   for (const LineEdge& edge : operand.edges) {
     if (edge.use_count != 2) continue;
     const std::int32_t f = operand.uses[edge.first_use].face;
@@ -137,13 +129,12 @@ std::vector<std::int32_t> parts_of_surface(
     if (left_out[static_cast<std::size_t>(f)] != 0 ||
         left_out[static_cast<std::size_t>(g)] != 0)
       continue;
-    const std::int32_t r = root(f);
-    const std::int32_t s = root(g);
-    parent[static_cast<std::size_t>(std::max(r, s))] = std::min(r, s);
+    faces.unite(f, g);
   }
-  for (std::size_t f = 0; f < parent.size(); ++f)
-    parent[f] = root(static_cast<std::int32_t>(f));
-  return parent;
+  std::vector<std::int32_t> parts(left_out.size());
+  for (std::size_t f = 0; f < parts.size(); ++f)
+    parts[f] = faces.root(static_cast<std::int32_t>(f));
+  return parts;
 }
 
 }  // namespace halfspace::fast

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <unordered_map>
 
-#include "halfspace/assert.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -15,29 +14,6 @@ namespace {
 constexpr std::int32_t kOutside = -1;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
-/// Sets that are joined (union-find, halving paths).
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), 0);
-  }
-  std::int32_t find(std::int32_t member) {
-    while (parents_[at(member)] != member) {
-      parents_[at(member)] = parents_[at(parents_[at(member)])];
-      member = parents_[at(member)];
-    }
-    return member;
-  }
-  void join(std::int32_t a, std::int32_t b) {
-    const std::int32_t p = find(a);
-    const std::int32_t q = find(b);
-    parents_[at(std::max(p, q))] = std::min(p, q);
-  }
-
- private:
-  std::vector<std::int32_t> parents_;
-};
 
 /// A corner of a cell: where the edges before and after it meet.
 struct CellCorner {
@@ -52,7 +28,7 @@ struct Part {
   std::int32_t cell = 0;
   std::int32_t low = 0;  ///< corners
   std::int32_t high = 0;
-  LineId low_line = 0;   ///< the other line there, of the same cell
+  LineId low_line = 0;  ///< the other line there, of the same cell
   LineId high_line = 0;
 };
 
@@ -72,8 +48,8 @@ struct HalfPiece {
   std::int32_t direction = 1;  ///< 1: along (b, -a); -1: against it
   std::int32_t to = 0;         ///< a point
   std::int32_t twin = 0;
-  std::int32_t region = 0;     ///< on the positive side of a turn from it
-  std::int32_t next = -1;      ///< round that region
+  std::int32_t region = 0;  ///< on the positive side of a turn from it
+  std::int32_t next = -1;   ///< round that region
 };
 
 class Assembly {
@@ -139,12 +115,11 @@ class Assembly {
     const double b = lines_.slope_y(line);
     const double x = b * (g.x - f.x);
     const double y = a * (g.y - f.y);
-    const double bound =
-        (std::abs(a) + std::abs(b)) * (f.error + g.error) +
-        8 * kRounding * (std::abs(x) + std::abs(y)) +
-        kRounding * 4 *
-            (std::abs(b) * (std::abs(f.x) + std::abs(g.x)) +
-             std::abs(a) * (std::abs(f.y) + std::abs(g.y)));
+    const double bound = (std::abs(a) + std::abs(b)) * (f.error + g.error) +
+                         8 * kRounding * (std::abs(x) + std::abs(y)) +
+                         kRounding * 4 *
+                             (std::abs(b) * (std::abs(f.x) + std::abs(g.x)) +
+                              std::abs(a) * (std::abs(f.y) + std::abs(g.y)));
     if (x - y > bound) return 1;
     if (x - y < -bound) return -1;
     return -lines_.turn(line, p) *
@@ -152,13 +127,12 @@ class Assembly {
   }
 
   void cut_along_nodes() {
-    std::stable_sort(parts_.begin(), parts_.end(),
-                     [](const NodePart& f, const NodePart& g) {
-                       return f.node != g.node ? f.node < g.node
-                                               : f.side > g.side;
-                     });
-    corner_sets_.emplace(corners_.size());
-    cell_sets_.emplace(items_.size());
+    std::stable_sort(
+        parts_.begin(), parts_.end(), [](const NodePart& f, const NodePart& g) {
+          return f.node != g.node ? f.node < g.node : f.side > g.side;
+        });
+    corner_sets_ = DisjointSets(corners_.size());
+    cell_sets_ = DisjointSets(items_.size());
     for (std::size_t first = 0; first < parts_.size();) {
       std::size_t end = first;
       std::size_t middle = first;
@@ -181,14 +155,14 @@ class Assembly {
       return order(line, f.low_line, f.low, g.low_line, g.low) > 0;
     });
     for (std::size_t k = 1; k < parts.size(); ++k)
-      corner_sets_->join(parts[k - 1].high, parts[k].low);
+      corner_sets_.unite(parts[k - 1].high, parts[k].low);
     return parts;
   }
 
   void add(const Piece& piece) {
     if (piece.positive != kOutside && piece.negative != kOutside &&
         keys_[at(piece.positive)] == keys_[at(piece.negative)]) {
-      cell_sets_->join(piece.positive, piece.negative);
+      cell_sets_.unite(piece.positive, piece.negative);
       return;
     }
     pieces_.push_back(piece);
@@ -210,14 +184,14 @@ class Assembly {
     std::size_t p = 0;
     std::size_t q = 0;
     std::int32_t low = positive[0].low;
-    corner_sets_->join(low, negative[0].low);
+    corner_sets_.unite(low, negative[0].low);
     while (p < positive.size() && q < negative.size()) {
       const Part& f = positive[p];
       const Part& g = negative[q];
       const int ends = order(line, f.high_line, f.high, g.high_line, g.high);
       const std::int32_t high = ends >= 0 ? f.high : g.high;
       add({line, low, high, f.cell, g.cell});
-      if (ends == 0) corner_sets_->join(f.high, g.high);
+      if (ends == 0) corner_sets_.unite(f.high, g.high);
       p += ends >= 0 ? 1 : 0;
       q += ends <= 0 ? 1 : 0;
       low = high;
@@ -228,14 +202,14 @@ class Assembly {
   void number_points() {
     std::unordered_map<std::int32_t, std::int32_t> numbers;
     const auto point_of = [&](std::int32_t corner) {
-      const std::int32_t set = corner_sets_->find(corner);
+      const std::int32_t set = corner_sets_.root(corner);
       const auto [found, is_new] = numbers.try_emplace(
           set, static_cast<std::int32_t>(point_corner_.size()));
       if (is_new) point_corner_.push_back(set);
       return found->second;
     };
     const auto region_of = [&](std::int32_t cell) {
-      return cell == kOutside ? kOutside : cell_sets_->find(cell);
+      return cell == kOutside ? kOutside : cell_sets_.root(cell);
     };
     for (const Piece& piece : pieces_) {
       const std::int32_t low = point_of(piece.low);
@@ -270,10 +244,9 @@ class Assembly {
   /// those leaving its end the one before its twin, by angle.
   void link() {
     for (auto& halves : leaving_) {
-      std::sort(halves.begin(), halves.end(),
-                [&](std::int32_t f, std::int32_t g) {
-                  return turns_before(f, g);
-                });
+      std::sort(
+          halves.begin(), halves.end(),
+          [&](std::int32_t f, std::int32_t g) { return turns_before(f, g); });
       for (std::size_t k = 0; k < halves.size(); ++k) {
         const std::int32_t after = halves[k];
         const std::int32_t before = halves[k == 0 ? halves.size() - 1 : k - 1];
@@ -285,9 +258,8 @@ class Assembly {
   /// Whether the boundary passes straight through a point (S7.4).
   bool is_straight(std::int32_t point) {
     const auto& halves = leaving_[at(point)];
-    return halves.size() == 2 &&
-           lines_.turn(halves_[at(halves[0])].line,
-                       halves_[at(halves[1])].line) == 0;
+    return halves.size() == 2 && lines_.turn(halves_[at(halves[0])].line,
+                                             halves_[at(halves[1])].line) == 0;
   }
 
   void write(VisibleMap& map);
@@ -311,13 +283,13 @@ class Assembly {
   std::vector<std::int32_t> keys_;
   std::vector<CellCorner> corners_;
   std::vector<NodePart> parts_;
-  std::optional<Sets> corner_sets_;
-  std::optional<Sets> cell_sets_;
+  DisjointSets corner_sets_{0};
+  DisjointSets cell_sets_{0};
   std::vector<Piece> pieces_;
   std::vector<std::int32_t> point_corner_;  ///< by point: one of its corners
   std::vector<HalfPiece> halves_;
   std::vector<std::vector<std::int32_t>> leaving_;  ///< by point
-  std::vector<std::int32_t> vertex_of_;  ///< by point; -1: straight
+  std::vector<std::int32_t> vertex_of_;             ///< by point; -1: straight
   std::unordered_map<std::int32_t, std::int32_t> region_of_cell_;
 };
 
@@ -342,7 +314,8 @@ void Assembly::number_vertices(VisibleMap& map) {
   vertex_of_.assign(point_corner_.size(), -1);
   std::unordered_map<LineId, std::int32_t> used;
   for (const std::int32_t k : order) {
-    vertex_of_[at(points[at(k)])] = static_cast<std::int32_t>(map.vertices.size());
+    vertex_of_[at(points[at(k)])] =
+        static_cast<std::int32_t>(map.vertices.size());
     MapVertex vertex = vertices[at(k)];
     for (std::int32_t& line : vertex.lines) {
       const auto [found, is_new] =
@@ -425,7 +398,7 @@ void Assembly::write_regions(VisibleMap& map) {
   }
   map.regions.resize(of_region.size());
   for (std::size_t cell = 0; cell < items_.size(); ++cell) {
-    const std::int32_t set = cell_sets_->find(static_cast<std::int32_t>(cell));
+    const std::int32_t set = cell_sets_.root(static_cast<std::int32_t>(cell));
     MapRegion& region = map.regions[at(region_of_cell_.at(set))];
     region.key = keys_[cell];
     if (items_[cell] != kBackground &&

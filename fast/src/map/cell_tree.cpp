@@ -191,8 +191,8 @@ void CellTree::light(std::span<const HalfPlane> sides, PolygonId item) {
       work_.insert(work_.end(), positive_.begin(), positive_.end());
       work_.insert(work_.end(), negative_.begin(), negative_.end());
       steps_.push_back({node.positive, step.first, positive_.size()});
-      steps_.push_back({node.negative, step.first + positive_.size(),
-                        negative_.size()});
+      steps_.push_back(
+          {node.negative, step.first + positive_.size(), negative_.size()});
     }
   }
 }
@@ -209,7 +209,8 @@ void CellTree::light_leaf(CellNodeId leaf, std::span<const CellEdge> part,
   CellNodeId node = leaf;
   for (const CellEdge& edge : part) {
     if (edge.node != kOwnEdge) continue;
-    if (classify(inside, edge.line) != (kSomeNegative | kSomePositive)) continue;
+    if (classify(inside, edge.line) != (kSomeNegative | kSomePositive))
+      continue;
     positive_.clear();
     negative_.clear();
     cut(inside, edge.line, node, positive_, negative_);

@@ -17,9 +17,9 @@ using CellNodeId = std::int32_t;
 /// with the interior on the side of `side`.
 struct CellEdge {
   LineId line = 0;
-  std::int32_t side = 1;   ///< the sign of the line inside
-  CellNodeId node = 0;     ///< the node whose line it is a part of
-  MapPoint start;          ///< where the edge before it meets this one
+  std::int32_t side = 1;  ///< the sign of the line inside
+  CellNodeId node = 0;    ///< the node whose line it is a part of
+  MapPoint start;         ///< where the edge before it meets this one
 };
 
 /// A side of a fragment in the image: where the line has the sign `side`.
@@ -60,7 +60,9 @@ class CellTree {
   bool full() const { return nodes_[0].full; }
 
   std::size_t cell_count() const { return cell_count_; }
-  CellNodeId node_count() const { return static_cast<CellNodeId>(nodes_.size()); }
+  CellNodeId node_count() const {
+    return static_cast<CellNodeId>(nodes_.size());
+  }
   LineId line_of(CellNodeId node) const { return nodes_[at(node)].line; }
   /// Calls visit(cell, edges) for every cell.
   template <class Visit>

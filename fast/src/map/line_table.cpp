@@ -12,7 +12,9 @@ namespace {
 /// exact"): 193, 277 and 361. A cross product of two has twice as many and one
 /// more, 387, 555 and 723; a determinant of three 18n + 114.
 template <int kBits>
-constexpr std::size_t kCrossWords = kBits == 26 ? 7 : kBits == 40 ? 9 : 12;
+constexpr std::size_t kCrossWords = kBits == 26   ? 7
+                                    : kBits == 40 ? 9
+                                                  : 12;
 template <int kBits>
 constexpr std::size_t kDeterminantWords = kBits == 26   ? 10
                                           : kBits == 40 ? 14
@@ -54,9 +56,7 @@ std::uint64_t pair_of(std::int32_t first, std::int32_t second) {
 }  // namespace
 
 LineTable::LineTable(const TreeReader& reader, const CameraData& camera)
-    : reader_(reader),
-      camera_(camera),
-      grid_bits_(reader.scene().grid_bits()) {
+    : reader_(reader), camera_(camera), grid_bits_(reader.scene().grid_bits()) {
   upright(0);
   level(0);
   upright(camera.width_px);
@@ -124,7 +124,8 @@ LineId LineTable::edge(VertexId from, VertexId to) {
 }
 
 LineId LineTable::meet(PolygonId support, PlaneId splitter) {
-  const auto [found, is_new] = meets_.try_emplace(pair_of(support, splitter), 0);
+  const auto [found, is_new] =
+      meets_.try_emplace(pair_of(support, splitter), 0);
   if (is_new) found->second = named(Kind::kMeet, support, splitter);
   return found->second;
 }
@@ -196,11 +197,10 @@ MapPoint LineTable::point(LineId a, LineId b) const {
     return (kDoubt * size + std::abs(value) * w_error) / sure +
            kDoubt * std::abs(value);
   };
-  point.error = std::max(error_of(point.x, std::abs(l.b * m.c) +
-                                               std::abs(l.c * m.b)),
-                         error_of(point.y, std::abs(l.c * m.a) +
-                                               std::abs(l.a * m.c))) *
-                kMargin;
+  point.error =
+      std::max(error_of(point.x, std::abs(l.b * m.c) + std::abs(l.c * m.b)),
+               error_of(point.y, std::abs(l.c * m.a) + std::abs(l.a * m.c))) *
+      kMargin;
   return point;
 }
 

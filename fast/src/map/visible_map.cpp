@@ -142,10 +142,9 @@ Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
   };
   walk_front_to_back(tree, eye_side, enter, show);
   if (too_many) {
-    return Error{ErrorCode::kOutOfRange,
-                 "the visible map has more than " +
-                     std::to_string(limits.most_cells) +
-                     " cells, which is the limit"};
+    return Error{ErrorCode::kOutOfRange, "the visible map has more than " +
+                                             std::to_string(limits.most_cells) +
+                                             " cells, which is the limit"};
   }
   const auto key_of = [&](PolygonId item) {
     if (item == kBackground) return kBackgroundKey;

@@ -136,9 +136,9 @@ std::vector<PixelRange> bands_of(const Rectangle& rectangle, int threads) {
 template <class Work>
 void for_bands(std::size_t count, int threads, const Work& work) {
   std::atomic<std::size_t> next{0};
-  const SharedWork shared;
+  const TsanForkJoin shared;
   const auto work_on = [&](int) {
-    shared.part([&] {
+    shared.task([&] {
       for (std::size_t k = next++; k < count; k = next++) {
         work(k % 2 == 0 ? (count + k) / 2 : (count - 1 - k) / 2);
       }

@@ -36,7 +36,7 @@ class JobRunner {
     DisplayJob* root = add(root_job());
     start(root);
     group_.wait();
-    for (const DisplayJob& job : jobs_) take_over(&job);
+    for (const DisplayJob& job : jobs_) tsan_acquire(&job);
     return root;
   }
 
@@ -45,9 +45,9 @@ class JobRunner {
     DisplayJob job;
     job.items.resize(work_.scene.polygon_count());
     {
-      const SharedWork shared;
+      const TsanForkJoin shared;
       const auto read = [&](const tbb::blocked_range<std::size_t>& range) {
-        shared.part([&] {
+        shared.task([&] {
           for (std::size_t p = range.begin(); p < range.end(); ++p) {
             job.items[p] = work_.item_of(static_cast<PolygonId>(p));
           }
@@ -68,11 +68,11 @@ class JobRunner {
   }
 
   void start(DisplayJob* job) {
-    hand_over(job);
+    tsan_release(job);
     group_.run([this, job] {
-      take_over(job);
+      tsan_acquire(job);
       carry_out(*job);
-      hand_over(job);
+      tsan_release(job);
     });
   }
 
@@ -131,9 +131,9 @@ class Merger {
     tree_.cut_vertices.resize(end_.cut_vertices);
     tree_.free_planes.resize(end_.free_planes);
     tree_.boxes.resize(end_.nodes);
-    const SharedWork shared;
+    const TsanForkJoin shared;
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
-      shared.part([&] { copy(pieces_[i]); });
+      shared.task([&] { copy(pieces_[i]); });
     });
   }
 

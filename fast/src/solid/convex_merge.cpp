@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "solid/face_projection.hpp"
 #include "solid/face_triangulation.hpp"
 
@@ -77,11 +77,9 @@ void join_convex(const Solid& solid, const Face& face,
   }
   std::sort(outer.begin(), outer.end());
   // Step 2: triangles on either side of an edge within the face are one part.
-  std::vector<std::size_t> parent(triangles.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
+  DisjointSets parts(triangles.size());
+  const auto root = [&parts](std::size_t t) {
+    return parts.root(static_cast<std::int32_t>(t));
   };
   for (const Entry& e : entries) {
     if (std::binary_search(outer.begin(), outer.end(), e.ends())) continue;
@@ -90,10 +88,10 @@ void join_convex(const Solid& solid, const Face& face,
         [&](const Entry& x, const auto& key) { return x.ends() < key; });
     // There is none only where the face's edges cross: then it stays alone.
     if (back != entries.end() && back->ends() == std::pair(e.to, e.from))
-      parent[root(e.triangle)] = root(back->triangle);
+      parts.attach(root(e.triangle), root(back->triangle));
   }
   // Step 3: each part's edges on the outside, in a row.
-  std::vector<std::pair<std::size_t, Entry>> bounds;
+  std::vector<std::pair<std::int32_t, Entry>> bounds;
   for (const Entry& e : entries) {
     if (std::binary_search(outer.begin(), outer.end(), e.ends()))
       bounds.emplace_back(root(e.triangle), e);
@@ -103,19 +101,19 @@ void join_convex(const Solid& solid, const Face& face,
       [](const auto& x, const auto& y) { return x.first < y.first; });
   std::vector<bool> joined(triangles.size());
   for (auto i = bounds.begin(); i != bounds.end();) {
-    const std::size_t part = i->first;
+    const std::int32_t part = i->first;
     std::vector<SolidEdge> row;
     auto j = i;
     for (; j != bounds.end() && j->first == part; ++j)
       row.push_back({j->second.from, j->second.to});
     put_in_row(row);
     auto loop = convex_loop(solid, face, row);
-    joined[part] = !loop.empty();
+    joined[static_cast<std::size_t>(part)] = !loop.empty();
     if (!loop.empty()) polygons.push_back(std::move(loop));
     i = j;
   }
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!joined[root(t)])
+    if (!joined[static_cast<std::size_t>(root(t))])
       polygons.emplace_back(triangles[t].begin(), triangles[t].end());
   }
 }

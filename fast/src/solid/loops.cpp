@@ -140,7 +140,7 @@ void sort_by_bucket(List<Piece>& pieces) {
     return x.bucket < y.bucket;
   };
   if (std::is_sorted(pieces.begin(), pieces.end(), by_bucket)) return;
-  List<Keyed> keyed;
+  List<KeyedIndex> keyed;
   keyed.reserve(pieces.size());
   for (const Piece& piece : pieces) {
     keyed.push_back({static_cast<std::uint64_t>(piece.bucket),
@@ -149,7 +149,7 @@ void sort_by_bucket(List<Piece>& pieces) {
   sort_by_key(keyed);
   List<Piece> sorted;
   sorted.reserve(pieces.size());
-  for (const Keyed& k : keyed) sorted.push_back(pieces[k.item]);
+  for (const KeyedIndex& k : keyed) sorted.push_back(pieces[k.index]);
   pieces.swap(sorted);
 }
 
@@ -179,7 +179,7 @@ void walk_loops(List<Piece>& pieces, const Hubs& hubs) {
 void straighten(List<Piece>& pieces,
                 const std::function<bool(std::int32_t)>& is_pinned,
                 const Space& space) {
-  Extent extent;
+  IdRange extent;
   for (const Piece& p : pieces) {
     extent.add(p.from);
     extent.add(p.to);

@@ -139,7 +139,7 @@ Hubs Merger::hubs_of_others() const {
     }
     visit_up_to(static_cast<std::uint32_t>(solid_.edges.size()));
   };
-  Extent extent;
+  IdRange extent;
   for_ends([&](std::int32_t hub, std::int32_t) { extent.add(hub); });
   return Hubs(
       extent, for_ends, for_spokes, for_corners,

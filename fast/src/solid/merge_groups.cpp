@@ -47,12 +47,12 @@ void sort_by_low(std::vector<EdgeOfFace>& entries, std::size_t count) {
 std::vector<std::uint8_t> company(const Solid& solid) {
   List<std::int32_t> numbers;
   numbers.reserve(solid.faces.size());
-  Extent extent;
+  IdRange extent;
   for (const Face& face : solid.faces) {
     numbers.push_back(2 * face.plane + (face.flipped ? 1 : 0));
     extent.add(numbers.back());
   }
-  Places places(extent);
+  IdMap places(extent);
   std::vector<std::uint8_t> count(places.size());
   for (const std::int32_t number : numbers) {
     std::uint8_t& of = count[places(number)];
@@ -76,13 +76,13 @@ std::vector<EdgeOfFace> entries_of(const Solid& solid) {
         visit(solid.edges[face.first_edge + i]);
     }
   };
-  Extent extent;
+  IdRange extent;
   for_company([&](const SolidEdge& edge) {
     extent.add(edge.from);
     extent.add(edge.to);
   });
   if (extent.uses == 0) return {};
-  Places places(extent);
+  IdMap places(extent);
   std::vector<std::uint8_t> is_end(places.size());
   for_company([&](const SolidEdge& edge) {
     is_end[places(edge.from)] = is_end[places(edge.to)] = 1;
@@ -90,7 +90,7 @@ std::vector<EdgeOfFace> entries_of(const Solid& solid) {
   const auto ends_there = [&](std::int32_t v) {
     return v >= extent.low && v <= extent.high && is_end[places.find(v)] != 0;
   };
-  Sieve sieve(extent.uses);
+  BloomFilter sieve(extent.uses);
   for_company([&](const SolidEdge& edge) {
     sieve.add(edge.from);
     sieve.add(edge.to);
@@ -126,10 +126,9 @@ std::vector<EdgeOfFace> entries_of(const Solid& solid) {
 }  // namespace
 
 FaceGroups::FaceGroups(const Solid& solid, Merge rule)
-    : parent_(solid.faces.size()),
+    : sets_(solid.faces.size()),
       merges_(solid.faces.size()),
       dropped_(solid.edges.size()) {
-  std::iota(parent_.begin(), parent_.end(), 0);
   const std::vector<EdgeOfFace> entries = entries_of(solid);
   for (std::size_t i = 0; i < entries.size();) {
     std::size_t j = i + 1;
@@ -141,7 +140,7 @@ FaceGroups::FaceGroups(const Solid& solid, Merge rule)
       const std::int32_t g = first_of(entries[i + 1].face);
       if (may_merge(solid.faces[static_cast<std::size_t>(f)],
                     solid.faces[static_cast<std::size_t>(g)], rule)) {
-        parent_[static_cast<std::size_t>(std::max(f, g))] = std::min(f, g);
+        sets_.unite_roots(f, g);
         for (std::size_t k = i; k < j; ++k) {
           dropped_[entries[k].edge] = 1;
           merges_[static_cast<std::size_t>(entries[k].face)] = 1;
@@ -150,15 +149,6 @@ FaceGroups::FaceGroups(const Solid& solid, Merge rule)
     }
     i = j;
   }
-}
-
-std::int32_t FaceGroups::first_of(std::int32_t f) {
-  while (parent_[static_cast<std::size_t>(f)] != f) {
-    std::int32_t& up = parent_[static_cast<std::size_t>(f)];
-    up = parent_[static_cast<std::size_t>(up)];
-    f = up;
-  }
-  return f;
 }
 
 }  // namespace halfspace::fast

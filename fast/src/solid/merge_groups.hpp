@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "halfspace/fast/solid.hpp"
 
 namespace halfspace::fast {
@@ -19,10 +20,10 @@ class FaceGroups {
   bool merges(std::size_t face) const { return merges_[face] != 0; }
   bool is_dropped(std::size_t edge) const { return dropped_[edge] != 0; }
   /// The first of the faces that are one with this one.
-  std::int32_t first_of(std::int32_t face);
+  std::int32_t first_of(std::int32_t face) { return sets_.root(face); }
 
  private:
-  std::vector<std::int32_t> parent_;   ///< by face
+  DisjointSets sets_;                  ///< of faces
   std::vector<std::uint8_t> merges_;   ///< by face
   std::vector<std::uint8_t> dropped_;  ///< by edge
 };

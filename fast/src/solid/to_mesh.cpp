@@ -137,13 +137,13 @@ void begin_with_least(std::span<std::int32_t> corners) {
 std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
                                        ExportedMesh& mesh) {
   const Space& space = *solid.space;
-  Extent extent;
+  IdRange extent;
   for (const std::int32_t v : polygons.corners) extent.add(v);
-  Places places(extent);
+  IdMap places(extent);
   std::vector<std::int32_t> numbers(places.size(), -1);
   std::vector<std::int32_t> used;
   std::int32_t* const number_at = numbers.data();
-  places.with_places([&](const auto& place) {
+  places.with_slots([&](const auto& place) {
     for (const std::int32_t v : polygons.corners) {
       std::int32_t& number = number_at[place(v)];
       if (number < 0) used.push_back(v);
@@ -172,7 +172,7 @@ std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
     mesh.max_move = std::max(mesh.max_move,
                              size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
   }
-  places.with_places([&](const auto& place) {
+  places.with_slots([&](const auto& place) {
     for (std::int32_t& v : polygons.corners) v = number_at[place(v)];
   });
   for (std::size_t p = 0; p < polygons.size(); ++p)

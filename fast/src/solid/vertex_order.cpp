@@ -1,8 +1,9 @@
 #include "solid/vertex_order.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
+
+#include "base/radix_sort.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -14,26 +15,8 @@ struct Ranked {
   std::int32_t id = 0;
 };
 
-constexpr int kDigitBits = 11;
-constexpr std::uint32_t kCellCount = std::uint32_t{1} << (2 * kDigitBits);
-
-/// Sorts by cells, digit by digit.
-void sort_by_cell(List<Ranked>& row) {
-  constexpr std::uint32_t kMask = (1u << kDigitBits) - 1;
-  std::array<std::array<std::uint32_t, kMask + 2>, 2> places{};
-  for (const Ranked& r : row) {
-    ++places[0][(r.cell & kMask) + 1];
-    ++places[1][(r.cell >> kDigitBits) + 1];
-  }
-  List<Ranked> sorted(row.size());
-  for (int digit = 0; digit < 2; ++digit) {
-    auto& place = places[static_cast<std::size_t>(digit)];
-    for (std::size_t d = 1; d < place.size(); ++d) place[d] += place[d - 1];
-    for (const Ranked& r : row)
-      sorted[place[r.cell >> (digit * kDigitBits) & kMask]++] = r;
-    row.swap(sorted);
-  }
-}
+/// Cells are two digits of the radix sort. Untuned.
+constexpr std::uint32_t kCellCount = std::uint32_t{1} << 22;
 
 /// Sorts by x what lies between two numbers.
 void sort_by_x(List<Ranked>& row, double low, double high) {
@@ -50,7 +33,7 @@ void sort_by_x(List<Ranked>& row, double low, double high) {
   const double scale = (kCellCount - 1) / (high - low);
   for (Ranked& r : row)
     r.cell = static_cast<std::uint32_t>((r.x - low) * scale);
-  sort_by_cell(row);
+  radix_sort(row, [](const Ranked& r) { return std::uint64_t{r.cell}; });
   for (auto i = row.begin(); i != row.end();) {
     const auto j = std::find_if(
         i, row.end(), [&](const Ranked& r) { return r.cell != i->cell; });

@@ -29,11 +29,11 @@ class Hubs {
   /// What is pinned is never straight.
   /// Requires: all ends are in the extent.
   template <class ForEnds, class ForSpokes, class ForMore, class IsPinned>
-  Hubs(const Extent& extent, const ForEnds& for_ends,
+  Hubs(const IdRange& extent, const ForEnds& for_ends,
        const ForSpokes& for_spokes, const ForMore& for_more,
        const IsPinned& is_pinned, const Space& space)
       : places_(extent), ends_(places_.size()), states_(places_.size()) {
-    places_.with_places([&](const auto& place) { count(for_ends, place); });
+    places_.with_slots([&](const auto& place) { count(for_ends, place); });
     const std::size_t twos = two_count();
     if (twos == 0) return;
     drop_twos(twos, for_more);
@@ -103,9 +103,9 @@ class Hubs {
   }
   template <class ForMore>
   void drop_twos(std::size_t count, const ForMore& for_more) {
-    Sieve twos(count);
+    BloomFilter twos(count);
     for (std::size_t at = 0; at < states_.size(); ++at) {
-      if (is_two(at)) twos.add(places_.number_at(at));
+      if (is_two(at)) twos.add(places_.id_at(at));
     }
     for_more([&](std::int32_t v) {
       if (twos.may_hold(v) && places_.holds(v))
@@ -116,7 +116,7 @@ class Hubs {
   static void put(Pair& pair, const Spoke& spoke);
   void decide(const Space& space);
 
-  Places places_;
+  IdMap places_;
   std::vector<Ends> ends_;            ///< by place
   std::vector<std::uint8_t> states_;  ///< likewise
   std::vector<Pair> pairs_;

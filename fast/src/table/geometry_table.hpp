@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "base/epoch_array.hpp"
 #include "base/hash_index.hpp"
+#include "exact/canonical_plane.hpp"
 #include "exact/exact_plane.hpp"
 #include "exact/filter.hpp"
 #include "halfspace/fast/list.hpp"
@@ -48,15 +50,12 @@ struct OrientedPlane {
   bool flipped = false;
 };
 
-template <int kBits>
-struct PlaneEntry;
-
 /// What a boolean notes of vertices, of either operand's or of both.
 struct Notes {
-  Stamped<std::uint8_t> on_other;
-  std::array<Stamped<std::int32_t>, 2> parent;
-  std::array<Stamped<std::uint8_t>, 2> member;
-  Stamped<std::uint8_t> pinned;
+  EpochArray<std::uint8_t> on_other;
+  std::array<SparseDisjointSets, 2> sets;
+  std::array<EpochArray<std::uint8_t>, 2> member;
+  EpochArray<std::uint8_t> pinned;
 };
 
 /// The planes and points of solids that meet. Each is held once: equal planes
@@ -160,7 +159,7 @@ class Space {
   int compare_exactly(int axis, std::int32_t u, std::int32_t v) const;
   std::int32_t enter_point(const GridPoint& point, std::uint64_t hash);
   template <int kBits>
-  OrientedPlane enter(const PlaneEntry<kBits>& reduced);
+  OrientedPlane enter(const CanonicalPlane<kBits>& plane);
   template <int kBits>
   std::uint64_t make_exact(const std::array<std::int32_t, 3>& planes);
   template <int kBits>

@@ -40,10 +40,7 @@ Relation TreeBuilder::relation(const Part& part, PlaneId id,
     some_positive = some_positive || found > 0;
     some_negative = some_negative || found < 0;
   }
-  if (some_positive && some_negative) return Relation::kSpanning;
-  if (some_positive) return Relation::kPositive;
-  if (some_negative) return Relation::kNegative;
-  return Relation::kCoincident;
+  return relation_of(some_positive, some_negative);
 }
 
 CutParts TreeBuilder::cut(const Part& part, PlaneId id,

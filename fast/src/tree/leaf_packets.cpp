@@ -144,9 +144,9 @@ void add_blocks(BspTree& tree, const Scene& scene) {
   tree.first_blocks = std::move(first_blocks);
   const TreeReader reader(scene, tree);
   const BlockMaker maker(reader);
-  const SharedWork shared;
+  const TsanForkJoin shared;
   tbb::parallel_for(std::size_t{0}, tree.nodes.size(), [&](std::size_t n) {
-    shared.part([&] {
+    shared.task([&] {
       const FirstBlocks& at = tree.first_blocks[n];
       if (at == tree.first_blocks[n + 1]) return;
       const Node& node = tree.nodes[n];

@@ -111,10 +111,7 @@ Relation relation(const Scene& scene, const Fragment& fragment,
     some_positive = some_positive || side == Side::kPositive;
     some_negative = some_negative || side == Side::kNegative;
   }
-  if (some_positive && some_negative) return Relation::kSpanning;
-  if (some_positive) return Relation::kPositive;
-  if (some_negative) return Relation::kNegative;
-  return Relation::kCoincident;
+  return relation_of(some_positive, some_negative);
 }
 
 FragmentName name_of(const Fragment& fragment) {

@@ -5,20 +5,21 @@
 #include <vector>
 
 #include "halfspace/polygon.hpp"
+#include "halfspace/splitmix.hpp"
 
 namespace halfspace {
 
 /// How the root of each subtree is chosen (S3.3). Ties: the lowest polygon id.
 enum class RootRule : std::uint8_t {
-  kFirst,        ///< the first polygon of the list (F2B)
-  kRandom,       ///< of `candidates` drawn ones, fewest cuts (FAG83 sec. 3.1)
-  kFewestCuts,   ///< of all, fewest cuts (FAG83 sec. 3.1)
-  kH1,           ///< HEUR H-1: least out-degree
-  kH2,           ///< HEUR H-2: greatest in-degree
-  kH3,           ///< HEUR H-3: least out-degree, then greatest in-degree
-  kH4,           ///< HEUR H-4: least |IN - OUT|
-  kH5,           ///< HEUR H-5: least out-degree * |IN - OUT|
-  kH6,           ///< HEUR H-6: least cut_weight * out-degree + |IN - OUT|
+  kFirst,       ///< the first polygon of the list (F2B)
+  kRandom,      ///< of `candidates` drawn ones, fewest cuts (FAG83 sec. 3.1)
+  kFewestCuts,  ///< of all, fewest cuts (FAG83 sec. 3.1)
+  kH1,          ///< HEUR H-1: least out-degree
+  kH2,          ///< HEUR H-2: greatest in-degree
+  kH3,          ///< HEUR H-3: least out-degree, then greatest in-degree
+  kH4,          ///< HEUR H-4: least |IN - OUT|
+  kH5,          ///< HEUR H-5: least out-degree * |IN - OUT|
+  kH6,          ///< HEUR H-6: least cut_weight * out-degree + |IN - OUT|
 };
 
 /// Everything a tree depends on beside the scene (S3.3).
@@ -60,14 +61,7 @@ struct TreeStats {
 
 /// The state of the draw at a node, and the draws themselves (S3.4).
 ///
-/// This is the output function of splitmix64 (Steele, Lea & Flood 2014).
-constexpr std::uint64_t mix(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
+/// mix() is a step of splitmix64 (splitmix.hpp).
 /// The key of the root, and of the children of a node with key `key` (S3.4).
 constexpr std::uint64_t root_key(std::uint64_t seed) { return mix(seed); }
 constexpr std::uint64_t positive_key(std::uint64_t key) { return mix(key + 1); }

@@ -21,4 +21,13 @@ enum class Relation : std::uint8_t {
   kSpanning,    ///< vertices on both sides
 };
 
+/// The relation of a polygon of which some vertices are on the positive side,
+/// or some on the negative one, or both (S2.1).
+constexpr Relation relation_of(bool some_positive, bool some_negative) {
+  if (some_positive && some_negative) return Relation::kSpanning;
+  if (some_positive) return Relation::kPositive;
+  if (some_negative) return Relation::kNegative;
+  return Relation::kCoincident;
+}
+
 }  // namespace halfspace

@@ -6,16 +6,7 @@
 
 namespace halfspace::fast {
 
-/// The case of F2B fig. 9 that relates the two segments (S4.7).
-constexpr MergeCase merge_case(Span object, Span unlit) {
-  using enum MergeCase;
-  if (object.last < unlit.first) return k1;
-  if (object.first > unlit.last) return k8;
-  const bool from_left = object.first <= unlit.first;
-  if (object.last < unlit.last) return from_left ? k2 : k3;
-  if (object.last == unlit.last) return from_left ? k4 : k5;
-  return from_left ? k6 : k7;
-}
+using halfspace::merge_case;
 
 /// What became of a line: its newly lit pixels, and those still unlit.
 struct Merged {

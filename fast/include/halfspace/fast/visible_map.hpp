@@ -82,7 +82,8 @@ struct MapLimits {
 /// image, which is kept as a 2-D BSP tree whose lines are the images of the
 /// fragments' edges; what is hidden ends at lit cells (FAQ, "two dimensional
 /// BSP tree"; Naylor 1992). Cells with one key are then merged.
-/// Requires: a tree of this scene without leaves (divide_leaves()); keys for all
+/// Requires: a tree of this scene without leaves (divide_leaves()); keys for
+/// all
 ///           polygons or none.
 /// Exact:    yes: filters in doubles, integers of fixed width behind them.
 /// Errors:   kOutOfRange: more cells than the limit; says how many.

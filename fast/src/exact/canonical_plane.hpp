@@ -1,0 +1,146 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "exact/cell_hash.hpp"
+#include "exact/exact_plane.hpp"
+#include "exact/gcd.hpp"
+
+/// A form of planes by which those that are the same point set are found.
+namespace halfspace::fast {
+
+/// A plane whose normal's first component that is not zero is positive. On
+/// grids of more than 26 bits the normal is divided by its greatest common
+/// divisor.
+template <int kBits>
+struct CanonicalPlane {
+  ExactPlane<kBits> exact;
+  double offset = 0;       ///< its value at the origin, rounded
+  std::uint64_t hash = 0;  ///< equal for planes that are the same point set
+  bool flipped = false;    ///< the plane it was made of has the other normal
+};
+
+/// Makes the first component of a normal that is not zero positive; whether
+/// that changed its sign.
+template <class Int>
+bool orient_normal(Vector3<Int>& n) {
+  const bool flipped = (n.x != 0 ? n.x : n.y != 0 ? n.y : n.z) < 0;
+  // Unpredictable, so without a branch.
+  const Int sign = flipped ? -1 : 1;
+  n = {sign * n.x, sign * n.y, sign * n.z};
+  return flipped;
+}
+
+/// Divides a normal by its greatest common divisor.
+inline void reduce_normal(Vector3<Int128>& n) {
+  auto divisor = greatest_common_divisor(size_of(n.x), size_of(n.y));
+  if (divisor != 1) divisor = greatest_common_divisor(divisor, size_of(n.z));
+  if (divisor == 1) return;
+  const auto by = static_cast<Int128>(divisor);
+  n = {n.x / by, n.y / by, n.z / by};
+}
+
+inline std::uint64_t low_word_of(Int128 value) {
+  return static_cast<std::uint64_t>(value);
+}
+inline std::uint64_t low_word_of(const Wide<3>& value) {
+  return value.words[0];
+}
+
+/// The number of the cell that holds a plane's offset in units of its normal's
+/// largest component: in cells of 2^-16, the one whose middle is nearest, the
+/// upper one of two. `near` is the quotient offset / by in doubles.
+///
+/// Requires: the quotient is less than 2^27 in size, and the offset than 2^82.
+inline std::int64_t cell_of_offset(Int128 offset, std::int64_t by,
+                                   double near) {
+  constexpr int kDigits = 16;
+  const double at = near * (1 << kDigits) + 0.5;
+  // One too low if it is negative and whole: then it is in doubt.
+  const std::int64_t cell = static_cast<std::int64_t>(at) - (at < 0 ? 1 : 0);
+  const double rest = at - static_cast<double>(cell);
+  // Off by three roundings: of the offset, of the quotient and of the sum.
+  const double doubt = (std::abs(at) + 1) * 0x1p-50;
+  if (rest > doubt && 1 - rest > doubt) return cell;
+  const Int128 value = (offset << (kDigits + 1)) + by;
+  const Int128 step = Int128{2} * by;
+  return static_cast<std::int64_t>(value / step) - (value % step < 0 ? 1 : 0);
+}
+
+/// A hash that all positive multiples of a plane's normal and offset share.
+///
+/// They share the quotients by the size of the largest component, and so the
+/// doubles nearest to those, for both numbers have 53 bits; and the cell of
+/// the offset's quotient.
+/// Requires: the plane holds a point of the grid of 26 bits; `near` is the
+///           offset as a double.
+inline std::uint64_t hash_of_ray(const Vector3<std::int64_t>& n, Int128 offset,
+                                 double near) {
+  const auto by = static_cast<std::int64_t>(
+      std::max({size_of(n.x), size_of(n.y), size_of(n.z)}));
+  std::array<double, 4> quotients{static_cast<double>(n.x),
+                                  static_cast<double>(n.y),
+                                  static_cast<double>(n.z), near};
+  for (double& quotient : quotients) quotient /= static_cast<double>(by);
+  const auto bits = [&](std::size_t i) {
+    return std::bit_cast<std::uint64_t>(quotients[i]);
+  };
+  const std::int64_t cell = cell_of_offset(offset, by, quotients[3]);
+  return mixed(bits(0) * 0x9e3779b97f4a7c15u + bits(1) * 0xbf58476d1ce4e5b9u +
+               bits(2) * 0x94d049bb133111ebu +
+               static_cast<std::uint64_t>(cell) * 0xa0761d6478bd642fu);
+}
+
+/// Sets `plane` to the canonical form of `exact`: in place, because a copy
+/// would wait for the stores.
+template <int kBits>
+inline void set_canonical(const ExactPlane<kBits>& exact,
+                          CanonicalPlane<kBits>& plane) {
+  auto n = exact.normal;
+  plane.flipped = orient_normal(n);
+  if constexpr (kBits != 26) reduce_normal(n);
+  const auto offset = value_at(ExactPlane<kBits>{n, exact.origin}, GridPoint{});
+  plane.offset = to_double(offset);
+  if constexpr (kBits == 26) {
+    plane.hash = hash_of_ray(n, offset, plane.offset);
+  } else {
+    plane.hash =
+        mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
+              low_word_of(offset));
+  }
+  plane.exact.normal = n;
+  plane.exact.origin = exact.origin;
+}
+
+template <int kBits>
+CanonicalPlane<kBits> canonical_plane(const ExactPlane<kBits>& exact) {
+  CanonicalPlane<kBits> plane;
+  set_canonical(exact, plane);
+  return plane;
+}
+
+/// Whether two canonical normals are those of parallel planes.
+inline bool are_parallel(const Vector3<std::int64_t>& m,
+                         const Vector3<std::int64_t>& n) {
+  const auto same = [](std::int64_t a, std::int64_t b, std::int64_t c,
+                       std::int64_t d) {
+    return Int128{a} * d == Int128{b} * c;
+  };
+  return same(m.x, m.y, n.x, n.y) && same(m.y, m.z, n.y, n.z) &&
+         same(m.z, m.x, n.z, n.x);
+}
+inline bool are_parallel(const Vector3<Int128>& m, const Vector3<Int128>& n) {
+  return m == n;
+}
+
+/// Whether two planes with canonical normals are the same point set.
+template <int kBits>
+bool is_same_plane(const ExactPlane<kBits>& p, const ExactPlane<kBits>& q) {
+  return are_parallel(p.normal, q.normal) && sign(value_at(p, q.origin)) == 0;
+}
+
+}  // namespace halfspace::fast

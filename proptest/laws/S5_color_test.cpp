@@ -1,0 +1,175 @@
+#include <algorithm>
+
+#include "adapters/both.hpp"
+#include "adapters/scenes.hpp"
+#include "definition/definition.hpp"
+#include "laws/changed_views.hpp"
+#include "laws/law.hpp"
+
+namespace halfspace {
+namespace {
+
+template <class Impl>
+class S5Color : public ::testing::Test {};
+TYPED_TEST_SUITE(S5Color, Implementations);
+
+/// A view with corner colours on all triangles, in Gouraud shading.
+SceneFile gouraud(const SceneFile& view) {
+  SceneData data = view.scene.data();
+  data.corner_colors.assign(data.corners.size(), {});
+  for (std::size_t p = 0; p + 1 < data.first_corner.size(); ++p) {
+    const std::size_t first = data.first_corner[p];
+    const std::size_t count = data.first_corner[p + 1] - first;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t c = count == 3 ? k : 0;
+      data.corner_colors[first + k] = {
+          static_cast<std::uint8_t>(c == 0 ? 255 : 17 * p),
+          static_cast<std::uint8_t>(c == 1 ? 0 : 100 + c + p),
+          static_cast<std::uint8_t>(c == 2 ? 3 : 2)};
+    }
+  }
+  SceneFile changed = with_scene(view, *make_scene(std::move(data)));
+  changed.options.shading = Shading::kGouraud;
+  return changed;
+}
+
+TYPED_TEST(S5Color, L12ColoursAreThoseOfTheItemsSeen) {
+  std::size_t between = 0;
+  law::for_all_views([&](const SceneFile& original) {
+    SceneFile view = gouraud(original);
+    view.options.background = {1, 2, 3};
+    const Image smooth = picture<TypeParam>(view);
+    view.options.shading = Shading::kFlat;
+    const Image flat = picture<TypeParam>(view);
+    HALFSPACE_LAW(flat.items == smooth.items);
+    for (std::size_t k = 0; k < flat.items.pixels.size(); ++k) {
+      const PolygonId id = flat.items.pixels[k];
+      if (id == kBackground) {
+        HALFSPACE_LAW(flat.colors.pixels[k] == view.options.background);
+        HALFSPACE_LAW(smooth.colors.pixels[k] == view.options.background);
+        continue;
+      }
+      HALFSPACE_LAW(flat.colors.pixels[k] == view.scene.color(id));
+      const auto corners = view.scene.corner_colors(id);
+      for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+        const auto [least, most] = std::minmax_element(
+            corners.begin(), corners.end(), [&](const Rgb& a, const Rgb& b) {
+              return a.*channel < b.*channel;
+            });
+        const std::uint8_t value = smooth.colors.pixels[k].*channel;
+        HALFSPACE_LAW((*least).*channel <= value);
+        HALFSPACE_LAW(value <= (*most).*channel);
+        between += (*least).*channel < value && value < (*most).*channel;
+      }
+    }
+  });
+  EXPECT_GT(between, 1000u);
+}
+
+TYPED_TEST(S5Color, L13GouraudIsTheExactValueRoundedHalfUp) {
+  std::size_t compared = 0;
+  law::for_all_views([&](const SceneFile& original) {
+    const SceneFile view = gouraud(original);
+    const ColorImage expected =
+        definition::color_image(view.scene, *view.camera, view.options);
+    const Image image = picture<TypeParam>(view);
+    HALFSPACE_LAW(image.colors == expected);
+    HALFSPACE_LAW(
+        oracle::raycast(view.scene, *view.camera, view.options).colors ==
+        expected);
+    // Alone a triangle is not cut; where it is seen, its colours are the same.
+    for (const PolygonId id : ids_of(view.scene)) {
+      const Image alone =
+          picture<TypeParam>(with_scene(view, chosen(view.scene, {id})));
+      for (std::size_t k = 0; k < expected.pixels.size(); ++k) {
+        if (image.items.pixels[k] != id) continue;
+        HALFSPACE_LAW(alone.colors.pixels[k] == expected.pixels[k]);
+        ++compared;
+      }
+    }
+  });
+  EXPECT_GT(compared, 1000u);
+}
+
+/// What a polygon alone gives: where it is, how deep, and in which colours.
+struct Layer {
+  PolygonId id = 0;
+  definition::Projection depth;
+  ItemImage items;
+  ColorImage colors;
+};
+
+std::vector<Layer> layers_of(const SceneFile& view) {
+  std::vector<Layer> layers;
+  for (const PolygonId id : ids_of(view.scene)) {
+    const Scene alone = chosen(view.scene, {id});
+    layers.push_back(
+        {id,
+         definition::project(definition::facet_of(
+                                 view.scene, definition::whole(view.scene, id)),
+                             *view.camera, view.options.cull),
+         definition::item_image(alone, *view.camera, view.options),
+         definition::color_image(alone, *view.camera, view.options)});
+  }
+  return layers;
+}
+
+/// x / 255 rounded half up: the greatest v with v - 1/2 <= x / 255.
+std::uint8_t nearest_255th(std::int32_t x) {
+  std::int32_t v = 0;
+  while (510 * (v + 1) <= 2 * x + 255) ++v;
+  return static_cast<std::uint8_t>(v);
+}
+
+/// The transparent image from its definition, pixel by pixel.
+ColorImage blended(const SceneFile& view, const std::vector<Layer>& layers,
+                   std::int32_t alpha, std::size_t& deep) {
+  ColorImage image((*view.camera)->width_px, (*view.camera)->height_px,
+                   view.options.background);
+  for (std::int32_t j = 0; j < image.height_px; ++j) {
+    for (std::int32_t i = 0; i < image.width_px; ++i) {
+      std::vector<const Layer*> here;
+      for (const Layer& layer : layers) {
+        if (layer.items.at(i, j) != kBackground) here.push_back(&layer);
+      }
+      std::sort(here.begin(), here.end(), [&](const Layer* a, const Layer* b) {
+        const int order = definition::compare_depth(a->depth, b->depth, i, j);
+        return order != 0 ? order > 0 : a->id > b->id;
+      });
+      if (here.size() > 2) ++deep;
+      for (const Layer* layer : here) {
+        for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+          std::uint8_t& value = image.at(i, j).*channel;
+          value = nearest_255th(alpha * (layer->colors.at(i, j).*channel) +
+                                (255 - alpha) * value);
+        }
+      }
+    }
+  }
+  return image;
+}
+
+TYPED_TEST(S5Color, L14TransparentPolygonsAreBlendedFromTheFarthest) {
+  std::size_t deep = 0;
+  law::for_all_views([&](const SceneFile& original) {
+    SceneFile view = gouraud(original);
+    view.options.background = {1, 2, 200};
+    const std::vector<Layer> layers = layers_of(view);
+    const Image opaque = picture<TypeParam>(view);
+    for (const int alpha : {0, 100, 255}) {
+      const ColorImage expected = blended(view, layers, alpha, deep);
+      for (const RootRule rule : {RootRule::kFirst, RootRule::kH4}) {
+        const Image image = TypeParam::blend(
+            view.scene, TypeParam::build(view.scene, {.rule = rule}),
+            *view.camera, view.options, static_cast<std::uint8_t>(alpha));
+        HALFSPACE_LAW(image.colors == expected);
+        HALFSPACE_LAW(image.items == opaque.items);
+        HALFSPACE_LAW(alpha != 255 || image.colors == opaque.colors);
+      }
+    }
+  });
+  EXPECT_GT(deep, 1000u);
+}
+
+}  // namespace
+}  // namespace halfspace
