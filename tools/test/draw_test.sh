@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Figures: every pixel's centre lies in the region of the polygon that the
 # image shows there, in all formats the same regions, errors one line.
+check=$(realpath "$(dirname "$0")/draw_check.py")
 . "$(dirname "$0")/expect.sh"
-check=$(dirname "$0")/draw_check.py
 
 "$make_model" interlocking-cubes -o cubes.off || exit 1
 "$make_model" pinwheel -o pinwheel.off || exit 1
