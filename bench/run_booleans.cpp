@@ -3,12 +3,14 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <memory_resource>
 #include <string>
 
 #include "booleans/contestant.hpp"
 #include "booleans/table_reporter.hpp"
+#include "halfspace/fast/huge_page_pool.hpp"
 
-/// Measures booleans of solids, ours and those of others who do them too.
+/// Measures booleans of solids: ours and those of other libraries.
 namespace halfspace::bench {
 namespace {
 
@@ -25,9 +27,9 @@ bool is_ours(const Contestant& contestant) {
   return contestant.name.rfind("Halfspace", 0) == 0;
 }
 
-/// What is wrong with an outcome, or nothing. A solid's surface must be closed,
-/// as small as is known, and all must agree on the volume but for what doubles
-/// round.
+/// The fault of an outcome, or null. Its surface must be closed and have the
+/// least number of triangles where that is known. Volumes must agree up to the
+/// rounding of doubles.
 const char* fault_of(const BooleanCase& task, const Contestant& contestant,
                      const Outcome& outcome) {
   static std::map<std::string, double> volumes;
@@ -47,7 +49,7 @@ void measure(benchmark::State& state, const BooleanCase& task,
     const std::optional<Outcome> outcome = contestant.run(task);
     const char* fault =
         outcome ? fault_of(task, contestant, *outcome) : "refused";
-    // Others may refuse, and be wrong: it is told.
+    // Other libraries may refuse or be wrong; the table says so.
     if (fault != nullptr) {
       good = good && !is_ours(contestant);
       state.SkipWithError(fault);
@@ -86,7 +88,7 @@ int run(int count, char** arguments) {
   const std::size_t matched = benchmark::RunSpecifiedBenchmarks(&table);
   benchmark::Shutdown();
   if (matched == 0) {
-    std::fprintf(stderr, "run_booleans: no case has such a name\n");
+    std::fprintf(stderr, "run_booleans: no case matches the filter\n");
     return 2;
   }
   return good ? 0 : 1;
@@ -96,5 +98,8 @@ int run(int count, char** arguments) {
 }  // namespace halfspace::bench
 
 int main(int count, char** arguments) {
+  // As the command line program does.
+  static auto* const pool = new halfspace::fast::HugePagePool;
+  std::pmr::set_default_resource(pool);
   return halfspace::bench::run(count, arguments);
 }

@@ -52,7 +52,7 @@ void print(const char* title, const Table& table) {
   std::printf("## %s\n\n%s\n", title, to_markdown(table).c_str());
 }
 
-/// Whether everyone drew what they should; tells if not.
+/// Whether all pictures are right; prints those that are not.
 bool agree(const std::vector<Row>& rows) {
   bool good = true;
   for (const Row& row : rows) {
@@ -106,27 +106,28 @@ int run(Request request) {
 int main(int argc, char** argv) {
   halfspace::bench::Request request;
   CLI::App app(
-      "Draws each workload by the fast library and by everyone else, and "
-      "prints who takes how long.");
-  app.add_option("--seed", request.seed, "What the scenes are drawn from");
+      "Draws each workload with the fast library and with the peers, and "
+      "prints the times.");
+  app.add_option("--seed", request.seed, "Seed of the random scenes");
   app.add_option("--size", request.plan.size_px, "Columns and rows")
       ->check(CLI::Range(16, 8192));
-  app.add_option("--view", request.view, "From where to look")
+  app.add_option("--view", request.view, "Where the eye is")
       ->check(CLI::IsMember(
           std::vector<std::string>(halfspace::bench::kViewNames.begin(),
                                    halfspace::bench::kViewNames.end())));
   app.add_option("--only", request.only,
-                 "Workloads whose names have one of these words in them");
+                 "Only workloads with one of these words in their names");
   app.add_option("--mesh", request.meshes, "Mesh files, as workloads W4");
   app.add_option("--repeats", request.plan.repeats.most,
-                 "How often each frame is drawn, at most")
+                 "The most times that a frame is drawn")
       ->check(CLI::PositiveNumber);
   app.add_option("--budget", request.plan.repeats.budget_ms,
-                 "How long one number is measured. Units: ms");
-  app.add_flag("!--no-peers", request.plan.peers, "Measure ourselves alone");
+                 "Time to spend on one number. Units: ms");
+  app.add_flag("!--no-peers", request.plan.peers,
+               "Measure the fast library alone");
   app.add_flag("!--no-back-to-front", request.plan.back_to_front,
-               "Leave out our own painter");
-  app.add_option("--csv", request.csv, "Write the times here, too");
+               "Leave out the fast library's painter");
+  app.add_option("--csv", request.csv, "Also write the times to this file");
   CLI11_PARSE(app, argc, argv);
   return halfspace::bench::run(std::move(request));
 }

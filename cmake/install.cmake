@@ -1,12 +1,12 @@
 # Installs the libraries so that find_package(halfspace) gives halfspace::spec,
-# halfspace::ref, halfspace::fast, halfspace::shadow, halfspace::io and
-# halfspace::csg.
+# halfspace::ref, halfspace::fast, halfspace::shadow, halfspace::io,
+# halfspace::csg and, over them, halfspace::halfspace.
 include(CMakePackageConfigHelpers)
 
 set(HALFSPACE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/halfspace)
 
 install(TARGETS halfspace_spec halfspace_ref halfspace_fast halfspace_io
-                halfspace_shadow halfspace_csg
+                halfspace_shadow halfspace_csg halfspace_face
         EXPORT halfspaceTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -16,6 +16,7 @@ install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/spec/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/shadow/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/io/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/csg/include/
+                  ${CMAKE_CURRENT_SOURCE_DIR}/face/include/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT halfspaceTargets
         NAMESPACE halfspace::

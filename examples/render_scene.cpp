@@ -1,4 +1,5 @@
-// A mesh to a picture: the README's program.
+// A mesh to a picture by the exact reference. The README's program does the
+// same by the fast library, with the same bytes.
 //
 //   render_scene MESH PICTURE.png
 #include <cstdio>

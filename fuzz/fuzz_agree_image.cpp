@@ -3,10 +3,10 @@
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
-#include "halfspace/ref/painter.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
-#include "halfspace/ref/zbuffer.hpp"
 #include "views.hpp"
 
 /// The four algorithms of the reference, those of the fast library over trees
@@ -48,8 +48,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   display.own_planes = static_cast<std::size_t>(options.seed % 4);
   display.threads = 1;
   fast::RenderOptions portable;
-  portable.loops =
-      options.seed % 2 == 0 ? fast::Loops::kPortable : fast::Loops::kAvx2;
+  portable.simd = options.seed % 2 == 0 ? fast::SimdLevel::kPortable
+                                        : fast::SimdLevel::kAvx2;
   expect_fast(fast::render(view.scene,
                            fast::build_display_tree(view.scene, display),
                            *view.camera, view.options, portable));

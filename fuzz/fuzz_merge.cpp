@@ -1,5 +1,7 @@
+#include <array>
 #include <bit>
 
+#include "../proptest/adapters/screen_line.hpp"
 #include "fuzz.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/ref/screen.hpp"
@@ -86,6 +88,18 @@ class Steps {
 /// What a run needs again and again: nearly nothing is allocated by a target
 /// that runs as often as it can.
 struct Scratch {
+  Scratch() {
+    for (const fast::SimdLevel level : kSimdLevels) {
+      if (fast::is_supported(level)) {
+        lines.emplace_back(64, level);
+        screens.emplace_back(64, 1, level);
+      }
+    }
+  }
+
+  /// The fast library's screen by every instruction set that this machine has.
+  std::vector<ScreenLine> lines;
+  std::vector<fast::DynamicScreen> screens;
   std::vector<Span> objects;
   std::vector<Span> unlit;
   std::vector<Span> lit;
@@ -132,10 +146,12 @@ void expect_merge(Segments objects, Segments unlit, Scratch& scratch) {
                         (objects.pixels & unlit.pixels));
   HALFSPACE_FUZZ_EXPECT(pixels_of(scratch.list) ==
                         (unlit.pixels & ~objects.pixels));
-  const auto by_fast = fast::merge(scratch.objects, scratch.unlit);
-  HALFSPACE_FUZZ_EXPECT(by_fast.lit == scratch.lit);
-  HALFSPACE_FUZZ_EXPECT(std::equal(by_fast.unlit.begin(), by_fast.unlit.end(),
-                                   scratch.list.begin(), scratch.list.end()));
+  for (ScreenLine& line : scratch.lines) {
+    const auto& by_fast = line.merge(scratch.objects, scratch.unlit);
+    HALFSPACE_FUZZ_EXPECT(by_fast.lit == scratch.lit);
+    HALFSPACE_FUZZ_EXPECT(std::equal(by_fast.unlit.begin(), by_fast.unlit.end(),
+                                     scratch.list.begin(), scratch.list.end()));
+  }
   expect_fast_cases({objects, unlit}, scratch);
 }
 
@@ -144,6 +160,7 @@ constexpr std::size_t kBytesOfMerge = 32;
 
 void expect_screen(fuzz::Bytes bytes, Scratch& scratch) {
   ref::DynamicScreen screen(64, 1);
+  for (fast::DynamicScreen& one : scratch.screens) one.clear();
   std::vector<Span> unlit = {{0, 63}};
   Line lit = 0;
   while (!bytes.empty()) {
@@ -152,8 +169,6 @@ void expect_screen(fuzz::Bytes bytes, Scratch& scratch) {
     bytes.word();
     bytes.word();
     const auto merged = ref::merge(scratch.objects, unlit);
-    HALFSPACE_FUZZ_EXPECT(fast::merge(scratch.objects, unlit).lit ==
-                          merged.lit);
     scratch.lit.clear();
     screen.merge(0, scratch.objects, scratch.paint);
     HALFSPACE_FUZZ_EXPECT(scratch.lit == merged.lit);
@@ -162,6 +177,17 @@ void expect_screen(fuzz::Bytes bytes, Scratch& scratch) {
     unlit = merged.unlit;
     lit |= pixels;
     HALFSPACE_FUZZ_EXPECT(screen.full() == (~lit == 0));
+    for (fast::DynamicScreen& one : scratch.screens) {
+      Line now = 0;
+      one.merge(0, scratch.objects, 7,
+                [&](std::int32_t line, Span span, PolygonId id) {
+                  HALFSPACE_FUZZ_EXPECT(line == 0 && id == 7);
+                  now |= pixels_of(std::array{span});
+                });
+      HALFSPACE_FUZZ_EXPECT(now == pixels_of(merged.lit));
+      HALFSPACE_FUZZ_EXPECT(pixels_of(one.unlit(0)) == ~lit);
+      HALFSPACE_FUZZ_EXPECT(one.full() == (~lit == 0));
+    }
   }
 }
 
@@ -169,7 +195,8 @@ void expect_screen(fuzz::Bytes bytes, Scratch& scratch) {
 }  // namespace halfspace
 
 /// Merging lists of segments, cut up anyhow, is what their bits say: pixels,
-/// segments and the case of every step. So it is one after another on a screen.
+/// segments and the case of every step, by the reference and by the fast
+/// library's screen. So it is one after another on a screen.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   using namespace halfspace;

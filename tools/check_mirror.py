@@ -24,12 +24,17 @@ ALONE = {
     },
     ("ref", "screen"): {
         "merge_segment": "F2B's step on a linked list; fast has no list",
+        "merge": "on lists of segments; fast has DynamicScreen alone",
     },
     ("ref", "boolean"): {
         "keep": "fast decides by memberships round an edge, not by classes",
         "close_junctions": "fast's results are made so; no step of its own",
         "volume6": "a rational; fast has none",
         "rounded": "fast has to_mesh(), of triangles",
+    },
+    ("fast", "build"): {
+        "has_leaves": "only fast's display trees have leaves",
+        "divide_leaves": "only fast's display trees have leaves",
     },
     ("fast", "predicate"): {
         "plane_corners": "three grid points; ref has the plane's rationals",

@@ -155,6 +155,10 @@ def functions_file(table, faults):
               "template <class Function>",
               "void take(Function* function) {",
               "  Function* volatile kept = function;",
+              "  if (kept != nullptr) ++taken;", "}",
+              "template <class Class, class Member>",
+              "void take(Member Class::*member) {",
+              "  Member Class::*volatile kept = member;",
               "  if (kept != nullptr) ++taken;", "}", "",
               "void take_all() {"]
     for clause, name, kind in uses:

@@ -49,7 +49,7 @@ SOURCES = {
     "The reference": ["ref/src", "ref/include"],
     "The core of the fast library": [
         f"fast/src/{name}" for name in (
-            "merge.cpp", "screen.cpp", "split.cpp", "cut.hpp", "geometry.cpp",
+            "dynamic_screen.cpp", "screen.cpp", "split.cpp", "cut.hpp", "geometry.cpp",
             "geometry.hpp", "predicate.cpp", "filter.hpp", "exact.hpp",
             "splitter.cpp", "root_rule.hpp", "build.cpp", "tree_builder.cpp",
             "tree_builder.hpp", "insert.cpp", "traverse.cpp", "walk.hpp",

@@ -8,32 +8,32 @@
 
 namespace halfspace::bench {
 
-/// A task for everyone: the first operand, and with each of the others in turn
-/// the boolean.
+/// A fold: the boolean of the first operand with each of the others in turn.
 struct BooleanCase {
   std::string name;
   BooleanOp operation;
   std::vector<Triangles> operands;
-  /// How many triangles the least surface has; 0: not known.
+  /// The least number of triangles of the surface; 0: not known.
   std::size_t least = 0;
-  /// How often we are timed, and how often others are.
+  /// Runs of the fast library, and of the others.
   int repeats = 5;
   int repeats_of_others = 3;
   /// Whether corefinement finishes within minutes and memory, and whether Nef
-  /// polyhedra, which are slower by far, do.
+  /// polyhedra, which are much slower, do.
   bool for_corefinement = true;
   bool for_nef = false;
 };
 
-/// Two spheres of about `triangles` each in general position, one apart by
-/// half a radius; `turn`: with the same centre instead, one turned by so much.
+/// Two spheres of about `triangles` each in general position: shifted by half a
+/// radius; or, where `turn` is not 0, with one centre, one of them turned by
+/// it. Units: radians.
 BooleanCase two_spheres(int triangles, double turn);
 BooleanCase menger(int level);
-/// A plate with 10 x 10 round holes as high as itself.
+/// A plate less 10 x 10 round prisms of its own height.
 BooleanCase plate();
 /// Spheres of 224 triangles along a spiral, each overlapping the next.
 BooleanCase sphere_chain(int count);
-/// Pyramids over one square, with tips here and there: all share that face.
+/// Pyramids over one square with tips in different places: all share a face.
 BooleanCase shared_face(int count);
 
 std::vector<BooleanCase> boolean_cases();

@@ -9,9 +9,9 @@
 
 namespace halfspace::bench {
 
-/// What somebody made of a case.
+/// The result of one run of a case, and its cost.
 struct Outcome {
-  double import_ms = 0;  ///< from triangles to their own structures
+  double import_ms = 0;  ///< from triangles to the library's structures
   double boolean_ms = 0;
   double output_ms = 0;       ///< from the result to triangles
   std::size_t triangles = 0;  ///< of the output
@@ -21,12 +21,12 @@ struct Outcome {
   double total_ms() const { return import_ms + boolean_ms + output_ms; }
 };
 
-/// Somebody who can do booleans.
+/// A library that computes booleans, in one way of using it.
 struct Contestant {
   std::string name;
-  /// Once through; nothing if they cannot do it.
+  /// Runs the case once; nothing where the library refuses it.
   std::optional<Outcome> (*run)(const BooleanCase& task);
-  /// Whether they are asked to.
+  /// Whether the case is run at all.
   bool (*takes)(const BooleanCase& task);
 };
 
@@ -34,9 +34,9 @@ struct Contestant {
 Contestant ours_in_turn();
 /// fast::boolean_all, all operands at once, where there are more than two.
 Contestant ours_at_once();
-/// CGAL's corefinement with its exact kernel; only where it was built in.
+/// CGAL's corefinement with its exact kernel (HALFSPACE_BENCH_CGAL).
 Contestant cgal();
-/// CGAL's Nef polyhedra, with the same kernel; only where they were built in.
+/// CGAL's Nef polyhedra, with the same kernel (HALFSPACE_BENCH_CGAL).
 Contestant cgal_nef();
 
 }  // namespace halfspace::bench

@@ -7,7 +7,7 @@
 namespace halfspace::bench {
 
 TableReporter::Row TableReporter::row_of(const Run& run) {
-  // What is appended tells how it was run: "/iterations:1/manual_time".
+  // A suffix says how it was run: "/iterations:1/manual_time".
   const std::string& name = run.run_name.function_name;
   const std::size_t slash = name.find('/');
   Row row;
@@ -30,7 +30,7 @@ void TableReporter::ReportRuns(const std::vector<Run>& repetitions) {
     if (run.run_type == Run::RT_Iteration) rows.push_back(row_of(run));
   }
   if (rows.empty()) return;
-  // What went wrong once counts.
+  // One failed repetition makes the row a failure.
   rows_.push_back(*std::min_element(
       rows.begin(), rows.end(), [](const Row& a, const Row& b) {
         return a.error.empty() != b.error.empty() ? !a.error.empty()

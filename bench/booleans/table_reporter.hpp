@@ -7,10 +7,10 @@
 
 namespace halfspace::bench {
 
-/// Prints one Markdown table when all is done: of each benchmark, named
-/// "case/who", the quickest repetition, and what it took next to the first of
-/// the same case. The counters `import`, `booleans`, `output` (Units: ms) and
-/// `triangles` are columns.
+/// Prints one Markdown table at the end: a row for each benchmark, named
+/// "case/who", with its fastest repetition and the ratio to the first benchmark
+/// of the same case. The counters `import`, `booleans`, `output` (Units: ms)
+/// and `triangles` are columns.
 class TableReporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
@@ -21,7 +21,7 @@ class TableReporter : public benchmark::BenchmarkReporter {
   struct Row {
     std::string task;
     std::string who;
-    /// Of the quickest one; what was wrong, if anything was.
+    /// Empty unless some repetition failed.
     std::string error;
     double total_ms = 0;
     std::vector<double> parts;

@@ -9,7 +9,7 @@
 
 namespace halfspace::bench {
 
-/// A number that is wanted, and the one that was measured.
+/// An aim: the number wanted, and the number measured.
 struct Aim {
   int number;        ///< the aim it belongs to, 1 to 8
   std::string what;  ///< for example "W2 S500 N100000: llvmpipe z / ours"
@@ -19,10 +19,10 @@ struct Aim {
   bool reached() const { return at_least ? got >= wanted : got <= wanted; }
 };
 
-/// The eight aims of docs/performance.md, as far as the rows tell.
+/// The eight aims of docs/performance.md, those that the rows have data for.
 std::vector<Aim> aims_of(const std::vector<Row>& rows);
 
-/// Costs of everyone, a row a workload. Units: ms.
+/// Costs of all programs, a row a workload. Units: ms.
 Table cost_table(const std::vector<Row>& rows);
 
 /// How many times longer the peers take than the fast library.

@@ -17,7 +17,7 @@ struct PeerCosts {
   std::optional<double> llvmpipe_flat;      ///< z-buffer, the best of orders
   std::optional<double> llvmpipe_smooth;    ///< in that same order
   std::optional<double> llvmpipe_no_depth;  ///< back to front, flat
-  std::optional<double> embree;             ///< the best way of asking
+  std::optional<double> embree;             ///< the fastest packet size
   std::optional<double> embree_build;
   std::optional<double> z_buffer;
   std::optional<double> painter_flat;

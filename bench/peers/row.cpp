@@ -11,11 +11,10 @@
 namespace halfspace::bench {
 namespace {
 
-/// Where the system keeps the peak of this process's memory; written to, it
-/// starts anew.
+/// Resets the peak of this process's memory.
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-/// The peak since then; 0 where the system does not tell.
+/// The peak since then; 0 where the system does not report it.
 std::size_t peak_bytes() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -27,8 +26,8 @@ std::size_t peak_bytes() {
   return 0;
 }
 
-/// Our own painter, over a tree of the paper: the fastest of ours from back to
-/// front, but hours on the greatest scenes.
+/// The most polygons for which the painter is measured, over a tree of the
+/// paper. Larger scenes would take hours.
 constexpr std::size_t kMostPainted = 10'000;
 
 void measure_painter(const Scene& scene, const Camera& camera, const Plan& plan,

@@ -32,8 +32,8 @@ struct Plan {
   View view = View::kFront;
   std::int32_t size_px = 1500;
   Repeats repeats;
-  bool peers = true;          ///< and not ourselves alone
-  bool back_to_front = true;  ///< our own painter, too
+  bool peers = true;          ///< else the fast library alone
+  bool back_to_front = true;  ///< the fast library's painter, too
 };
 
 /// One workload, measured.
@@ -47,8 +47,8 @@ struct Row {
   std::vector<Complaint> complaints;
 };
 
-/// Measures the workload's scene by everyone, and checks every picture: ours
-/// by threads and by painter must be the very same, the peers' nearly.
+/// Measures the workload with all programs, and checks every picture: those of
+/// two threads and of the painter must be identical, the peers' nearly so.
 Row measure_row(const Workload& workload, const Scene& scene, const Plan& plan);
 
 }  // namespace halfspace::bench

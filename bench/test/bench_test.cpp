@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "halfspace/ref/zbuffer.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 #include "peers/peer.hpp"
 #include "scenes.hpp"
 #include "timing.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "halfspace/ref/zbuffer.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 #include "peers/measure.hpp"
 #include "peers/peer.hpp"
 #include "scenes.hpp"

@@ -38,6 +38,8 @@ class FastAlgebra {
     if (!solid) return solid.error();
     Value value = numbered(fast::to_solid(*solid, nothing_, id),
                            operands_.polygons_of(id));
+    if (operands_.to_merge(id))
+      value = fast::merge_faces(std::move(value), fast::Merge::kColor);
     if (!operands_.to_repair(id)) return value;
     fast::Resolved resolved = fast::resolve(value);
     if (resolved.solid.faces.empty()) return operands_.nothing_left(id);
@@ -166,7 +168,15 @@ std::size_t bad_edges_of(const fast::ExportedMesh& mesh) {
   return bad;
 }
 
-Outcome finished(fast::Solid solid, const EvaluateOptions& options) {
+}  // namespace
+
+BooleanOp boolean_op(NodeKind kind) {
+  return kind == NodeKind::kIntersection ? BooleanOp::kIntersection
+         : kind == NodeKind::kDifference ? BooleanOp::kDifference
+                                         : BooleanOp::kUnion;
+}
+
+Outcome outcome_of(fast::Solid solid, const EvaluateOptions& options) {
   Outcome result;
   // Only of closed faces can there be polygons.
   const auto is_closed = [&result](const fast::Solid& made) {
@@ -203,12 +213,10 @@ Outcome finished(fast::Solid solid, const EvaluateOptions& options) {
   return result;
 }
 
-}  // namespace
-
-BooleanOp boolean_op(NodeKind kind) {
-  return kind == NodeKind::kIntersection ? BooleanOp::kIntersection
-         : kind == NodeKind::kDifference ? BooleanOp::kDifference
-                                         : BooleanOp::kUnion;
+Result<std::optional<fast::Solid>> evaluate_solid(
+    const Plan& plan, Operands& operands, const EvaluateOptions& options) {
+  FastAlgebra algebra(plan, operands, options);
+  return Evaluator<FastAlgebra>(plan, algebra, options.progress).result();
 }
 
 Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
@@ -219,7 +227,7 @@ Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
   Result<std::optional<fast::Solid>> solid = evaluator.result();
   if (!solid) return solid.error();
   if (!*solid) return std::optional<Outcome>();
-  Outcome result = finished(**std::move(solid), options);
+  Outcome result = outcome_of(**std::move(solid), options);
   result.repairs = algebra.repairs();
   return std::optional<Outcome>(std::move(result));
 }

@@ -56,6 +56,7 @@ std::string to_string(const Place& place) {
 
 Error error_at(const Place& place, ErrorCode code,
                const std::string& sentence) {
+  if (place.line == 0) return {code, sentence};
   return {code, to_string(place) + ": " + sentence, place.line};
 }
 

@@ -1,7 +1,11 @@
 #include "halfspace/csg/operands.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "halfspace/csg/closing.hpp"
@@ -33,6 +37,74 @@ void add_extent(const Extent& extent, std::vector<io::Number>& coordinates) {
                      {extent.step, extent.least, extent.greatest});
 }
 
+/// What is free is rounded to steps that are no more of its size than this: a
+/// grid of 40 bits has them for solids of one size or so.
+constexpr double kFineness = 0x1p-28;
+
+/// Whether the number is a decimal of at most 12 digits: not one that was
+/// computed in doubles, most likely.
+bool is_short(const io::Number& number) {
+  const std::int32_t ten = std::min(number.two, number.five);
+  if (number.two - ten > 40 || number.five - ten > 17) return false;
+  io::Integer digits =
+      abs(number.mantissa) *
+      pow(io::Integer(5), static_cast<unsigned>(number.five - ten));
+  digits <<= static_cast<unsigned>(number.two - ten);
+  return digits < 1'000'000'000'000;
+}
+
+/// Whether each coordinate of an image is one of the point, times plus or minus
+/// a power of 2 and one of 5, and shifted by a short decimal.
+bool keeps_grids(const Matrix& matrix) {
+  return std::all_of(matrix.rows.begin(), matrix.rows.end(),
+                     [](const auto& row) {
+                       int used = 0;
+                       for (std::size_t j = 0; j < 3; ++j) {
+                         if (row[j].mantissa == 0) continue;
+                         if (abs(row[j].mantissa) != 1) return false;
+                         ++used;
+                       }
+                       return used == 1 && is_short(row[3]);
+                     });
+}
+
+/// A power of two that no coordinate is beyond.
+io::Number bound_of(const Extent& extent) {
+  const double most = std::max(std::abs(io::to_double(extent.least)),
+                               std::abs(io::to_double(extent.greatest)));
+  int exponent = 0;
+  std::frexp(most, &exponent);
+  return {1, exponent, 0};
+}
+
+double size_of(const Extent& extent) {
+  return io::to_double(extent.greatest) - io::to_double(extent.least);
+}
+
+bool is_short(const Plane& plane) {
+  return std::all_of(
+      plane.points.begin(), plane.points.end(), [](const Numbers3& point) {
+        return std::all_of(
+            point.begin(), point.end(),
+            [](const io::Number& number) { return is_short(number); });
+      });
+}
+
+double size_of(const Plane& plane) {
+  double size = 0;
+  for (const Numbers3& point : plane.points) {
+    for (const io::Number& number : point)
+      size = std::max(size, std::abs(io::to_double(number)));
+  }
+  return size;
+}
+
+std::string text_of(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
 /// The polygons of moved points that rounding may have bent, imported anew.
 Result<io::Imported> imported_again(const SceneData& data) {
   io::Mesh mesh;
@@ -47,6 +119,16 @@ Result<io::Imported> imported_again(const SceneData& data) {
   return io::import_scene(mesh, {});
 }
 
+/// The data of what was imported again, in the steps that went in: import takes
+/// a longer step where that needs fewer bits.
+SceneData in_single_steps(const Scene& scene) {
+  SceneData data = scene.data();
+  std::int64_t step = 1;
+  for (int i = 0; i < data.unit.exponent; ++i) step *= data.unit.base;
+  for (GridPoint& p : data.vertices) p = {p.x * step, p.y * step, p.z * step};
+  return data;
+}
+
 }  // namespace
 
 fast::Solid numbered(fast::Solid solid,
@@ -56,11 +138,14 @@ fast::Solid numbered(fast::Solid solid,
   return solid;
 }
 
+namespace {
+
 /// Whether the surface must be repaired; an error if that is not wanted.
-Result<bool> Operands::needs_repair(
-    const GridSolid& solid, const std::vector<PolygonId>& polygons) const {
+Result<bool> needs_repair(const GridSolid& solid,
+                          const std::vector<PolygonId>& polygons,
+                          const OperandOptions& options) {
   if (solid.scene().polygon_count() == 0) return false;
-  if (!options_.find_crossings) {
+  if (!options.find_crossings) {
     // What is found without a search.
     const std::string volume = exact_volume(solid.scene());
     if (volume != "0" && volume.front() != '-') return false;
@@ -71,11 +156,13 @@ Result<bool> Operands::needs_repair(
   }
   const Result<Done> fine =
       fast::check_operand(numbered(fast::to_solid(solid), polygons));
-  if (fine || options_.repair) return !fine;
+  if (fine || options.repair) return !fine;
   Error error = fine.error();
-  error.message += " (" + options_.repair_word + " keeps what it winds round)";
+  error.message += " (" + options.repair_word + " keeps what it winds round)";
   return error;
 }
+
+}  // namespace
 
 Scene Operands::closed(Scene scene) {
   ClosedScene result = closed_on_lines(std::move(scene));
@@ -83,38 +170,41 @@ Scene Operands::closed(Scene scene) {
   return std::move(result.scene);
 }
 
-Result<Done> Operands::read_files() {
-  for (const File& file : script_->files) {
-    std::string path = file.path;
-    if (file.name.empty() && !options_.folder.empty())
-      path = (std::filesystem::path(options_.folder) / path).string();
-    Result<io::LoadedScene> loaded = io::load_scene(path, {});
-    if (!loaded) return loaded.error();
-    Result<Scene> scene = make_scene(trimmed(loaded->file.scene));
-    if (!scene) return io::error_about(path, scene.error());
-    *scene = closed(*std::move(scene));
-    const Result<GridSolid> solid = make_solid(*scene);
-    if (!solid) return io::error_about(path, solid.error());
-    const Result<bool> repairs = needs_repair(*solid, loaded->polygons);
-    if (!repairs) return io::error_about(path, repairs.error());
-    const io::ImportReport& report = loaded->report;
-    report_.vertices += report.vertices;
-    report_.polygons += report.polygons;
-    report_.moved += report.moved;
-    report_.max_move = std::max(report_.max_move, report.max_move);
-    report_.triangulated += report.triangulated;
-    report_.dropped += report.dropped;
-    sources_.push_back({std::move(path), *std::move(scene),
-                        std::move(loaded->polygons), *repairs});
-  }
-  return Done{};
+Result<Source> make_source(const std::string& path,
+                           const io::Imported& imported,
+                           const OperandOptions& options) {
+  Source source;
+  source.path = path;
+  source.polygons = imported.faces;
+  source.report = imported.report;
+  Result<Scene> scene = make_scene(trimmed(imported.scene));
+  if (!scene) return io::error_about(path, scene.error());
+  ClosedScene closed = closed_on_lines(*std::move(scene));
+  source.corners_added = closed.added;
+  source.scene = std::move(closed.scene);
+  const Result<GridSolid> solid = make_solid(source.scene);
+  if (!solid) return io::error_about(path, solid.error());
+  const Result<bool> repairs = needs_repair(*solid, source.polygons, options);
+  if (!repairs) return io::error_about(path, repairs.error());
+  source.to_repair = *repairs;
+  return source;
+}
+
+Result<Source> read_source(const std::string& path,
+                           const OperandOptions& options) {
+  Result<io::LoadedScene> loaded = io::load_scene(path, {});
+  if (!loaded) return loaded.error();
+  return make_source(path,
+                     {std::move(loaded->file.scene),
+                      std::move(loaded->polygons), loaded->report},
+                     options);
 }
 
 Result<Done> Operands::choose_grid() {
   std::vector<io::Number> coordinates;
   bool decimal = true;
   for (const Leaf& leaf : plan_->leaves) {
-    const Scene& scene = sources_[static_cast<std::size_t>(leaf.file)].scene;
+    const Scene& scene = sources_[static_cast<std::size_t>(leaf.file)]->scene;
     if (scene.polygon_count() == 0) continue;
     decimal = decimal && scene.unit().base == 10;
     const StepMap map = step_map(
@@ -141,19 +231,135 @@ Result<Done> Operands::choose_grid() {
   return Done{};
 }
 
+/// Chooses a grid that holds everything exactly but for what is free; with
+/// `rounds_moved`, also for what is moved by a map that grids do not hold, and
+/// planes of numbers that were computed.
+/// Returns false where no grid will do.
+bool Operands::choose_exact_grid(bool rounds_moved) {
+  std::vector<io::Number> coordinates;
+  bool decimal = true, any_exact = false;
+  double least_size = std::numeric_limits<double>::infinity();
+  for (const Leaf& leaf : plan_->leaves) {
+    const Source& source = *sources_[static_cast<std::size_t>(leaf.file)];
+    if (source.scene.polygon_count() == 0) continue;
+    const Matrix& matrix =
+        plan_->matrices[static_cast<std::size_t>(leaf.matrix)];
+    StepMap map = step_map(matrix, source.scene.unit());
+    const auto& points = source.scene.data().vertices;
+    const Extent extent = extent_of(map, points);
+    if (!source.is_free && !(rounds_moved && !keeps_grids(matrix))) {
+      decimal = decimal && source.scene.unit().base == 10;
+      any_exact = true;
+      add_extent(extent, coordinates);
+      continue;
+    }
+    coordinates.push_back(bound_of(extent));
+    for (auto& row : map.rows) row[3] = 0;
+    least_size = std::min(least_size, size_of(extent_of(map, points)));
+  }
+  for (const Plane& plane : plan_->planes) {
+    if (rounds_moved && !is_short(plane)) {
+      least_size = std::min(least_size, size_of(plane));
+      continue;
+    }
+    for (const Numbers3& point : plane.points)
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
+  }
+  io::Mesh mesh = mesh_of_points(coordinates);
+  mesh.decimal = decimal && any_exact;
+  const bool any_free = std::isfinite(least_size);
+  for (const int bits : kGridBits) {
+    const auto imported = io::import_scene(
+        mesh, {.grid_bits = bits, .refine_bits = any_free ? bits : 0});
+    if (!imported || imported->report.moved > 0) continue;
+    const Unit unit = imported->report.unit;
+    const double step = std::pow(static_cast<double>(unit.base), unit.exponent);
+    const bool is_last = bits == std::end(kGridBits)[-1];
+    if (any_free && step > least_size * kFineness && !is_last) continue;
+    report_.unit = unit;
+    report_.grid_bits = bits;
+    return true;
+  }
+  return false;
+}
+
+Result<Done> Operands::choose_exact_grid() {
+  if (choose_exact_grid(false) || choose_exact_grid(true)) return Done{};
+  return no_grid();
+}
+
+/// The error of solids that no grid holds; names two that do not go together.
+Error Operands::no_grid() const {
+  std::int32_t finest = -1, farthest = -1;
+  double step = 0, reach = 0;
+  for (std::size_t i = 0; i < plan_->leaves.size(); ++i) {
+    const Leaf& leaf = plan_->leaves[i];
+    const Source& source = *sources_[static_cast<std::size_t>(leaf.file)];
+    if (source.is_free || source.scene.polygon_count() == 0) continue;
+    const Extent extent = extent_of(
+        step_map(plan_->matrices[static_cast<std::size_t>(leaf.matrix)],
+                 source.scene.unit()),
+        source.scene.data().vertices);
+    const double its_step = io::to_double(extent.step);
+    if (finest < 0 || its_step < step) {
+      finest = static_cast<std::int32_t>(i);
+      step = its_step;
+    }
+    const double its_reach = io::to_double(bound_of(extent));
+    if (farthest < 0 || its_reach > reach) {
+      farthest = static_cast<std::int32_t>(i);
+      reach = its_reach;
+    }
+  }
+  std::string message =
+      "no grid of 54 bits holds all coordinates exactly, in powers of two or "
+      "of "
+      "ten";
+  if (finest >= 0) {
+    message += ": " + name_of(finest) + " has steps of " + text_of(step) +
+               ", and " + name_of(farthest) + " reaches to " + text_of(reach);
+  }
+  return {ErrorCode::kOutOfRange, message, finest};
+}
+
 Result<Operands> Operands::load(const Script& script, const Plan& plan,
                                 const OperandOptions& options) {
+  std::vector<std::shared_ptr<const Source>> sources;
+  for (const File& file : script.files) {
+    std::string path = file.path;
+    if (file.name.empty() && !options.folder.empty())
+      path = (std::filesystem::path(options.folder) / path).string();
+    Result<Source> source = read_source(path, options);
+    if (!source) return source.error();
+    sources.push_back(std::make_shared<const Source>(*std::move(source)));
+  }
+  return join(std::move(sources), script, plan, options);
+}
+
+Result<Operands> Operands::join(
+    std::vector<std::shared_ptr<const Source>> sources, const Script& script,
+    const Plan& plan, const OperandOptions& options) {
   Operands operands(script, plan, options);
-  const Result<Done> read = operands.read_files();
-  if (!read) return read.error();
-  const Result<Done> chosen = operands.choose_grid();
+  operands.sources_ = std::move(sources);
+  for (const auto& source : operands.sources_) {
+    io::ImportReport& report = operands.report_;
+    report.vertices += source->report.vertices;
+    report.polygons += source->report.polygons;
+    report.moved += source->report.moved;
+    report.max_move = std::max(report.max_move, source->report.max_move);
+    report.triangulated += source->report.triangulated;
+    report.dropped += source->report.dropped;
+    operands.corners_added_ += source->corners_added;
+  }
+  const Result<Done> chosen =
+      options.exact ? operands.choose_exact_grid() : operands.choose_grid();
   if (!chosen) return chosen.error();
   return operands;
 }
 
-const Operands::Source& Operands::source_of(std::int32_t leaf) const {
+const Source& Operands::source_of(std::int32_t leaf) const {
   const auto file = plan_->leaves[static_cast<std::size_t>(leaf)].file;
-  return sources_[static_cast<std::size_t>(file)];
+  return *sources_[static_cast<std::size_t>(file)];
 }
 
 std::size_t Operands::polygon_count(std::int32_t leaf) const {
@@ -173,7 +379,7 @@ std::string Operands::name_of(std::int32_t leaf) const {
 /// Makes `polygons` those in the file that the scene's are parts of.
 Result<Scene> Operands::moved_scene(const Leaf& leaf,
                                     std::vector<PolygonId>& polygons) {
-  const Source& source = sources_[static_cast<std::size_t>(leaf.file)];
+  const Source& source = *sources_[static_cast<std::size_t>(leaf.file)];
   const Scene& scene = source.scene;
   polygons = source.polygons;
   const Matrix& matrix = plan_->matrices[static_cast<std::size_t>(leaf.matrix)];
@@ -205,7 +411,7 @@ Result<Scene> Operands::moved_scene(const Leaf& leaf,
   polygons = std::move(again->faces);
   for (PolygonId& p : polygons)
     p = source.polygons[static_cast<std::size_t>(p)];
-  data = again->scene.data();
+  data = in_single_steps(again->scene);
   data.unit = report_.unit;
   data.grid_bits = report_.grid_bits;
   return make_scene(std::move(data));
@@ -224,8 +430,10 @@ Result<GridSolid> Operands::leaf(std::int32_t id) {
   const Leaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
   const auto located = [&](Error error) {
     // The first matrix moves nothing.
-    error.message = (leaf.matrix == 0 ? "as it stands at " : "as moved at ") +
-                    to_string(leaf.place) + ": " + error.message;
+    const std::string at =
+        leaf.place.line > 0 ? " at " + to_string(leaf.place) : "";
+    error.message = (leaf.matrix == 0 ? "as it stands" : "as moved") + at +
+                    ": " + error.message;
     return io::error_about(path_of(id), std::move(error));
   };
   const std::size_t moved_before = report_.moved;
@@ -237,7 +445,7 @@ Result<GridSolid> Operands::leaf(std::int32_t id) {
   // An exact map makes no new crossings.
   bool repairs = source_of(id).to_repair;
   if (report_.moved != moved_before) {
-    const Result<bool> found = needs_repair(*solid, polygons);
+    const Result<bool> found = needs_repair(*solid, polygons, options_);
     if (!found) return located(found.error());
     repairs = *found;
   }

@@ -13,7 +13,7 @@ std::uint8_t channel(double value) {
       std::lround(255 * std::clamp(value, 0.0, 1.0)));
 }
 
-/// `color` as light falls on a polygon: full on one side, half on the other.
+/// `color` lit by a directional light: between half and full intensity.
 Rgb lit(Rgb color, std::span<const GridPoint> corners) {
   constexpr std::array<double, 3> kLight = {0.37, -0.56, 0.74};
   const GridPoint u = corners[1] - corners[0];

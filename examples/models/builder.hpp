@@ -22,8 +22,8 @@ constexpr GridPoint operator*(std::int64_t k, const GridPoint& a) {
 /// Collects polygons; equal points become one vertex.
 class Builder {
  public:
-  /// Adds the polygon with these corners, seen counterclockwise from outside,
-  /// its colour darkened by how light falls on it.
+  /// Adds the polygon with these corners, counterclockwise seen from outside,
+  /// its colour lit by a directional light.
   /// Requires: its first three corners are not on one line.
   void add(std::span<const GridPoint> corners, Rgb color);
   void add(std::initializer_list<GridPoint> corners, Rgb color) {
@@ -31,7 +31,7 @@ class Builder {
   }
 
   /// Adds the parallelepiped at `origin` with edges `u`, `v`, `w`, faces
-  /// outwards, each edge cut into so many equal parts.
+  /// outwards, its edges cut into `parts_u`, `parts_v` and `parts_w` parts.
   /// Requires: (u x v).w > 0; every part has integer coordinates.
   void add_box(const GridPoint& origin, const GridPoint& u, const GridPoint& v,
                const GridPoint& w, Rgb color, std::int64_t parts_u = 1,

@@ -8,7 +8,7 @@
 namespace halfspace::models {
 namespace {
 
-/// No model needs more parts; a slip of the finger would fill the memory.
+/// The most parts of a model: more would fill the memory by mistake.
 constexpr int kMaxCount = 10'000'000;
 
 struct Model {

@@ -10,11 +10,11 @@
 
 namespace halfspace::models {
 
-/// What a model depends on beside its name. A model uses those it needs.
+/// Parameters of a model. Each model uses those it needs.
 struct ModelOptions {
-  int count = 0;           ///< how many of its parts; 0: the model's usual
+  int count = 0;           ///< number of parts; 0: the model's default
   int size = 500;          ///< side of the cube a random triangle lies in
-  std::uint64_t seed = 1;  ///< for what is random
+  std::uint64_t seed = 1;  ///< of random numbers
 };
 
 /// A model by name, and what it is for.

@@ -15,7 +15,7 @@ constexpr std::int64_t kFine = 256;
 /// The side of F2B's universe.
 constexpr std::int64_t kUniverse = 1000 * kFine;
 
-/// Numbers that follow each other without any pattern.
+/// A stream of pseudorandom numbers (S3.4).
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : key_(root_key(seed)) {}

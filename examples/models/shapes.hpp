@@ -14,8 +14,8 @@ Result<Scene> cube(const ModelOptions& options);
 /// 216 polygons).
 Result<Scene> interlocking_cubes(const ModelOptions& options);
 
-/// Four bars, each of which lies over the next: no order shows them without a
-/// cut.
+/// Four bars, each over the next (cyclic overlap): they need a cut to be
+/// ordered.
 Result<Scene> pinwheel(const ModelOptions& options);
 
 /// `count` (5) steps: a closed solid of unit squares and rectangles.

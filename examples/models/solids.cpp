@@ -106,7 +106,7 @@ Result<Scene> stairs(const ModelOptions& options) {
   const GridPoint y = {0, 400, 0};
   const GridPoint z = {0, 0, 60};
   Builder builder;
-  // Step 1: the two sides, in cells, so that every edge meets its fellow.
+  // Step 1: the two sides, in cells, so that every edge has its opposite.
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; j <= i; ++j) {
       const GridPoint p = i * x + j * z;

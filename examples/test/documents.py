@@ -8,13 +8,19 @@
       runs the shell blocks in FOLDER, beside small models with the names that
       the documents use
 
-A block's fence says what it is: ```cpp is compiled; ```sh is run; ```text NAME
-is a file for the blocks after it; ```sh build names targets and is not run,
-for it builds what these tests are a part of. Exit status: 0 all is well, 1 a
-command failed, 2 bad usage.
+  documents.py names ROOT
+      looks up the files that documents name, and the papers that documents and
+      sources cite by key (spec/bibliography.md)
+
+A block's fence says what it is: ```cpp is compiled; ```sh is run; ```text
+output is what the block before it prints, but for times; ```text NAME is a file
+for the commands; ```sh build names targets and is not run, for it builds what
+these tests are a part of. Exit status: 0 all is well, 1 a command failed,
+printed something else or a name is unknown, 2 bad usage.
 """
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -23,8 +29,8 @@ MODELS = """
 make_model cube -o cube.off
 make_model interlocking-cubes -o cubes.off
 cp "$EXAMPLES/csg/block.off" "$EXAMPLES/csg/drill.off" .
-halfspace csg 'scale(A, 0.2)' A=block.off -o plate.stl
-halfspace csg 'scale(A, 0.2)' A=drill.off -o drill.stl
+halfspace csg 'scale(A, 0.25)' A=block.off -o plate.stl
+halfspace csg 'translate(scale(A, 0.25), 12, 8, 2)' A=drill.off -o drill.stl
 halfspace csg 'A | translate(A, 1, 1, 1)' A=cube.off -o part.stl
 cp cube.off a.off
 halfspace csg 'translate(A, 0.5, 0, 0)' A=cube.off -o b.stl
@@ -63,14 +69,24 @@ def extract(out, documents):
     pathlib.Path(out).write_text("".join(parts), encoding="utf-8")
 
 
-def shell(script, folder, environment, place):
+def without_times(text):
+    return re.sub(r"[0-9.]+ m?s\b", "# ms", text)
+
+
+def shell(script, folder, environment, place, output=None):
+    """Whether the script ends well, and prints `output` if that is given."""
     done = subprocess.run(["bash", "-euo", "pipefail", "-c", script],
                           cwd=folder, env=environment, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode != 0:
         print(f"{place}: exit status {done.returncode}\n{script}\n"
               f"{done.stdout}")
-    return done.returncode == 0
+        return False
+    if output is not None and without_times(done.stdout) != without_times(
+            output):
+        print(f"{place}: prints\n{done.stdout}and not\n{output}")
+        return False
+    return True
 
 
 def run(program, make_model, folder, documents):
@@ -87,17 +103,17 @@ def run(program, make_model, folder, documents):
         return 1
     failed, count = 0, 0
     for document in documents:
-        files, commands = [], []
+        commands = []
         for words, first, text in blocks(document):
-            if words[:1] == ["text"] and len(words) == 2:
-                files.append((words[1], text))
-            elif words == ["sh"]:
-                commands.append((first, text))
-        for name, text in files:
-            (folder / name).write_text(text, encoding="utf-8")
-        for first, text in commands:
+            if words == ["sh"]:
+                commands.append([first, text, None])
+            elif words == ["text", "output"]:
+                commands[-1][2] = text
+            elif words[:1] == ["text"] and len(words) == 2:
+                (folder / words[1]).write_text(text, encoding="utf-8")
+        for first, text, output in commands:
             failed += not shell(text, folder, environment,
-                                f"{document}:{first}")
+                                f"{document}:{first}", output)
         if not commands:
             sys.exit(f"{document}: no shell block")
         count += len(commands)
@@ -105,11 +121,57 @@ def run(program, make_model, folder, documents):
     return 1 if failed else 0
 
 
+# A path that a document names, in backquotes.
+PATH = re.compile(r"`((?:[A-Z]+\.md|(?:spec|ref|fast|shadow|io|csg|tools|proptest"
+                  r"|fuzz|bench|examples|docs|cmake|scripts)/[\w./*-]+))`")
+KEY = re.compile(r"\b[A-Z]{2,4}[0-9]{2}[a-z]?\b")
+# Words that look like keys and are none.
+NO_KEYS = {"CLI11"}
+
+
+def exists(root, named):
+    """Whether some file has that path, or a header that path in includes."""
+    return any(root.glob(named)) or any(
+        root.glob("*/include/halfspace/" + named))
+
+
+def names(root):
+    root = pathlib.Path(root)
+    files = [path for part in root.iterdir()
+             if part.name not in ("build", "out", ".git")
+             for path in ([part] if part.is_file() else part.rglob("*"))]
+    known = set(KEY.findall("\n".join(re.findall(
+        r"^\*\*(\w+)\*\*", (root / "spec/bibliography.md").read_text(
+            encoding="utf-8"), re.M))))
+    wrong = []
+    for path in sorted(files):
+        name = path.relative_to(root)
+        is_document = path.suffix == ".md"
+        if not is_document and path.suffix not in (".hpp", ".cpp"):
+            continue
+        for number, line in enumerate(
+                path.read_text(encoding="utf-8").splitlines(), 1):
+            if is_document:
+                wrong += [f"{name}:{number}: there is no {named}"
+                          for named in PATH.findall(line)
+                          if not exists(root, named.rstrip("/"))]
+            elif "//" not in line:
+                continue
+            comment = line if is_document else line[line.index("//"):]
+            wrong += [f"{name}:{number}: {key} is not in the bibliography"
+                      for key in KEY.findall(comment)
+                      if key not in known | NO_KEYS]
+    print("\n".join(wrong + [f"{len(wrong)} names are unknown"]))
+    return 1 if wrong else 0
+
+
 def main():
     if len(sys.argv) >= 4 and sys.argv[1] == "extract":
         return extract(sys.argv[2], sys.argv[3:]) or 0
     if len(sys.argv) >= 6 and sys.argv[1] == "run":
         return run(*sys.argv[2:5], sys.argv[5:])
+    if len(sys.argv) == 3 and sys.argv[1] == "names":
+        return names(sys.argv[2])
     print(__doc__, file=sys.stderr)
     return 2
 

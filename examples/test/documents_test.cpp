@@ -12,8 +12,8 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/csg/script.hpp"
 #include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/io/view.hpp"
 #include "halfspace/io/write_mesh.hpp"
 #include "halfspace/result.hpp"
@@ -28,6 +28,7 @@ halfspace::Result<halfspace::Scene> triangle();
 halfspace::PolygonId polygon_at(const halfspace::Scene& scene,
                                 const halfspace::Camera& camera, std::int32_t i,
                                 std::int32_t j);
+std::vector<halfspace::PolygonId> line_of_two_polygons();
 halfspace::Result<halfspace::fast::ExportedMesh> drilled(
     const halfspace::Scene& plate_scene, const halfspace::Scene& drill_scene);
 halfspace::Result<double> volume_of(
@@ -75,6 +76,11 @@ TEST(Documents, TheGuidesImageShowsAPolygon) {
   ASSERT_TRUE(view);
   EXPECT_GE(polygon_at(cube, view->camera, 16, 16), 0);
   EXPECT_EQ(polygon_at(cube, view->camera, 0, 0), kBackground);
+}
+
+TEST(Documents, TheGuidesLineShowsTheFrontPolygon) {
+  EXPECT_EQ(line_of_two_polygons(),
+            (std::vector<PolygonId>{-1, 2, 2, 1, 1, 1, 2, 2, -1, -1}));
 }
 
 TEST(Documents, TheGuidesBooleanIsExact) {

@@ -15,15 +15,15 @@
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
-#include "halfspace/ref/painter.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/split.hpp"
 #include "halfspace/ref/traverse.hpp"
 #include "halfspace/ref/winding.hpp"
-#include "halfspace/ref/zbuffer.hpp"
 #include "halfspace/scene.hpp"
 
 /// The implementations, as the laws see them: each function under its own name,
@@ -194,7 +194,7 @@ struct Ref {
   static ref::Plane plane_of(const Scene& scene, PolygonId polygon) {
     return ref::plane_of(ref::whole(scene, polygon).vertices);
   }
-  static ref::Display collect(std::vector<FragmentName>& shown,
+  static ref::Visitor collect(std::vector<FragmentName>& shown,
                               std::size_t limit) {
     return [&shown, limit](const ref::Node&, const ref::Fragment& fragment) {
       shown.push_back(ref::name_of(fragment));

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "adapters/answers.hpp"
+#include "adapters/screen_line.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -110,48 +110,19 @@ struct Fast {
   }
 
   // S4
-  static std::vector<LineSpan> scan_convert(const Scene& scene,
-                                            const Fragment& fragment,
-                                            const Camera& camera) {
+  static std::vector<LineSpan> scan_convert(
+      const Scene& scene, const Fragment& fragment, const Camera& camera,
+      fast::SimdLevel simd = fast::SimdLevel::kBest) {
     fast::FilterStats stats;
     std::vector<LineSpan> lines;
     for (const auto& segment :
-         fast::scan_convert(scene, fragment, camera, stats))
+         fast::scan_convert(scene, fragment, camera, stats, simd))
       lines.push_back({segment.line, segment.span});
     return lines;
   }
   static MergeCase merge_case(Span object, Span unlit) {
     return fast::merge_case(object, unlit);
   }
-  static std::pair<std::vector<Span>, std::vector<Span>> merge(
-      const std::vector<Span>& objects, const std::vector<Span>& unlit) {
-    auto merged = fast::merge(objects, unlit);
-    return {std::move(merged.lit), std::move(merged.unlit)};
-  }
-
-  /// The dynamic screen that fast::merge() makes: render() has tiles of bits
-  /// instead, which only images show.
-  class DynamicScreen {
-   public:
-    DynamicScreen(std::int32_t width_px, std::int32_t height_px)
-        : lines_(static_cast<std::size_t>(height_px),
-                 std::vector<Span>{Span{0, width_px - 1}}) {}
-    template <class Paint>
-    void merge(std::int32_t line, const std::vector<Span>& objects,
-               const Paint& paint) {
-      auto& unlit = lines_[static_cast<std::size_t>(line)];
-      auto merged = fast::merge(objects, unlit);
-      for (const Span& lit : merged.lit) paint(lit);
-      unlit = std::move(merged.unlit);
-    }
-    bool full() const {
-      return std::all_of(lines_.begin(), lines_.end(),
-                         [](const auto& unlit) { return unlit.empty(); });
-    }
-
-   private:
-    std::vector<std::vector<Span>> lines_;
-  };
 
   // S5
   static Image render(const Scene& scene, const Tree& tree,
@@ -183,7 +154,7 @@ struct Fast {
     }
     return {fragment.source, rotated_to_least(std::move(edges))};
   }
-  static fast::Display collect(const fast::BspTree& tree,
+  static fast::Visitor collect(const fast::BspTree& tree,
                                std::vector<FragmentName>& shown,
                                std::size_t limit) {
     return [&tree, &shown, limit](const fast::Node&,
@@ -192,6 +163,41 @@ struct Fast {
       return shown.size() < limit;
     };
   }
+};
+
+/// Its scan conversion and its screen by one instruction set (S4).
+template <fast::SimdLevel kSimd>
+struct FastBy : Fast {
+  static constexpr fast::SimdLevel kLevel = kSimd;
+
+  static std::vector<LineSpan> scan_convert(const Scene& scene,
+                                            const Fragment& fragment,
+                                            const Camera& camera) {
+    return Fast::scan_convert(scene, fragment, camera, kSimd);
+  }
+  static std::pair<std::vector<Span>, std::vector<Span>> merge(
+      const std::vector<Span>& objects, const std::vector<Span>& unlit) {
+    ScreenLine line(64, kSimd);
+    const ScreenLine::Merged& merged = line.merge(objects, unlit);
+    return {merged.lit, merged.unlit};
+  }
+
+  /// Its dynamic screen, whose callback is given more.
+  class DynamicScreen {
+   public:
+    DynamicScreen(std::int32_t width_px, std::int32_t height_px)
+        : screen_(width_px, height_px, kSimd) {}
+    template <class Paint>
+    void merge(std::int32_t line, const std::vector<Span>& objects,
+               const Paint& paint) {
+      screen_.merge(line, objects, 0,
+                    [&](std::int32_t, Span lit, PolygonId) { paint(lit); });
+    }
+    bool full() const { return screen_.full(); }
+
+   private:
+    fast::DynamicScreen screen_;
+  };
 };
 
 }  // namespace halfspace

@@ -6,7 +6,7 @@
 #include "generate/random_scenes.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
-#include "halfspace/ref/painter.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
 
 /// Back to front over every kind of tree: the painter's image, and the
 /// transparent one.
@@ -19,12 +19,13 @@ void expect_same(const Scene& scene, const fast::BspTree& tree,
                  std::uint8_t alpha, const ref::Rendering& painted,
                  const ref::Rendering& blended) {
   fast::RenderOptions how;
-  constexpr std::pair<int, fast::Loops> kAll[] = {{1, fast::Loops::kBest},
-                                                  {2, fast::Loops::kPortable},
-                                                  {3, fast::Loops::kAvx2}};
-  for (const auto& [threads, loops] : kAll) {
+  constexpr std::pair<int, fast::SimdLevel> kAll[] = {
+      {1, fast::SimdLevel::kBest},
+      {2, fast::SimdLevel::kPortable},
+      {3, fast::SimdLevel::kAvx2}};
+  for (const auto& [threads, level] : kAll) {
     how.threads = threads;
-    how.loops = loops;
+    how.simd = level;
     const auto paint = fast::paint(scene, tree, camera, options, how);
     ASSERT_EQ(paint.items, painted.items);
     ASSERT_EQ(paint.colors, painted.colors);

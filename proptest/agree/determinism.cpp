@@ -145,14 +145,14 @@ void hash_large(bool with_inner, std::ostream& out) {
     if (with_inner) {
       out << "display tree, " << threads << " threads " << saved.text() << '\n';
     }
-    constexpr std::pair<fast::Loops, const char*> kAll[] = {
-        {fast::Loops::kBest, " "},
-        {fast::Loops::kAvx2, ", AVX2 "},
-        {fast::Loops::kPortable, ", portable "}};
-    for (const auto& [loops, name] : kAll) {
+    constexpr std::pair<fast::SimdLevel, const char*> kAll[] = {
+        {fast::SimdLevel::kBest, " "},
+        {fast::SimdLevel::kAvx2, ", AVX2 "},
+        {fast::SimdLevel::kPortable, ", portable "}};
+    for (const auto& [level, name] : kAll) {
       fast::RenderOptions options;
       options.threads = threads;
-      options.loops = loops;
+      options.simd = level;
       const auto rendering =
           fast::render(v.scene, tree, v.camera, v.options, options);
       Hash hash;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "adapters/screen_line.hpp"
 #include "generate/random_scenes.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -62,15 +63,16 @@ void expect_same(const Scene& scene, const Camera& camera,
   ASSERT_EQ(whole.pixels_painted, expected.pixels_painted);
 
   fast::RenderOptions how;
-  for (const auto loops : {fast::Loops::kAvx2, fast::Loops::kPortable}) {
-    how.loops = loops;
+  for (const auto level : kSimdLevels) {
+    how.simd = level;
     const fast::Rendering other =
         fast::render(scene, tree, camera, options, how);
     ASSERT_EQ(other.items, expected.items);
     ASSERT_EQ(other.colors, expected.colors);
   }
 
-  how.loops = draws.one_in(2) ? fast::Loops::kPortable : fast::Loops::kBest;
+  how.simd =
+      draws.one_in(2) ? fast::SimdLevel::kPortable : fast::SimdLevel::kBest;
   how.threads = 3;
   how.rectangle = random_rectangle(camera.data(), draws);
   fast::Rendering part = fast::render(scene, tree, camera, options, how);
@@ -88,9 +90,8 @@ void expect_same(const Scene& scene, const Camera& camera,
   how.colors = true;
   how.items = false;
   how.threads = 1;
-  for (const auto loops :
-       {fast::Loops::kPortable, fast::Loops::kAvx2, fast::Loops::kBest}) {
-    how.loops = loops;
+  for (const auto level : kSimdLevels) {
+    how.simd = level;
     fast::render(scene, tree, camera, options, how, part);
     ASSERT_EQ(part.colors, expected.colors);
     ASSERT_TRUE(part.items.pixels.empty());
@@ -265,12 +266,16 @@ TEST(AgreeImage, MergesAreTheSameOnEveryShortLine) {
       lists.push_back(list);
     }
   }
-  for (const auto& objects : lists) {
-    for (const auto& unlit : lists) {
-      const ref::Merged expected = ref::merge(objects, unlit);
-      const fast::Merged found = fast::merge(objects, unlit);
-      ASSERT_EQ(found.lit, expected.lit);
-      ASSERT_EQ(found.unlit, expected.unlit);
+  for (const fast::SimdLevel level : kSimdLevels) {
+    if (!fast::is_supported(level)) continue;
+    ScreenLine line(kPixels, level);
+    for (const auto& objects : lists) {
+      for (const auto& unlit : lists) {
+        const ref::Merged expected = ref::merge(objects, unlit);
+        const ScreenLine::Merged& found = line.merge(objects, unlit);
+        ASSERT_EQ(found.lit, expected.lit) << level_name(level);
+        ASSERT_EQ(found.unlit, expected.unlit) << level_name(level);
+      }
     }
   }
   for (const Span object : {Span{0, 2}, Span{1, 5}, Span{3, 3}, Span{4, 9}}) {

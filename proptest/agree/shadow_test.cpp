@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generate/random_scenes.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/scene_file.hpp"
 #include "halfspace/shadow/check.hpp"
 #include "halfspace/shadow/render.hpp"

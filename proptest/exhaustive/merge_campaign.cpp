@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "adapters/screen_line.hpp"
 #include "merge_lines.hpp"
 
 namespace halfspace::exhaustive {
@@ -30,22 +32,46 @@ struct Arguments {
   std::uint32_t shards = 1;
   std::string state = "exhaustive_merge.state";
   double seconds = 0;  ///< 0: until all is done
+  std::vector<fast::SimdLevel> levels;
+  std::uint64_t merges = 0;  ///< so many random ones instead
+  std::uint64_t seed = 1;
 };
 
 constexpr const char* kUsage =
-    "Usage: exhaustive_merge [--pixels N] [--jobs N] [--shard I/N]\n"
-    "                        [--seconds S] [--state FILE]\n\n"
+    "Usage: exhaustive_merge [--simd LEVEL] [--jobs N] [--pixels N]\n"
+    "                        [--shard I/N] [--seconds S] [--state FILE]\n"
+    "       exhaustive_merge [--simd LEVEL] [--jobs N] --merges N [--seed S]\n"
+    "\n"
     "Merges every set of object pixels into every set of unlit pixels of a\n"
-    "line of N pixels (16), by the reference, the fast library and sets of\n"
-    "bits, and compares segments and cases. What is done is kept in FILE: the\n"
-    "same line goes on where it was stopped. Shard I of N, from 0, does every\n"
-    "N-th block; the files of all shards, one after the other, are the state\n"
-    "of the whole.\n"
-    "Exit status: 0 all done and no mismatch, 1 a mismatch, 2 bad usage,\n"
-    "3 no mismatch, but not all done yet.\n";
+    "line of N pixels (16), by the reference, the fast library's screen and\n"
+    "sets of bits, and compares segments and cases. What is done is kept in\n"
+    "FILE: the same line goes on where it was stopped. Shard I of N, from 0,\n"
+    "does every N-th block; the files of all shards, one after the other, are\n"
+    "the state of the whole.\n"
+    "With --merges, so many merges of lines of 64 pixels, drawn from the "
+    "seed,\n"
+    "by the screen and by sets of bits.\n"
+    "LEVEL is portable, avx2 or avx512, the instruction set of the screen's\n"
+    "loops; without it all are taken that this machine has.\n"
+    "Exit status: 0 all done and no mismatch, 1 a mismatch, 2 bad usage, or a\n"
+    "level that this machine lacks, 3 no mismatch, but not all done yet.\n";
+
+/// The level that is named, or all that this machine has, if it has them.
+std::vector<fast::SimdLevel> levels_named(const std::string& name) {
+  constexpr std::array kNames = {"portable", "avx2", "avx512"};
+  std::vector<fast::SimdLevel> levels;
+  for (std::size_t k = 0; k < kNames.size(); ++k) {
+    if ((name.empty() || name == kNames[k]) &&
+        fast::is_supported(kSimdLevels[k])) {
+      levels.push_back(kSimdLevels[k]);
+    }
+  }
+  return levels;
+}
 
 std::optional<Arguments> parse(int count, char** words) {
   Arguments arguments;
+  arguments.levels = levels_named("");
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     if (k + 1 == count) return std::nullopt;
@@ -56,6 +82,12 @@ std::optional<Arguments> parse(int count, char** words) {
       arguments.jobs = static_cast<unsigned>(std::atoi(value.c_str()));
     } else if (word == "--seconds") {
       arguments.seconds = std::atof(value.c_str());
+    } else if (word == "--simd") {
+      arguments.levels = levels_named(value);
+    } else if (word == "--merges") {
+      arguments.merges = std::strtoull(value.c_str(), nullptr, 10);
+    } else if (word == "--seed") {
+      arguments.seed = std::strtoull(value.c_str(), nullptr, 10);
     } else if (word == "--state") {
       arguments.state = value;
     } else if (word != "--shard" ||
@@ -66,7 +98,8 @@ std::optional<Arguments> parse(int count, char** words) {
   }
   const bool fits = arguments.pixels >= 10 && arguments.pixels <= 16 &&
                     arguments.jobs >= 1 && arguments.jobs <= 1024 &&
-                    arguments.shard < arguments.shards;
+                    arguments.shard < arguments.shards &&
+                    !arguments.levels.empty();
   return fits ? std::optional(arguments) : std::nullopt;
 }
 
@@ -149,8 +182,8 @@ class Campaign {
       const std::size_t at = next_++;
       if (at >= waiting_.size()) return;
       const std::uint32_t first = waiting_[at] * block_size;
-      const MergeTally tally =
-          merge_lines(arguments_.pixels, first, first + block_size);
+      const MergeTally tally = merge_lines(
+          arguments_.pixels, first, first + block_size, arguments_.levels);
       const std::scoped_lock lock(mutex_);
       total_.add(tally);
       out_ << line_of(arguments_.pixels, waiting_[at], tally) << std::endl;
@@ -188,6 +221,38 @@ class Campaign {
   Clock::time_point begin_ = Clock::now();
 };
 
+/// Random merges by every level, in as many threads as are asked for, each with
+/// a seed of its own.
+int run_random(const Arguments& arguments) {
+  std::uint64_t mismatches = 0;
+  for (const fast::SimdLevel level : arguments.levels) {
+    const Clock::time_point begin = Clock::now();
+    std::vector<MergeTally> tallies(arguments.jobs);
+    std::vector<std::thread> threads;
+    for (unsigned k = 0; k < arguments.jobs; ++k) {
+      threads.emplace_back([&, k] {
+        tallies[k] = merge_random(arguments.merges / arguments.jobs + 1,
+                                  arguments.seed * arguments.jobs + k, level);
+      });
+    }
+    MergeTally all;
+    for (unsigned k = 0; k < arguments.jobs; ++k) {
+      threads[k].join();
+      all.add(tallies[k]);
+    }
+    const double seconds =
+        std::chrono::duration<double>(Clock::now() - begin).count();
+    std::printf("%s: %llu merges, %.2f million a second; %llu mismatches\n",
+                level_name(level), static_cast<unsigned long long>(all.pairs),
+                static_cast<double>(all.pairs) / seconds / 1e6,
+                static_cast<unsigned long long>(all.mismatches));
+    if (all.mismatches > 0)
+      std::printf("first mismatch: %s\n", all.first_mismatch.c_str());
+    mismatches += all.mismatches;
+  }
+  return mismatches == 0 ? 0 : 1;
+}
+
 }  // namespace
 }  // namespace halfspace::exhaustive
 
@@ -197,5 +262,7 @@ int main(int count, char** words) {
     std::fputs(halfspace::exhaustive::kUsage, stderr);
     return 2;
   }
+  if (arguments->merges > 0)
+    return halfspace::exhaustive::run_random(*arguments);
   return halfspace::exhaustive::Campaign(*arguments).run();
 }

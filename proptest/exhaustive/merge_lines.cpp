@@ -1,11 +1,15 @@
 #include "merge_lines.hpp"
 
+#include <array>
 #include <bit>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "adapters/screen_line.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/ref/screen.hpp"
+#include "halfspace/splitmix.hpp"
 
 namespace halfspace::exhaustive {
 namespace {
@@ -135,35 +139,113 @@ std::string words(const std::vector<Span>& segments) {
   return text.empty() ? " nothing" : text;
 }
 
-/// What the pair's numbers mean, for whoever has to look into it.
-std::string described(const Lines& lines, std::uint32_t objects,
-                      std::uint32_t unlit, const char* what) {
-  return std::string(what) + ": objects" + words(lines.of(objects)) +
-         ", unlit" + words(lines.of(unlit));
-}
+/// Merges by the reference and by the fast library, and their steps.
+class Merger {
+ public:
+  Merger(int width_px, std::span<const fast::SimdLevel> levels)
+      : lines_(width_px) {
+    for (const fast::SimdLevel level : levels) {
+      fast_.emplace_back(level_name(level), ScreenLine(width_px, level));
+    }
+  }
 
-/// What differs in one pair; nothing if all agree.
-const char* difference(const Lines& lines, std::uint32_t objects,
-                       std::uint32_t unlit, Steps steps, Trace& trace,
-                       ref::UnlitList& list) {
-  const std::vector<Span>& object_line = lines.of(objects);
-  const std::vector<Span>& unlit_line = lines.of(unlit);
-  const std::vector<Span>& lit = lines.of(objects & unlit);
-  const std::vector<Span>& left = lines.of(unlit & ~objects);
-  trace.clear();
-  // Into the nodes that the list has: most of the time would go there.
-  list.assign(unlit_line.begin(), unlit_line.end());
-  trace_ref(object_line, list, trace);
-  if (trace.lit != lit) return "lit by the reference";
-  if (trace.unlit != left) return "left unlit by the reference";
-  if (trace.steps != steps) return "cases of the reference";
-  const fast::Merged merged = fast::merge(object_line, unlit_line);
-  if (merged.lit != lit) return "lit by the fast library";
-  if (merged.unlit != left) return "left unlit by the fast library";
-  if (trace_fast(object_line, unlit_line) != steps)
-    return "cases of the fast library";
-  return nullptr;
-}
+  /// What differs in one pair, in words; nothing if all agree.
+  std::string difference(std::uint32_t objects, std::uint32_t unlit,
+                         Steps steps) {
+    const std::vector<Span>& object_line = lines_.of(objects);
+    const std::vector<Span>& unlit_line = lines_.of(unlit);
+    const std::vector<Span>& lit = lines_.of(objects & unlit);
+    const std::vector<Span>& left = lines_.of(unlit & ~objects);
+    const auto differs = [&](const char* what, const char* where) {
+      return std::string(what) + where + ": objects" + words(object_line) +
+             ", unlit" + words(unlit_line);
+    };
+    trace_.clear();
+    // Into the nodes that the list has: most of the time would go there.
+    list_.assign(unlit_line.begin(), unlit_line.end());
+    trace_ref(object_line, list_, trace_);
+    if (trace_.lit != lit) return differs("lit by the reference", "");
+    if (trace_.unlit != left) return differs("unlit by the reference", "");
+    if (trace_.steps != steps) return differs("cases of the reference", "");
+    for (auto& [name, line] : fast_) {
+      const ScreenLine::Merged& merged = line.merge(object_line, unlit_line);
+      if (merged.lit != lit) return differs("lit by the screen, ", name);
+      if (merged.unlit != left) return differs("unlit on the screen, ", name);
+    }
+    if (trace_fast(object_line, unlit_line) != steps)
+      return differs("cases of the fast library", "");
+    return {};
+  }
+
+ private:
+  Lines lines_;
+  std::vector<std::pair<const char*, ScreenLine>> fast_;
+  Trace trace_;
+  ref::UnlitList list_;
+};
+
+/// Lines of 64 pixels on one row of tiles, a set of bits each.
+class TileRow {
+ public:
+  static constexpr int kLines = 8;
+  using Sets = std::array<std::uint64_t, kLines>;
+
+  explicit TileRow(fast::SimdLevel level)
+      : screen_(kShift + 64, kLines, level) {}
+
+  /// Lights the runs of the sets, the k-th of all lines together. Gives what
+  /// becomes lit.
+  Sets light(const Sets& sets) {
+    Sets rest = sets;
+    Sets lit{};
+    for (bool more = true; more;) {
+      objects_.clear();
+      for (int j = 0; j < kLines; ++j) {
+        const std::uint64_t set = rest[static_cast<std::size_t>(j)];
+        if (set == 0) continue;
+        const int first = std::countr_zero(set);
+        const int last = first + std::countr_one(set >> first) - 1;
+        rest[static_cast<std::size_t>(j)] &= ~bits(first, last);
+        objects_.push_back({j, {first + kShift, last + kShift}});
+      }
+      for (const fast::ObjectSegment& run : screen_.light(objects_)) {
+        lit[static_cast<std::size_t>(run.line)] |=
+            bits(run.span.first - kShift, run.span.last - kShift);
+      }
+      more = !objects_.empty();
+    }
+    return lit;
+  }
+
+  std::uint64_t unlit(int line) const {
+    std::uint64_t set = 0;
+    for (const Span& span : screen_.unlit(line)) {
+      if (span.first >= kShift) {
+        set |= bits(span.first - kShift, span.last - kShift);
+      }
+    }
+    return set;
+  }
+
+  bool full() const { return screen_.full(); }
+  void clear() {
+    screen_.clear();
+    for (int j = 0; j < kLines; ++j) {
+      const fast::ObjectSegment left = {j, {0, kShift - 1}};
+      screen_.light({&left, 1});
+    }
+  }
+
+ private:
+  static constexpr std::int32_t kShift = 21;
+
+  static std::uint64_t bits(int first, int last) {
+    return ~std::uint64_t{0} >> (63 - last) & ~std::uint64_t{0} << first;
+  }
+
+  fast::DynamicScreen screen_;
+  std::vector<fast::ObjectSegment> objects_;
+};
 
 }  // namespace
 
@@ -175,22 +257,76 @@ void MergeTally::add(const MergeTally& other) {
   for (int k = 0; k < 9; ++k) steps_of_case[k] += other.steps_of_case[k];
 }
 
-MergeTally merge_lines(int width_px, std::uint32_t first, std::uint32_t end) {
-  const Lines lines(width_px);
+MergeTally merge_lines(int width_px, std::uint32_t first, std::uint32_t end,
+                       std::span<const fast::SimdLevel> levels) {
+  Merger merger(width_px, levels);
   MergeTally tally;
-  Trace trace;
-  ref::UnlitList list;
   for (std::uint32_t objects = first; objects < end; ++objects) {
     for (std::uint32_t unlit = 0; unlit < 1u << width_px; ++unlit) {
       Steps steps = steps_of_bits(objects, unlit);
-      const char* what = difference(lines, objects, unlit, steps, trace, list);
+      std::string what = merger.difference(objects, unlit, steps);
       ++tally.pairs;
-      if (what != nullptr && tally.mismatches++ == 0)
-        tally.first_mismatch = described(lines, objects, unlit, what);
+      if (!what.empty() && tally.mismatches++ == 0)
+        tally.first_mismatch = std::move(what);
       for (; steps != 1; steps >>= 3) {
         ++tally.steps;
         ++tally.steps_of_case[(steps & 7) + 1];
       }
+    }
+  }
+  return tally;
+}
+
+MergeTally merge_random(std::uint64_t count, std::uint64_t seed,
+                        fast::SimdLevel level) {
+  TileRow row(level);
+  MergeTally tally;
+  SplitMix64 random(mix(seed));
+  // Ands and ors of random sets: long runs and short ones, many and few.
+  const auto draw = [&random] {
+    const std::uint64_t kind = random.next();
+    std::uint64_t set = random.next();
+    if ((kind & 1) != 0) set &= set << (kind >> 4 & 31);
+    if ((kind & 2) != 0) set |= set >> (kind >> 9 & 31);
+    if ((kind & 4) != 0) set &= ~std::uint64_t{0} << (kind >> 14 & 63);
+    return (kind & 8) != 0 ? ~set : set;
+  };
+  while (tally.pairs < count) {
+    row.clear();
+    // Now and then all lines are all unlit, or covered all over.
+    const std::uint64_t whole = random.next();
+    TileRow::Sets unlit, others;
+    for (std::size_t j = 0; j < unlit.size(); ++j) {
+      unlit[j] = whole % 8 == 0 ? ~std::uint64_t{0} : draw();
+      others[j] = ~unlit[j];
+    }
+    row.light(others);
+    // One after another into what the last has left.
+    for (int k = 0; k < 4; ++k) {
+      TileRow::Sets objects;
+      for (std::uint64_t& set : objects) {
+        set = (whole >> (4 * k + 4)) % 16 == 0 ? ~std::uint64_t{0} : draw();
+      }
+      const TileRow::Sets lit = row.light(objects);
+      std::uint64_t left = 0;
+      for (std::size_t j = 0; j < unlit.size(); ++j) {
+        const bool agrees =
+            lit[j] == (objects[j] & unlit[j]) &&
+            row.unlit(static_cast<int>(j)) == (unlit[j] & ~objects[j]);
+        ++tally.pairs;
+        if (!agrees && tally.mismatches++ == 0) {
+          tally.first_mismatch = std::string(level_name(level)) + ", merge " +
+                                 std::to_string(tally.pairs) + " of seed " +
+                                 std::to_string(seed);
+        }
+        left |= unlit[j] &= ~objects[j];
+      }
+      if (row.full() != (left == 0) && tally.mismatches++ == 0) {
+        tally.first_mismatch = "full after merge " +
+                               std::to_string(tally.pairs) + " of seed " +
+                               std::to_string(seed);
+      }
+      if (left == 0) break;
     }
   }
   return tally;

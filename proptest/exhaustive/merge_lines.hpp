@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+
+#include "halfspace/fast/simd.hpp"
 
 /// Span merging over every pair of sets of pixels of one line: nothing is
 /// drawn at random, so nothing of that length is left out.
@@ -22,11 +25,20 @@ struct MergeTally {
 /// `end` into every set of unlit pixels of a line of `width_px` pixels. Bit i
 /// of a set is pixel i.
 ///
-/// Compared are, between the reference, the fast library and sets of bits:
-/// the segments that become lit, those left unlit, and the case of every step
-/// (S4.7), so also which list advances when.
+/// Compared are, between the reference, the fast library by each of the levels
+/// and sets of bits: the segments that become lit, those left unlit, and the
+/// case of every step (S4.7), so also which list advances when.
 /// Requires: 1 <= width_px <= 16; first <= end <= 2^width_px.
 /// Cost:     (end - first) 2^width_px merges by each.
-MergeTally merge_lines(int width_px, std::uint32_t first, std::uint32_t end);
+MergeTally merge_lines(int width_px, std::uint32_t first, std::uint32_t end,
+                       std::span<const fast::SimdLevel> levels);
+
+/// What `count` merges of lines of 64 pixels come to, drawn from the seed: sets
+/// of object pixels and of unlit pixels, by the loops of one level and by sets
+/// of bits.
+///
+/// Eight lines of a tile are merged together, as render() does.
+MergeTally merge_random(std::uint64_t count, std::uint64_t seed,
+                        fast::SimdLevel level);
 
 }  // namespace halfspace::exhaustive

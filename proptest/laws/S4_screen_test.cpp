@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
@@ -13,9 +14,29 @@ using generate::mask_of;
 using generate::spans_of;
 using Mask = std::uint64_t;
 
+/// The instruction set that an implementation is bound to, if it is.
 template <class Impl>
-class S4Screen : public ::testing::Test {};
-TYPED_TEST_SUITE(S4Screen, Implementations);
+std::optional<fast::SimdLevel> level_of() {
+  if constexpr (requires { Impl::kLevel; }) return Impl::kLevel;
+  return std::nullopt;
+}
+
+/// A law is checked on the reference, and on the fast library by every
+/// instruction set that this machine has.
+template <class Impl>
+class S4Screen : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto level = level_of<Impl>();
+    if (level && !fast::is_supported(*level))
+      GTEST_SKIP() << "this machine has no " << level_name(*level);
+  }
+};
+using ScreenImplementations =
+    ::testing::Types<Ref, FastBy<fast::SimdLevel::kPortable>,
+                     FastBy<fast::SimdLevel::kAvx2>,
+                     FastBy<fast::SimdLevel::kAvx512>>;
+TYPED_TEST_SUITE(S4Screen, ScreenImplementations);
 
 /// The row of S4.7 whose condition holds; 0 for none, -1 for several.
 int row_of(Span object, Span unlit) {

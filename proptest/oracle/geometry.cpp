@@ -191,11 +191,11 @@ void ask_orders(Inquiry& inquiry, agree::Kind kind, const Scene& scene,
   for (int k = 0; k < kEyes; ++k) {
     const Camera camera = agree::random_camera(kind, scene, 16, 16, draws);
     std::vector<std::int64_t> shown;
-    const ref::Display by_ref = [&](const ref::Node&, const ref::Fragment& f) {
+    const ref::Visitor by_ref = [&](const ref::Node&, const ref::Fragment& f) {
       shown.push_back(numbers.of(ref::name_of(f)));
       return true;
     };
-    const fast::Display by_fast = [&](const fast::Node&,
+    const fast::Visitor by_fast = [&](const fast::Node&,
                                       const fast::TreeFragment& f) {
       shown.push_back(numbers.of(name_of(quick, f)));
       return true;

@@ -1,5 +1,7 @@
+#include <utility>
 #include <vector>
 
+#include "adapters/screen_line.hpp"
 #include "generate/random_scenes.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/ref/screen.hpp"
@@ -58,6 +60,13 @@ Line line_of(const std::vector<int>& cases, const Merged& merged) {
 }  // namespace
 
 void ask_merges(Inquiry& inquiry, std::uint64_t seed, std::uint64_t count) {
+  constexpr std::int32_t kWidth = 80;
+  std::vector<std::pair<const char*, ScreenLine>> lines;
+  for (const fast::SimdLevel level : kSimdLevels) {
+    if (fast::is_supported(level)) {
+      lines.emplace_back(level_name(level), ScreenLine(kWidth, level));
+    }
+  }
   Draws draws(seed);
   for (std::uint64_t k = 0; k < count; ++k) {
     const std::vector<Span> objects = random_spans(draws);
@@ -68,11 +77,12 @@ void ask_merges(Inquiry& inquiry, std::uint64_t seed, std::uint64_t count) {
     add_spans(question, unlit);
     const auto by_ref = [](Span o, Span u) { return ref::merge_case(o, u); };
     const auto by_fast = [](Span o, Span u) { return fast::merge_case(o, u); };
+    auto& [name, line] = lines[k % lines.size()];
     inquiry.ask(question,
                 {{"ref::merge", line_of(cases_of(objects, unlit, by_ref),
                                         ref::merge(objects, unlit))},
-                 {"fast::merge", line_of(cases_of(objects, unlit, by_fast),
-                                         fast::merge(objects, unlit))}});
+                 {name, line_of(cases_of(objects, unlit, by_fast),
+                                line.merge(objects, unlit))}});
   }
 }
 

@@ -22,10 +22,11 @@
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
-#include "halfspace/ref/painter.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/predicate.hpp"
 #include "halfspace/ref/projection.hpp"
-#include "halfspace/ref/raycast.hpp"
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
@@ -35,7 +36,6 @@
 #include "halfspace/ref/traverse.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "halfspace/ref/winding.hpp"
-#include "halfspace/ref/zbuffer.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/scene_file.hpp"
 
@@ -50,6 +50,11 @@ std::size_t taken = 0;
 template <class Function>
 void take(Function* function) {
   Function* volatile kept = function;
+  if (kept != nullptr) ++taken;
+}
+template <class Class, class Member>
+void take(Member Class::*member) {
+  Member Class::*volatile kept = member;
   if (kept != nullptr) ++taken;
 }
 
@@ -143,7 +148,7 @@ void take_all() {
   take(&ref::merge_segment);  // S4.7
   take(&fast::merge_case);  // S4.7
   take(&ref::merge);  // S4.8
-  take(&fast::merge);  // S4.8
+  take(&fast::DynamicScreen::light);  // S4.8
   take(&ref::render);  // S5.1
   {  // S5.1
     using namespace fast;

@@ -7,6 +7,7 @@
 
 #include "adapters/both.hpp"
 #include "adapters/both_solid.hpp"
+#include "adapters/screen_line.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
@@ -120,11 +121,15 @@ std::size_t replay_merges(const Json& vectors) {
     const auto objects = spans_of(vector.at("objects"));
     const auto unlit = spans_of(vector.at("unlit"));
     const auto one = ref::merge(objects, unlit);
-    const auto other = fast::merge(objects, unlit);
     EXPECT_EQ(to_json(one.lit), vector.at("lit"));
     EXPECT_EQ(to_json(one.unlit), vector.at("left"));
-    EXPECT_EQ(to_json(other.lit), vector.at("lit"));
-    EXPECT_EQ(to_json(other.unlit), vector.at("left"));
+    for (const fast::SimdLevel level : kSimdLevels) {
+      if (!fast::is_supported(level)) continue;
+      ScreenLine line(32, level);
+      const ScreenLine::Merged& other = line.merge(objects, unlit);
+      EXPECT_EQ(to_json(other.lit), vector.at("lit")) << level_name(level);
+      EXPECT_EQ(to_json(other.unlit), vector.at("left")) << level_name(level);
+    }
     EXPECT_EQ(cases_of_ref(objects, unlit), vector.at("cases"));
     EXPECT_EQ(cases_of(objects, unlit, fast::merge_case), vector.at("cases"));
     compared += 6;

@@ -92,13 +92,14 @@ BspTree build(const std::vector<Plane>& planes, std::vector<Fragment> polygons,
         {splitter, planes[static_cast<std::size_t>(splitter)], {}});
     link(tree, task.parent, task.side, id);
 
-    // Step 2: the polygons in that plane stay, the others go to its sides;
-    // what the plane cuts goes to both.
+    // Step 2: the polygons in that plane stay, the others go to its sides; the
+    // parts of those that it cuts go to both.
     std::vector<Fragment> positive;
     std::vector<Fragment> negative;
     distribute(std::move(task.polygons), tree.nodes.back(), positive, negative);
 
-    // Step 3: make the subtrees of what is not empty; the last task is next.
+    // Step 3: make the subtrees of the sides that are not empty; the last task
+    // is next.
     if (!negative.empty()) {
       tasks.push_back(
           {std::move(negative), negative_key(task.key), id, Side::kNegative});
@@ -126,7 +127,7 @@ void insert(BspTree& tree, Fragment polygon, const Plane& plane) {
     Part part = std::move(parts.back());
     parts.pop_back();
 
-    // Step 1: where there is no node, the part becomes one.
+    // Step 1: where there is no node, the fragment becomes one.
     if (part.node == kNoNode) {
       const PolygonId splitter = part.fragment.source;
       link(tree, part.parent, part.side,
@@ -136,7 +137,8 @@ void insert(BspTree& tree, Fragment polygon, const Plane& plane) {
       continue;
     }
 
-    // Step 2: else it stays here, goes to one side, or is cut and goes to both.
+    // Step 2: else it stays here, goes to one side, or is split and goes to
+    // both.
     Node& node = tree.nodes[static_cast<std::size_t>(part.node)];
     switch (relation(part.fragment, node.plane)) {
       case Relation::kCoincident:

@@ -5,6 +5,7 @@
 
 #include "halfspace/assert.hpp"
 #include "halfspace/ref/split.hpp"
+#include "vector.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -19,11 +20,6 @@ struct Part {
   /// Its class on the positive side of that node, once it has been there.
   std::optional<SolidClass> positive_class = std::nullopt;
 };
-
-/// Whether the normals of two planes that coincide agree.
-bool same_direction(const Plane& p, const Plane& q) {
-  return sign(p.a * q.a + p.b * q.b + p.c * q.c) > 0;
-}
 
 /// The class of a fragment in a splitter's plane by the classes it gets on the
 /// splitter's two sides. `agrees`: its normal is the splitter's.

@@ -3,19 +3,12 @@
 #include <tuple>
 
 #include "halfspace/assert.hpp"
+#include "vector.hpp"
 
 namespace halfspace::ref {
 namespace {
 
 Side side_of_sign(int sign) { return static_cast<Side>(sign); }
-
-Point difference(const Point& p, const Point& q) {
-  return {p.x - q.x, p.y - q.y, p.z - q.z};
-}
-
-Point cross(const Point& u, const Point& v) {
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
 
 }  // namespace
 
@@ -44,7 +37,7 @@ Plane plane_of(const std::vector<Point>& vertices) {
     const Point& p2 = vertices[(i + 2) % count];
     const Point n = cross(difference(p1, p0), difference(p2, p0));
     if (n == Point{0, 0, 0}) continue;  // a straight corner
-    return {n.x, n.y, n.z, -(n.x * p0.x + n.y * p0.y + n.z * p0.z)};
+    return plane_through(n, p0);
   }
   HALFSPACE_ASSERT(false && "a polygon has an area");
   return {};

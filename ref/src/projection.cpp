@@ -2,23 +2,10 @@
 
 #include "halfspace/assert.hpp"
 #include "halfspace/ref/split.hpp"
+#include "vector.hpp"
 
 namespace halfspace::ref {
 namespace {
-
-Point to_point(const LatticeVector& v) { return {v.x, v.y, v.z}; }
-
-Point difference(const Point& u, const Point& v) {
-  return {u.x - v.x, u.y - v.y, u.z - v.z};
-}
-
-Point cross(const Point& u, const Point& v) {
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
-
-Rational dot(const Point& u, const Point& v) {
-  return u.x * v.x + u.y * v.y + u.z * v.z;
-}
 
 /// scale * f + other * g, as functions of a point.
 Plane combination(const Rational& scale, const Plane& f, const Rational& other,

@@ -5,19 +5,14 @@
 #include <functional>
 
 #include "halfspace/ref/predicate.hpp"
+#include "vector.hpp"
 
 namespace halfspace::ref {
 namespace {
 
-Point to_point(const LatticeVector& v) { return {v.x, v.y, v.z}; }
-
 /// p + scale * v.
 Point along(const Point& p, const Rational& scale, const Point& v) {
   return {p.x + scale * v.x, p.y + scale * v.y, p.z + scale * v.z};
-}
-
-Point difference(const Point& p, const Point& q) {
-  return along(p, Rational(-1), q);
 }
 
 /// The point that the centre of pixel (i, j) sees in the plane through
@@ -36,8 +31,7 @@ Point point_seen(const Camera& camera, const std::array<Point, 3>& corners,
   const Point direction =
       camera->perspective ? difference(s, eye) : difference({0, 0, 0}, eye);
   const Plane plane = plane_of({corners[0], corners[1], corners[2]});
-  const Rational speed =
-      plane.a * direction.x + plane.b * direction.y + plane.c * direction.z;
+  const Rational speed = dot(normal_of(plane), direction);
   return along(start, Rational(0) - value_at(plane, start) / speed, direction);
 }
 

@@ -69,7 +69,7 @@ std::vector<std::size_t> candidates_of(const BuildOptions& options,
   return candidates;
 }
 
-/// What the rule minimises: first the first number, then the second. A
+/// The cost that the rule minimises, in lexicographic order. A
 /// greatest in-degree is a least number of polygons that do not cut.
 std::pair<std::uint64_t, std::uint64_t> cost(const Counts& counts,
                                              std::size_t polygon_count,

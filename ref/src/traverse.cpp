@@ -5,7 +5,7 @@
 namespace halfspace::ref {
 namespace {
 
-/// What is still to be done: a whole subtree, or a node's own fragments.
+/// A step still to be done: a whole subtree, or a node's own fragments.
 struct Step {
   enum class Kind { kSubtree, kNode };
   Kind kind;
@@ -27,7 +27,7 @@ Children children_of(const Node& node, Side eye) {
 }  // namespace
 
 void back_to_front(const BspTree& tree, const Camera& camera,
-                   const Display& display) {
+                   const Visitor& visit) {
   using enum Step::Kind;
   // The papers recurse; a stack, last in first out, does so at any depth.
   std::vector<Step> steps;
@@ -40,7 +40,7 @@ void back_to_front(const BspTree& tree, const Camera& camera,
     if (step.kind == kNode) {
       for (auto it = node.coincident.rbegin(); it != node.coincident.rend();
            ++it) {
-        if (!display(node, *it)) return;
+        if (!visit(node, *it)) return;
       }
       continue;
     }
@@ -56,7 +56,7 @@ void back_to_front(const BspTree& tree, const Camera& camera,
 }
 
 void front_to_back(const BspTree& tree, const Camera& camera,
-                   const Display& display) {
+                   const Visitor& visit) {
   using enum Step::Kind;
   std::vector<Step> steps;
   if (!tree.nodes.empty()) steps.push_back({kSubtree, 0});
@@ -67,7 +67,7 @@ void front_to_back(const BspTree& tree, const Camera& camera,
     const Node& node = tree.nodes[static_cast<std::size_t>(step.node)];
     if (step.kind == kNode) {
       for (const Fragment& fragment : node.coincident) {
-        if (!display(node, fragment)) return;
+        if (!visit(node, fragment)) return;
       }
       continue;
     }

@@ -6,6 +6,7 @@
 
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/split.hpp"
+#include "vector.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -25,8 +26,7 @@ int sign(const Beside& value) {
 }
 
 Beside beside(const Plane& plane, const Point& p, const Plane& normal) {
-  return {value_at(plane, p),
-          plane.a * normal.a + plane.b * normal.b + plane.c * normal.c, plane.b,
+  return {value_at(plane, p), dot(normal_of(plane), normal_of(normal)), plane.b,
           plane.c};
 }
 
@@ -35,22 +35,13 @@ Beside beside(const Plane& plane, const Point& p, const Plane& normal) {
 Plane edge_plane(const Face& face, std::size_t k) {
   const Point& p = face.vertices[k];
   const Point& q = face.vertices[(k + 1) % face.vertices.size()];
-  const Plane& n = face.plane;
-  const Rational x = q.x - p.x, y = q.y - p.y, z = q.z - p.z;
-  const Rational a = n.b * z - n.c * y;
-  const Rational b = n.c * x - n.a * z;
-  const Rational c = n.a * y - n.b * x;
-  return {a, b, c, -(a * p.x + b * p.y + c * p.z)};
+  return plane_through(cross(normal_of(face.plane), difference(q, p)), p);
 }
 
 bool are_coplanar(const Face& face, const Plane& plane) {
   return std::all_of(
       face.vertices.begin(), face.vertices.end(),
       [&](const Point& p) { return sign(value_at(plane, p)) == 0; });
-}
-
-bool agrees(const Plane& p, const Plane& q) {
-  return sign(p.a * q.a + p.b * q.b + p.c * q.c) > 0;
 }
 
 /// Whether the point, which lies in the face's plane, is in its interior.
@@ -158,7 +149,7 @@ Solid resolve(const Solid& solid, const BuildOptions& options) {
       const auto first = std::find_if(
           solid.faces.begin(), solid.faces.end(), [&](const Face& other) {
             return are_coplanar(other, face.plane) &&
-                   agrees(other.plane, face.plane) && holds(other, p);
+                   same_direction(other.plane, face.plane) && holds(other, p);
           });
       if (&*first == &face)
         result.faces.push_back(

@@ -5,10 +5,10 @@
 #include <cstddef>
 
 #include "halfspace/ref/build.hpp"
-#include "halfspace/ref/painter.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
-#include "halfspace/ref/zbuffer.hpp"
 #include "scenes.hpp"
 
 namespace halfspace::ref {

@@ -6,8 +6,8 @@
 
 #include "halfspace/image.hpp"
 #include "halfspace/ref/build.hpp"
-#include "halfspace/ref/painter.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
 #include "scenes.hpp"
 
 namespace halfspace::ref {

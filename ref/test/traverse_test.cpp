@@ -11,7 +11,7 @@
 namespace halfspace::ref {
 namespace {
 
-using Order = void (*)(const BspTree&, const Camera&, const Display&);
+using Order = void (*)(const BspTree&, const Camera&, const Visitor&);
 
 /// A camera whose eye is at (x, 4, z), or looks from there if at infinity.
 Camera camera_at(std::int64_t x, std::int64_t z, bool perspective) {

@@ -16,7 +16,7 @@ namespace {
 using ref::Point;
 using ref::Rational;
 
-/// A solid in rationals; points are worked out when they are asked for.
+/// A solid in rationals. Points are computed on demand.
 class Exact {
  public:
   explicit Exact(const fast::Solid& solid) : solid_(solid) {}
@@ -24,12 +24,12 @@ class Exact {
   const fast::Solid& solid() const { return solid_; }
   const Point& point(std::int32_t id) {
     const auto [at, is_new] = points_.try_emplace(id);
-    if (is_new) at->second = worked_out(fast::vertex_at(solid_, id));
+    if (is_new) at->second = computed(fast::vertex_at(solid_, id));
     return at->second;
   }
 
-  /// The winding number of the point; nothing if it is on the surface, or if
-  /// the ray from it along the first axis meets an edge.
+  /// The winding number of the point (JKS13); nothing if it is on the surface,
+  /// or if the ray from it along the first axis meets an edge.
   std::optional<int> winding(const Point& p,
                              const std::array<double, 3>& near) {
     int winding = solid_.unbounded ? 1 : 0;
@@ -41,7 +41,7 @@ class Exact {
           a * (p.x - Rational(plane.origin.x)) +
           Rational(plane.normal[1]) * (p.y - Rational(plane.origin.y)) +
           Rational(plane.normal[2]) * (p.z - Rational(plane.origin.z));
-      if (sign(a) == 0) continue;  // its edges are met, if it is
+      if (sign(a) == 0) continue;  // parallel to the ray
       const std::optional<bool> covers = is_over(face, p);
       if (!covers || (*covers && sign(value) == 0)) return {};
       if (!*covers || sign(value) * sign(a) > 0) continue;
@@ -51,8 +51,8 @@ class Exact {
   }
 
  private:
-  /// Whether the ray along the first axis surely does not meet the box. A
-  /// point's doubles are off by less than 2^-40 of their size.
+  /// Whether the ray along the first axis certainly misses the box. The doubles
+  /// of a point have errors below 2^-40 of their size.
   static bool is_aside(const fast::Box& box, const std::array<double, 3>& p) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double doubt = std::abs(p[k]) * 0x1p-40 + 0x1p-40;
@@ -62,7 +62,7 @@ class Exact {
     return false;
   }
 
-  Point worked_out(const fast::SolidVertex& v) const {
+  Point computed(const fast::SolidVertex& v) const {
     if (v.is_grid) return ref::to_point(v.point);
     // Cramer's rule.
     Rational n[3][4];
@@ -82,8 +82,8 @@ class Exact {
             determinant(0, 1, 3) / w};
   }
 
-  /// Whether the point is in the face, seen along the first axis; nothing if
-  /// it is on an edge, or level with a vertex.
+  /// Whether the face holds the point in the projection along the first axis;
+  /// nothing if the point is on an edge, or level with a vertex.
   std::optional<bool> is_over(const fast::Face& face, const Point& p) {
     bool inside = false;
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
@@ -118,8 +118,9 @@ class Stream {
   SplitMix64 generator_;
 };
 
-/// A point near a face: amid three of its vertices, and off by anything from
-/// its size to 2^-24 of that. The odd denominator keeps rays off edges.
+/// A point near a face: the centroid of three of its vertices, moved by between
+/// 2^-24 of the face's size and all of it. The odd denominator keeps rays off
+/// edges.
 Point point_near(Exact& exact, Stream& stream) {
   const fast::Solid& solid = exact.solid();
   const auto f = static_cast<std::size_t>(stream.below(solid.faces.size()));
@@ -158,7 +159,7 @@ const char* name_of(BooleanOp operation) {
   return "difference";
 }
 
-/// The solid, a face a line: its vertices edge by edge, as fractions.
+/// Writes the solid, one face a line: the vertices of each edge, as fractions.
 void describe(Exact& exact, std::ostream& out) {
   const fast::Solid& solid = exact.solid();
   out << "solid " << solid.faces.size()
@@ -227,8 +228,8 @@ void check(BooleanOp operation, const fast::Solid& a, const fast::Solid& b,
 
 namespace {
 
-/// Whether the next operation is one of every so many, at a place that
-/// the seed chooses for each group.
+/// Whether the next operation is checked: one in each group of 1/share, which
+/// the seed chooses.
 bool is_chosen(const BooleanOptions& how, const BooleanReport& report) {
   const auto group = static_cast<std::uint64_t>(
       std::max(1.0, std::round(1 / std::clamp(how.share, 1e-9, 1.0))));

@@ -8,10 +8,10 @@ namespace halfspace::shadow {
 
 /// A real number that is `value`, give or take `error`.
 ///
-/// A rounded sum, product or quotient r is off by at most u |r|, u = 2^-53, or
-/// by less than kTiny where it is subnormal. Errors are sums of at most six
-/// such terms, themselves rounded: that loses less than a share 2^-48 of them,
-/// which kSlack gives back. What is no number, or infinite, is never certain.
+/// A rounded sum, product or quotient r has an error of at most u |r|, u =
+/// 2^-53, or less than kTiny where it is subnormal. Errors are sums of at most
+/// six such terms, which are rounded too: that loses less than 2^-48 of them,
+/// and kSlack restores it. NaN and infinity are never certain. Source: SHE97.
 struct Bounded {
   double value = 0;
   double error = 0;
@@ -46,7 +46,7 @@ inline Bounded operator*(const Bounded& a, const Bounded& b) {
                        kTiny};
 }
 
-/// Where b may be zero, the error is no number or infinite.
+/// Where b may be zero, the error is NaN or infinite.
 inline Bounded operator/(const Bounded& a, const Bounded& b) {
   const double quotient = a.value / b.value;
   // From |A/B - a/b| <= (error of a + |a/b| error of b) / |B|.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "halfspace/assert.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/scene_file.hpp"
 #include "halfspace/splitmix.hpp"
@@ -22,10 +22,10 @@ struct Sample {
   std::int32_t i = 0;  ///< in the whole image
   std::int32_t j = 0;
   PolygonId shown = kBackground;
-  Rgb color;                ///< that is shown, if colours are checked
-  bool is_covered = false;  ///< by `shown`, certainly
-  bool is_sure = true;      ///< no other polygon may hide it
-  /// What is surely no nearer cannot hide `shown`.
+  Rgb color;                ///< shown, if colours are checked
+  bool is_covered = false;  ///< certainly covered by `shown`
+  bool is_sure = true;      ///< certainly no other polygon hides `shown`
+  /// A polygon that is certainly less near cannot hide `shown`.
   double nearness = -HUGE_VAL;
 };
 
@@ -50,11 +50,11 @@ class Samples {
       sample.i = left_ + static_cast<std::int32_t>(at % width);
       sample.j = top_ + static_cast<std::int32_t>(at / width);
       sample.shown = shown.items.pixels[at];
-      // Here, not where it is looked at: memory answers many at a time.
+      // Read here, in one pass: independent loads overlap.
       if (!shown.colors.pixels.empty()) sample.color = shown.colors.pixels[at];
       all_.push_back(sample);
     }
-    // Few enough in a tile to be looked at, and enough to be worth a tile.
+    // Tiles of about two to eight samples.
     while (shift_ < 16 && (std::size_t{1} << 2 * shift_) < 2 * step) ++shift_;
     across_ = tile(right_ - left_) + 1;
     begin_.resize(static_cast<std::size_t>(across_) *
@@ -64,9 +64,9 @@ class Samples {
 
   std::vector<Sample>& all() { return all_; }
 
-  /// Sorts them by tiles, as they are now, for within().
+  /// Sorts the samples, as they are now, by tiles for within().
   void sort() {
-    // Count, add up, and fill from the back: within a tile the last comes last.
+    // A counting sort.
     for (const Sample& sample : all_) ++begin_[tile_of(sample) + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     places_.resize(all_.size());
@@ -81,8 +81,8 @@ class Samples {
     }
   }
 
-  /// Calls `visit` with every sample within the bounds that does not show what
-  /// is certainly nearer.
+  /// Calls `visit` with every sample within the bounds whose polygon is not
+  /// certainly nearer than `nearness`.
   template <class Visit>
   void within(const Bounds& bounds, double nearness, const Visit& visit) {
     const std::int32_t left = std::max(bounds.left, left_);
@@ -96,15 +96,15 @@ class Samples {
          ++row) {
       const auto at =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(across_);
-      // What is behind all that a row of tiles shows is looked at no closer.
+      // A polygon behind all samples of a row of tiles hides none of them.
       double least = HUGE_VAL;
       for (std::size_t t = first_tile; t <= last_tile; ++t)
         least = std::min(least, nearness_[at + t]);
       if (nearness < least) continue;
       const std::uint32_t end = begin_[at + last_tile + 1];
       for (std::uint32_t n = begin_[at + first_tile]; n < end;) {
-        // Most are outside, in no order that a processor could foresee: so
-        // those within are put aside without a branch.
+        // Most are outside, in an unpredictable order: collect those within
+        // without a branch.
         std::uint32_t found[kAtOnce];
         std::size_t count = 0;
         for (const std::uint32_t stop = std::min(end, n + kAtOnce); n < stop;
@@ -122,7 +122,7 @@ class Samples {
   }
 
  private:
-  /// What within() looks at of a sample.
+  /// The part of a sample that within() reads.
   struct Place {
     double nearness;
     std::int32_t i, j;
@@ -142,8 +142,8 @@ class Samples {
   int shift_ = 0;  ///< tiles have 2^shift_ by 2^shift_ pixels
   std::int32_t across_;
   std::vector<Sample> all_;
-  std::vector<std::uint32_t> begin_;  ///< of each tile in places_
-  std::vector<double> nearness_;      ///< of each tile the least
+  std::vector<std::uint32_t> begin_;  ///< each tile's first in places_
+  std::vector<double> nearness_;      ///< the least of each tile
   std::vector<Place> places_;
 };
 
@@ -179,13 +179,13 @@ class Checker {
   }
   bool is_id(PolygonId id) const { return id >= 0 && id < polygon_count(); }
 
-  /// Of a polygon that some sample shows.
+  /// Requires: some sample shows the polygon.
   const Prepared& prepared(PolygonId id) const {
     return prepared_[static_cast<std::size_t>(
         number_[static_cast<std::size_t>(id)])];
   }
 
-  /// Compares the samples with what they show.
+  /// Tests each sample against the polygon that it shows.
   void judge_shown() {
     number_.assign(scene_.polygon_count(), kNotPrepared);
     for (Sample& sample : samples_.all()) {
@@ -202,12 +202,12 @@ class Checker {
       const Bounded nearness =
           Polygons::nearness_at(polygon, sample.i, sample.j);
       const double least = nearness.value - nearness.error;
-      // Where it is no number nothing is certain.
+      // NaN fails the comparison: then nothing is certain.
       if (least > -HUGE_VAL) sample.nearness = least;
     }
   }
 
-  /// Notes which other polygons may hide what the samples show.
+  /// Collects for each sample the other polygons that may hide the shown one.
   void judge_others() {
     for (PolygonId id = 0; id < polygon_count(); ++id) {
       std::optional<Prepared> own;
@@ -235,7 +235,7 @@ class Checker {
     rivals_.push_back({&sample, id});
   }
 
-  /// What the sample sees, by the reference's rays.
+  /// The polygon seen at the sample, by the reference's ray.
   PolygonId seen_at(const Sample& sample) {
     ++report_.by_reference;
     if (how_.by_reference_only) return cast_at_all(sample);
@@ -251,7 +251,8 @@ class Checker {
     std::sort(ids.begin(), ids.end());
     const PolygonId seen =
         ref::raycast_at(scene_, camera_, options_, sample.i, sample.j, ids);
-    // If it does not see what it shows, then that has ruled out nothing.
+    // The rivals were chosen as those not behind `shown`. If another polygon
+    // is seen, that choice excluded too many.
     return seen == sample.shown ? seen : cast_at_near(sample);
   }
 
@@ -261,7 +262,7 @@ class Checker {
     return ref::raycast_at(scene_, camera_, options_, sample.i, sample.j, ids);
   }
 
-  /// The same, without the polygons that doubles rule out.
+  /// The same, without the polygons that certainly do not cover the sample.
   PolygonId cast_at_near(const Sample& sample) {
     std::vector<PolygonId> ids;
     for (PolygonId id = 0; id < polygon_count(); ++id) {
@@ -278,7 +279,7 @@ class Checker {
     return ref::raycast_at(scene_, camera_, options_, sample.i, sample.j, ids);
   }
 
-  /// Whether the polygon's colour changes over it (S5.4).
+  /// Whether the polygon's corner colours differ (S5.4).
   bool is_shaded(PolygonId id) const {
     const auto colors = scene_.corner_colors(id);
     return options_.shading == Shading::kGouraud &&
@@ -321,11 +322,11 @@ class Checker {
   const Options& how_;
   Polygons polygons_;
   Samples samples_;
-  /// Where in `prepared_` each polygon is, or kNotPrepared: only what samples
-  /// show is kept, since memory is what most of the time goes into.
+  /// The index in `prepared_` of each polygon, or kNotPrepared. Only polygons
+  /// that samples show are kept: memory traffic dominates the time.
   std::vector<std::int32_t> number_;
   std::vector<Prepared> prepared_;
-  /// Polygons that may hide what a sample shows, by sample.
+  /// For each sample, the polygons that may hide the shown one.
   std::vector<std::pair<const Sample*, PolygonId>> rivals_;
   Report report_;
 };

@@ -22,8 +22,8 @@ Bounded dot(const Bounded (&u)[3], const Vector& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/// Which side of the line from p to q the image point is on: the determinant
-/// of (x, y, 1) and the two.
+/// The edge function of the line from p to q: the determinant of (x, y, 1), p
+/// and q (PIN88; OG97).
 Affine line_through(const Projected& p, const Projected& q) {
   return {p.x * q.y - p.y * q.x, p.y * q.w - p.w * q.y, p.w * q.x - p.x * q.w};
 }
@@ -49,8 +49,8 @@ Affine operator/(const Affine& f, const Bounded& a) {
 
 double centre(std::int32_t pixel) { return pixel + 0.5; }
 
-/// A pixel number from a coordinate, clamped to just outside of the image.
-/// Between -1 and 0 it is 0, which only adds a pixel.
+/// The pixel of a coordinate, clamped to one pixel outside the image.
+/// Coordinates from -1 to 0 give 0, which only enlarges the bounds.
 std::int32_t pixel(double value, std::int32_t size) {
   return static_cast<std::int32_t>(
       std::clamp(value, -1.0, static_cast<double>(size)));
@@ -98,14 +98,14 @@ Projected Polygons::project(const GridPoint& p) const {
   const double t = camera_->perspective ? place.t.value - place.t.error
                                         : place.t.error - place.t.value;
   constexpr double kUp = 1 + 0x1p-50;
-  // In perspective t is positive, since it is w; else kTiny is next to nothing.
+  // In perspective t is w, which is positive. Else kTiny is negligible.
   place.nearness =
       camera_->perspective ? kUp / t : t + 0x1p-50 * std::abs(t) + kTiny;
   if (std::isnan(place.nearness)) place.nearness = HUGE_VAL;
   place.column = place.x.value / place.w.value;
   place.row = place.y.value / place.w.value;
-  // A quotient is off by less than a pixel if that, times the divisor, is more
-  // than the errors come to. Not so for what is no number.
+  // The quotient's error is below a pixel if the divisor exceeds the sum of the
+  // errors. NaN fails the comparison.
   const double least = (place.w.value - place.w.error) / 2;
   const auto is_close = [&](const Bounded& numerator, double quotient) {
     return std::abs(quotient) < 0x1p40 &&
@@ -117,7 +117,7 @@ Projected Polygons::project(const GridPoint& p) const {
 }
 
 Plain Polygons::plain(const Affine& f) const {
-  // Four roundings at most, each of what is less than the sum of the sizes.
+  // At most four roundings, each of a value below the sum of the sizes.
   const double x = camera_->width_px;
   const double y = camera_->height_px;
   const double size =
@@ -182,8 +182,8 @@ Prepared Polygons::prepare(PolygonId polygon) {
   for (std::size_t k = 0; k < count; ++k)
     lines_.push_back(line_through(corner(k), corner(k + 1)));
 
-  // Three corners in a row span the plane, best where their volume is greatest;
-  // a triangle's is always the same.
+  // Three consecutive corners span the plane. The largest volume is the best
+  // conditioned; a triangle has one volume only.
   const bool is_triangle = count == 3;
   Bounded scale;
   std::size_t at = 0;
@@ -195,7 +195,7 @@ Prepared Polygons::prepare(PolygonId polygon) {
   }
   const bool turned = is_negative(scale);
   if (!turned && !is_positive(scale)) return prepared;
-  // P(e) is -scale * volume_, as it stands before it is turned.
+  // The plane's value at the eye is -scale * volume_ before orientation.
   if (cull_) {
     if (is_positive(scale * volume_)) {
       insides_.push_back({-1, 0, 0, 0});
@@ -206,7 +206,8 @@ Prepared Polygons::prepare(PolygonId polygon) {
     if (!is_negative(scale * volume_)) return prepared;
   }
 
-  // d = (x, y, 1) is a sum of the three, with these as weights over `scale`.
+  // (x, y, 1) is a linear combination of the three corners; these, divided by
+  // `scale`, are the coefficients.
   const Affine ab = lines_[at];
   const Affine bc = lines_[(at + 1) % count];
   const Affine ca =
@@ -250,7 +251,7 @@ bool Polygons::has_color(PolygonId polygon, const Prepared& prepared,
                          std::int32_t i, std::int32_t j, Rgb color) const {
   if (!prepared.certain || prepared.count < 3) return false;
   const auto corners = scene_.corner_colors(polygon);
-  // The edge that leaves corner k lies opposite corner k + 2.
+  // Barycentric weights: the edge from corner k is opposite corner k + 2.
   std::array<Bounded, 3> weight;
   for (std::size_t k = 0; k < 3; ++k)
     weight[(k + 2) % 3] = insides_[prepared.first + k].at(centre(i), centre(j));

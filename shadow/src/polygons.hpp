@@ -13,13 +13,14 @@
 
 namespace halfspace::shadow {
 
-/// A point of space in the camera's coordinates: eye + X sx + Y sy + T (s0 -
-/// eye), or s0 + X sx + Y sy - T eye; W is T, or 1. It is shown at (X/W, Y/W).
+/// A point of space in camera coordinates: eye + X sx + Y sy + T (s0 - eye) in
+/// perspective, else s0 + X sx + Y sy - T eye. W is T, or 1. Its image point is
+/// (X/W, Y/W).
 struct Projected {
   Bounded x, y, w, t;
   double column = 0;  ///< X/W, to less than a pixel, if that is known
-  double row = 0;     ///< Y/W likewise
-  /// No less than 1/T in perspective, else than -T.
+  double row = 0;     ///< Y/W, the same
+  /// At least 1/T in perspective, else at least -T.
   double nearness = HUGE_VAL;
   bool is_placed = false;
 };
@@ -35,7 +36,7 @@ struct Affine {
   Bounded c, dx, dy;
 };
 
-/// The same with one bound for all pixels' centres: less to keep, and to do.
+/// The same, with one error bound for all pixel centres.
 struct Plain {
   double c = 0, dx = 0, dy = 0;
   double error = HUGE_VAL;
@@ -44,52 +45,52 @@ struct Plain {
   Bounded at(double x, double y) const { return {value_at(x, y), error}; }
 };
 
-/// What is certain.
+/// The answer of a filter.
 enum class Verdict : std::uint8_t { kNo, kYes, kUnknown };
 
-/// A polygon as the pixels see it.
+/// A polygon's edge functions and depth (PIN88).
 struct Prepared {
-  /// The sample is covered where all of its inside functions are positive
-  /// (S4.5), near included: from this one of Polygons::insides_ on, so many.
+  /// A sample is covered where all edge functions are positive, the near
+  /// plane's included (S4.5): Polygons::insides_[first, first + count).
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   Plain nearness;        ///< 1/T in perspective, else -T
-  bool certain = false;  ///< false: nothing is known of it
+  bool certain = false;  ///< false: nothing is known of the polygon
 };
 
-/// The polygons of a scene before a camera, as far as doubles tell.
+/// The polygons of a scene seen by a camera, in doubles with error bounds.
 class Polygons {
  public:
   Polygons(const Scene& scene, const Camera& camera,
            const ImageOptions& options);
 
-  /// Pixels that may see the polygon: no other can. Empty where it covers none.
+  /// Holds every pixel that the polygon covers; empty if it covers none.
   Bounds bounds_of(PolygonId polygon) const;
 
-  /// No less than the nearness of any of its points.
+  /// At least the nearness of each of its points.
   double nearness_of(PolygonId polygon) const;
 
   Prepared prepare(PolygonId polygon);
 
-  /// Takes back what prepare() did last.
+  /// Frees the polygon's edge functions. Requires: it was prepared last.
   void forget(const Prepared& polygon) { insides_.resize(polygon.first); }
 
-  /// Whether the centre of pixel (i, j) is within the polygon.
+  /// Whether the polygon covers the centre of pixel (i, j).
   Verdict covers(const Prepared& polygon, std::int32_t i, std::int32_t j) const;
 
-  /// What the polygon's nearness at the centre is between.
+  /// The polygon's nearness at the centre.
   static Bounded nearness_at(const Prepared& polygon, std::int32_t i,
                              std::int32_t j);
 
-  /// Whether the polygon, a triangle, certainly has this Gouraud colour at the
-  /// centre (S5.4).
+  /// Whether the triangle certainly has this Gouraud colour at the centre
+  /// (S5.4; GOU71).
   bool has_color(PolygonId polygon, const Prepared& prepared, std::int32_t i,
                  std::int32_t j, Rgb color) const;
 
  private:
   Projected project(const GridPoint& p) const;
   Plain plain(const Affine& f) const;
-  /// Positive where the plane of this nearness is beyond the near distance.
+  /// Positive where a plane of this nearness lies beyond the near distance.
   Affine beyond_near(const Affine& nearness, const Bounded& scale) const;
 
   const Scene& scene_;
@@ -100,7 +101,7 @@ class Polygons {
   Bounded volume_;      ///< of sx, sy and the depth
   std::vector<Projected> vertices_;
   std::vector<Plain> insides_;
-  /// Of the polygon that is being prepared.
+  /// Edge functions of the polygon that is being prepared.
   std::vector<Affine> lines_;
 };
 

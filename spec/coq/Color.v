@@ -1,6 +1,6 @@
 (** * S5.4, S5.6: channels of colours.
 
-    Read beside [blended] in ref/src/painter.cpp, the rounding in
+    Read beside [blended] in ref/src/oracle/painter.cpp, the rounding in
     ref/src/shade.cpp, and [blended] in fast/src/raster/drawer.cpp. *)
 
 From Coq Require Import ZArith QArith Qround Lia Lqa.

@@ -1,6 +1,6 @@
 (** * S4.4, S4.5: the sample of a pixel.
 
-    Read beside [sign_at_sample] and [covers] in ref/src/zbuffer.cpp. A sample
+    Read beside [sign_at_sample] and [covers] in ref/src/oracle/zbuffer.cpp. A sample
     is infinitely near its pixel's centre; its signs are those of a value, else
     of the x-derivative, else of the y-derivative. *)
 

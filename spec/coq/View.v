@@ -1,6 +1,6 @@
 (** * S4.1 to S4.5, S5.3: polygons seen by a camera, at one pixel.
 
-    Read beside ref/src/zbuffer.cpp, from [sign_at_sample] to [is_nearer], and
+    Read beside ref/src/oracle/zbuffer.cpp, from [sign_at_sample] to [is_nearer], and
     [side_of_eye] in ref/src/predicate.cpp. What [Order.v] asks of the geometry
     is shown for every camera and every pixel. *)
 

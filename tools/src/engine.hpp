@@ -10,6 +10,7 @@
 
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/camera.hpp"
+#include "halfspace/fast/simd.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
@@ -54,6 +55,7 @@ struct Shot {
   std::optional<Rows> rows;  ///< nothing: all
   std::uint8_t alpha = kOpaque;
   int threads = 1;
+  fast::SimdLevel simd = fast::SimdLevel::kBest;
 };
 
 /// An image, or the wanted rows of it, and what it took.

@@ -57,6 +57,7 @@ class FastEngine : public Engine {
     HALFSPACE_ASSERT(has(shot.method));
     fast::RenderOptions how;
     how.threads = shot.threads;
+    how.simd = shot.simd;
     if (shot.rows) {
       how.rectangle = {0, shot.rows->first, camera->width_px, shot.rows->end};
     }

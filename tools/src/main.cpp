@@ -1,11 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <memory_resource>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
 #include "command.hpp"
+#include "halfspace/fast/huge_page_pool.hpp"
 #include "halfspace/io/format.hpp"
 
 namespace {
@@ -49,6 +51,9 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int count, char** words) {
+  // Never destroyed: lists may outlive main().
+  static auto* const pool = new halfspace::fast::HugePagePool;
+  std::pmr::set_default_resource(pool);
   auto status = Status::kFine;
   CLI::App program;
   try {

@@ -3,10 +3,10 @@
 #include "engine.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/ref/build.hpp"
-#include "halfspace/ref/painter.hpp"
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
-#include "halfspace/ref/zbuffer.hpp"
 
 namespace halfspace::tools {
 namespace {

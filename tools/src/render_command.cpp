@@ -202,6 +202,10 @@ void add_render(CLI::App& program, Status& status) {
   add_parsed(*app, "--repeat", "N", arguments->repeat, parse_count,
              "Make the image, and check it, N times; times are medians")
       ->group("Measurement");
+  add_choice(*app, "--simd", simd_words(), arguments->simd,
+             "Instruction set of the fast library's loops; best if not said. "
+             "All give the same bytes")
+      ->group("Measurement");
   add_shadow_options(*app, *arguments);
   app->footer(
       "Examples:\n"

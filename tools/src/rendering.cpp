@@ -46,6 +46,22 @@ std::string tree_complaint(const RenderArguments& arguments,
   return {};
 }
 
+fast::SimdLevel simd_of(const RenderArguments& arguments) {
+  return arguments.simd ? static_cast<fast::SimdLevel>(*arguments.simd)
+                        : fast::SimdLevel::kBest;
+}
+
+std::string simd_complaint(const RenderArguments& arguments) {
+  if (!arguments.simd) return {};
+  if (library_of(arguments) != Library::kFast) {
+    return "--simd: --impl ref has no loops for instruction sets";
+  }
+  if (!fast::is_supported(simd_of(arguments))) {
+    return "--simd: this machine has no " + simd_words()[*arguments.simd];
+  }
+  return {};
+}
+
 /// The rows asked for, if there are such rows.
 Result<std::optional<Rows>> rows_of(const RenderArguments& arguments,
                                     std::int32_t height_px) {
@@ -73,6 +89,12 @@ Library library_of(const RenderArguments& arguments) {
                                          : Library::kRef);
 }
 
+const std::vector<std::string>& simd_words() {
+  static const std::vector<std::string> kWords = {"portable", "avx2", "avx512",
+                                                  "best"};
+  return kWords;
+}
+
 std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (!arguments.picture_file && !arguments.ids_file &&
       !arguments.build.stats_file) {
@@ -94,6 +116,8 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.alpha && arguments.shadow) {
     return "--shadow: checks opaque images, none with --alpha";
   }
+  const std::string simd = simd_complaint(arguments);
+  if (!simd.empty()) return simd;
   const std::string film = film_complaint(arguments);
   return film.empty() ? tree_complaint(arguments, engine) : film;
 }
@@ -133,6 +157,7 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
   shot.rows = *rows;
   shot.alpha = arguments.alpha.value_or(kOpaque);
   shot.threads = thread_count(arguments.build);
+  shot.simd = simd_of(arguments);
   Frame frame;
   if (shot.rows) {
     frame.part = io::PartOfPicture{shot.rows->first, camera->height_px};

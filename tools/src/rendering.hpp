@@ -26,6 +26,7 @@ struct RenderArguments {
   std::optional<Range> rows;
   std::optional<std::uint8_t> alpha;
   std::optional<std::size_t> method;
+  std::optional<std::size_t> simd;
   std::optional<std::uint32_t> repeat;
   std::optional<int> grid_bits;
   std::optional<double> shadow;  ///< the share of the pixels to be checked
@@ -40,6 +41,9 @@ Method method_of(const RenderArguments& arguments);
 
 /// The library asked for; if none is, the fast one where it has the method.
 Library library_of(const RenderArguments& arguments);
+
+/// The instruction sets of the fast library's loops, in the order of SimdLevel.
+const std::vector<std::string>& simd_words();
 
 /// What is wrong with the options taken together; empty if nothing.
 std::string complaint(const RenderArguments& arguments, const Engine& engine);

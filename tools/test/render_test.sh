@@ -44,6 +44,28 @@ for model in ${HALFSPACE_RENDERED:-$models}; do
   done
 done
 
+# Every instruction set that this machine has gives the same bytes, whole and in
+# rows, flat and smooth.
+"$make_model" sphere --count 12 -o levels.scene || exit 1
+for look in "" "--shade gouraud" "--method painter" "--method painter --alpha 90" \
+  "--rows 3:20"; do
+  # shellcheck disable=SC2086
+  set -- levels.scene --size 77x41 $look
+  expect 0 '(fast)' render "$@" -o a.png --ids a.npy
+  for level in portable avx2 avx512 best; do
+    if "$program" render "$@" --simd $level -o b.png --ids b.npy >stdout 2>&1
+    then
+      same a.npy b.npy
+      same a.png b.png
+    else
+      expect 2 "this machine has no $level" render "$@" --simd $level -o b.png
+      echo "skipped: this machine has no $level"
+    fi
+  done
+done
+expect 2 '\-\-simd.*portable.*mmx' render cube.off -o a.png --simd mmx
+expect 2 '\-\-simd.*ref' render cube.off -o a.png --simd avx2 --impl ref
+
 # Smooth colours, in a mesh and in a scene.
 "$make_model" sphere --count 8 -o sphere.scene || exit 1
 expect 0 'corners' info sphere.scene

@@ -11,9 +11,9 @@
 
 namespace halfspace::fast {
 
-/// Calls `work(number, first, last)` for every block of `size` of `count`
-/// things in a row, on so many threads at once. The blocks are the same for
-/// any number of threads, so that what they find can be put in their order.
+/// Calls `work(block, first, last)` for blocks of `size` of the indices 0 to
+/// `count` - 1, on up to `threads` threads at once. The blocks are the same for
+/// any number of threads, so that results can be put in order.
 template <class Work>
 void for_blocks(int threads, std::size_t count, std::size_t size, Work&& work) {
   const std::size_t blocks = (count + size - 1) / size;
@@ -24,7 +24,7 @@ void for_blocks(int threads, std::size_t count, std::size_t size, Work&& work) {
     for (std::size_t b = 0; b < blocks; ++b) one(b);
     return;
   }
-  // Asking for more threads than there are makes the library complain.
+  // oneTBB prints a warning where more threads are asked for than there are.
   oneapi::tbb::task_arena arena(
       std::min(threads, oneapi::tbb::info::default_concurrency()));
   const TsanForkJoin shared;

@@ -2,7 +2,7 @@
 
 namespace halfspace::fast {
 
-/// Whether this is compiled to tell what is used after it was given back.
+/// Whether a sanitizer watches for memory that is used after it was freed.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kSanitized = true;
 #elif defined(__has_feature)

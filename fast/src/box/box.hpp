@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/types.hpp"
 
 namespace halfspace::fast {
 
@@ -18,12 +18,7 @@ inline float rounded_up(double v) {
 }
 inline float rounded_down(double v) { return -rounded_up(-v); }
 
-/// Fills in the tree's boxes.
-/// Requires: children have greater indices than their parents, as in every
-///           tree built or extended here.
-void add_boxes(BspTree& tree, const Scene& scene);
-
-/// The box of nothing.
+/// The empty box.
 constexpr Box kEmptyBox = {
     {std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
      std::numeric_limits<float>::max()},
@@ -39,8 +34,8 @@ inline void extend(Box& box, const Vertex& v) {
   }
 }
 
-/// The box of some vertices. Rounding outwards keeps the order: it is enough to
-/// do so once.
+/// The box of some vertices. Rounding outwards is monotonic, so it is done
+/// once.
 class Bounds {
  public:
   void add(const Vertex& v) {

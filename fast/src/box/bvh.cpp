@@ -8,15 +8,15 @@
 namespace halfspace::fast {
 namespace {
 
-/// So many bits of each coordinate make an item's key.
+/// An item's key holds this many bits of each coordinate. Untuned.
 constexpr int kKeyBits = 10;
 
-/// So few items are taken in the order in which they come, in which those of
-/// meshes are near each other: to look at all of their eights takes no longer
-/// than to sort them.
+/// Up to this number items are taken in the order given, in which those of
+/// meshes are near each other: looking at all of their packets takes no longer
+/// than sorting them. Untuned.
 constexpr std::size_t kFew = 256;
 
-/// The bits of a 10-bit number with two zeros before each.
+/// A 10-bit number with two zeros before each bit.
 std::uint64_t spread(std::uint64_t v) {
   v = (v | v << 16) & 0x030000ff;
   v = (v | v << 8) & 0x0300f00f;
@@ -27,8 +27,8 @@ std::uint64_t spread(std::uint64_t v) {
 
 }  // namespace
 
-/// Along a curve that fills space, so that what is near each other in the row
-/// is so in space.
+/// Sorts along the Z-order curve (MOR66), so that items near each other in the
+/// row are near each other in space.
 void BoxTree::sort_items(std::vector<Item>& items) {
   std::array<float, 3> low = kEmptyBox.low;
   std::array<float, 3> high = kEmptyBox.high;

@@ -19,8 +19,8 @@ inline bool overlap(const Box& a, const Box& b) {
   return true;
 }
 
-/// Eight boxes side by side, for all to be compared with another one at once.
-/// Those not set overlap none.
+/// Eight boxes in structure-of-arrays form, compared with another one at once.
+/// Boxes that are not set overlap none.
 class EightBoxes {
  public:
   static constexpr std::size_t kCount = 8;
@@ -47,7 +47,7 @@ class EightBoxes {
     }
     return box;
   }
-  /// Those that overlap `box`, as bits.
+  /// A bit for each that overlaps `box`.
   std::uint32_t overlapping(const Box& box) const {
     const auto among = [&](std::size_t half) {
       FourBits all = {-1, -1, -1, -1};
@@ -69,10 +69,11 @@ class EightBoxes {
   std::array<std::array<Four, 2>, 3> low_, high_;
 };
 
-/// A tree of boxes, to find those that overlap another one.
+/// A bounding volume hierarchy of boxes with eight children a node, to find
+/// those that overlap another box.
 class BoxTree {
  public:
-  /// `items` are the numbers of the boxes that take part.
+  /// Of the boxes `box_of(item)`, for the numbers in `items`.
   template <class BoxOf>
   BoxTree(BoxOf&& box_of, const std::vector<std::int32_t>& items) {
     std::vector<Item> row;
@@ -85,23 +86,24 @@ class BoxTree {
   template <class Found>
   void find(const Box& box, Found&& found) const {
     if (level_count_ == 0) return;
-    // At each level what is to be looked at yet of one eight.
-    struct Place {
+    // At each level the children of one node that are still to be visited.
+    struct Pending {
       std::size_t first;
       std::uint32_t rest;
     };
-    std::array<Place, kMostLevels> path;
+    std::array<Pending, kMostLevels> path;
     std::size_t level = level_count_ - 1;
     path[level] = {0, eights_[levels_[level]].overlapping(box)};
     while (true) {
-      Place& place = path[level];
-      if (place.rest == 0) {
+      Pending& pending = path[level];
+      if (pending.rest == 0) {
         if (++level == level_count_) return;
         continue;
       }
       const std::size_t at =
-          place.first + static_cast<std::size_t>(std::countr_zero(place.rest));
-      place.rest &= place.rest - 1;
+          pending.first +
+          static_cast<std::size_t>(std::countr_zero(pending.rest));
+      pending.rest &= pending.rest - 1;
       if (level == 0) {
         found(numbers_[at]);
         continue;
@@ -117,14 +119,14 @@ class BoxTree {
     Box box;
     std::int32_t number = 0;
   };
-  /// 8^11 is more than there are numbers.
+  /// 8^11 exceeds the number of items that an int32 counts.
   static constexpr std::size_t kMostLevels = 11;
 
   static void sort_items(std::vector<Item>& items);
   void build(std::vector<Item>& items);
 
   std::vector<std::int32_t> numbers_;  ///< the items'
-  /// Of items in their row, then of eights of those, and so on.
+  /// The items' boxes, then the hulls of eight of them, and so on.
   std::vector<EightBoxes> eights_;
   std::array<std::size_t, kMostLevels> levels_{};  ///< where each begins
   std::size_t level_count_ = 0;

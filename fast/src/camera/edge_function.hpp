@@ -10,13 +10,14 @@
 namespace halfspace::fast {
 
 /// An affine function of the image, exactly: at the centre of pixel (i, j) it
-/// is a (2i + 1) + b (2j + 1) + c.
+/// is a (2i + 1) + b (2j + 1) + c. An edge function (PIN88) in homogeneous
+/// coordinates (OG97).
 ///
 /// Bits: those of the widest, a splitter's edge. A plane's value at the eye has
 /// 3n + 17 and its slopes and offset here 3n + 18, so their products 6n + 36;
 /// times 2i + 1 < 2^17, three times: 6n + 55, or 211, 295 and 379.
 template <std::size_t kWords>
-struct ImageLine {
+struct EdgeFunction {
   Wide<kWords> a;
   Wide<kWords> b;
   Wide<kWords> c;
@@ -33,16 +34,19 @@ struct ImageLine {
     const int right = sign(a);
     return right != 0 ? right : sign(b);
   }
-  friend ImageLine operator-(const ImageLine& l) { return {-l.a, -l.b, -l.c}; }
+  friend EdgeFunction operator-(const EdgeFunction& l) {
+    return {-l.a, -l.b, -l.c};
+  }
 };
 
-/// A plane as the camera sees it: its value at the eye, and at the image point
-/// of pixel coordinates, all 2^8 (eye) and 2^9 (image) times their size.
+/// A plane projected by the camera: its value at the eye, times 2^8, and its
+/// values at the points of the image as a function of pixel coordinates, times
+/// 2^9.
 ///
 /// Bits: a normal has 2n + 1; a difference of lattice vectors n + 14, twice
 /// that n + 15; three products: 3n + 18, which is 96, 138 and 180.
 template <int kBits>
-struct SeenPlane {
+struct ProjectedPlane {
   static constexpr std::size_t kWords = kBits == 26 ? 2 : 3;
   Wide<kWords> eye;
   Wide<kWords> a;
@@ -51,8 +55,9 @@ struct SeenPlane {
 };
 
 template <int kBits>
-SeenPlane<kBits> see(const ExactPlane<kBits>& plane, const CameraData& camera) {
-  constexpr std::size_t kWords = SeenPlane<kBits>::kWords;
+ProjectedPlane<kBits> projected(const ExactPlane<kBits>& plane,
+                                const CameraData& camera) {
+  constexpr std::size_t kWords = ProjectedPlane<kBits>::kWords;
   const auto along = [&](const LatticeVector& v) {
     return multiply<kWords>(Int128{plane.normal.x}, v.x) +
            multiply<kWords>(Int128{plane.normal.y}, v.y) +
@@ -68,11 +73,11 @@ SeenPlane<kBits> see(const ExactPlane<kBits>& plane, const CameraData& camera) {
           along(camera.sx), along(camera.sy), offset + offset};
 }
 
-/// P(e) Q(s) - Q(e) P(s): the line in which the planes are seen to meet
-/// (S4.5), and their order along the ray (S5.3).
+/// P(e) Q(s) - Q(e) P(s): 0 on the image of the line in which the planes meet
+/// (S4.5); its sign is their order along the ray (S5.3).
 template <int kBits>
-ImageLine<Grid<kBits>::kWords> meet_line(const SeenPlane<kBits>& p,
-                                         const SeenPlane<kBits>& q) {
+EdgeFunction<Grid<kBits>::kWords> meet_function(
+    const ProjectedPlane<kBits>& p, const ProjectedPlane<kBits>& q) {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
   const auto part = [&](const auto& p_part, const auto& q_part) {
     return multiply<kWords>(p.eye, q_part) - multiply<kWords>(q.eye, p_part);
@@ -80,16 +85,15 @@ ImageLine<Grid<kBits>::kWords> meet_line(const SeenPlane<kBits>& p,
   return {part(p.a, q.a), part(p.b, q.b), part(p.c, q.c)};
 }
 
-/// The image of the line from `p` to `q`: positive where, seen from the eye, a
-/// point makes a turn with them that is positive for a polygon whose positive
-/// side the eye is on.
+/// The edge function of the line from `p` to `q`: positive on the inner side of
+/// an edge of a polygon that is seen from its positive side.
 ///
 /// In perspective det[p - e, q - e, s - e] is -h(e) for the third corner of a
 /// triangle in place of s; else det[q - p, s - p, e] is n.e.
 /// Bits: p - e has n + 14, a cross product 2n + 30, its product with
 /// 2 (s0 - e), n + 15, three times 3n + 47, so 209 at most; 226 at a pixel.
-inline ImageLine<4> edge_line(const GridPoint& p, const GridPoint& q,
-                              const CameraData& camera) {
+inline EdgeFunction<4> edge_function(const GridPoint& p, const GridPoint& q,
+                                     const CameraData& camera) {
   constexpr Int128 kStep = Int128{1} << kLatticeBits;
   const auto lattice = [](const GridPoint& g) {
     return LatticeVector{kStep * g.x, kStep * g.y, kStep * g.z};
@@ -99,7 +103,7 @@ inline ImageLine<4> edge_line(const GridPoint& p, const GridPoint& q,
   };
   const LatticeVector from = lattice(p);
   const LatticeVector to = lattice(q);
-  // Both orders make the normal m such that m.(s - origin) has the sign.
+  // Either order makes a normal m for which m.(s - origin) has the sign.
   const LatticeVector u =
       camera.perspective ? minus(to, camera.eye) : camera.eye;
   const LatticeVector v =
@@ -115,15 +119,15 @@ inline ImageLine<4> edge_line(const GridPoint& p, const GridPoint& q,
   return {along(camera.sx), along(camera.sy), offset + offset};
 }
 
-/// Where a polygon's plane is beyond the near distance (S4.3), positive for the
-/// eye on the plane's positive side.
+/// Positive where a polygon's plane is beyond the near distance (S4.3), if the
+/// eye is on its positive side.
 ///
 /// In perspective (2^16 - k) P(e) + k P(s), else 2^16 P(s) - k n.e, where the
 /// seen plane has P(s) doubled. Bits: 3n + 18 and 33 of k and 18 of a pixel:
 /// 231 at most.
 template <int kBits>
-ImageLine<4> near_line(const SeenPlane<kBits>& p, std::int64_t near,
-                       bool perspective) {
+EdgeFunction<4> near_function(const ProjectedPlane<kBits>& p, std::int64_t near,
+                              bool perspective) {
   const Int128 unit = Int128{1} << kNearBits;
   const auto times = [](const auto& value, Int128 factor) {
     return multiply<4>(Wide<4>(value), factor);
@@ -136,29 +140,28 @@ ImageLine<4> near_line(const SeenPlane<kBits>& p, std::int64_t near,
           times(p.c, unit) - times(p.eye, Int128{2} * near)};
 }
 
-/// The pixels of a line on the positive side of an image line: from `first` up
-/// to but not including `end`.
+/// Pixels of an image line, from `first` up to but not including `end`.
 struct PixelRange {
   std::int32_t first = 0;
   std::int32_t end = 0;
 };
 
-/// What is left of `range` on the positive side of `line` in image line `j`.
+/// The part of `range` in image line `j` on which the function is positive.
 ///
-/// A guess in doubles, put right by exact comparisons.
+/// A guess in doubles, corrected by exact comparisons.
 template <std::size_t kWords>
-PixelRange clipped(PixelRange range, const ImageLine<kWords>& line,
+PixelRange clipped(PixelRange range, const EdgeFunction<kWords>& edge,
                    std::int64_t j) {
   if (range.first >= range.end) return range;
-  const Wide<kWords> c = multiply<kWords>(line.b, Int128{2 * j + 1}) + line.c;
-  const int slope = sign(line.a);
+  const Wide<kWords> c = multiply<kWords>(edge.b, Int128{2 * j + 1}) + edge.c;
+  const int slope = sign(edge.a);
   if (slope == 0) {
-    const int all = sign(c) != 0 ? sign(c) : sign(line.b);
+    const int all = sign(c) != 0 ? sign(c) : sign(edge.b);
     return all > 0 ? range : PixelRange{0, 0};
   }
   // The least i with size (2i + 1) >= level: there it begins or ends, since
   // on the line itself the slope to the right decides.
-  const Wide<kWords> size = slope > 0 ? line.a : -line.a;
+  const Wide<kWords> size = slope > 0 ? edge.a : -edge.a;
   const Wide<kWords> level = slope > 0 ? -c : c;
   const auto reaches = [&](std::int64_t i) {
     return !(multiply<kWords>(size, Int128{2 * i + 1}) - level).is_negative();

@@ -44,7 +44,8 @@ double growth_of(const Affine3& f) {
 
 }  // namespace
 
-SeenApproximately see_approximately(const Plane& plane, const View& view) {
+ApproximateProjection project_approximately(const Plane& plane,
+                                            const View& view) {
   const auto along = [&plane](const std::array<double, 3>& v) {
     return plane.a * v[0] + plane.b * v[1] + plane.c * v[2];
   };
@@ -54,7 +55,8 @@ SeenApproximately see_approximately(const Plane& plane, const View& view) {
           along(view.start) + plane.d, 16 * kRounding * most, most};
 }
 
-OrderLine order_line(const SeenApproximately& p, const SeenApproximately& q) {
+DepthDifference depth_difference(const ApproximateProjection& p,
+                                 const ApproximateProjection& q) {
   const double e = p.eye.value;
   const double f = q.eye.value;
   const double e_most = std::abs(e) + p.eye.error;

@@ -5,7 +5,7 @@
 
 #include "exact/filter.hpp"
 #include "halfspace/camera.hpp"
-#include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/types.hpp"
 
 namespace halfspace::fast {
 
@@ -72,13 +72,13 @@ struct View {
   }
 };
 
-/// A plane as the camera sees it, in doubles: at pixel (i, j)'s centre it is
+/// A projected plane in doubles: its value at the centre of pixel (i, j) is
 /// a i + b j + c. With N the sum of the normal's sizes and R the view's reach:
 /// a coefficient is off by 2u, a camera vector by 2u, a product by u, sums by
 /// 4u, so each of a i, b j and c by 9u N times its share of R, and their sum by
 /// 3u more: `error`, 16u N R, bounds all that and stays a bound for the sum
 /// of any two of them. |a i + b j + c| <= N R.
-struct SeenApproximately {
+struct ApproximateProjection {
   Bounded eye;
   double a = 0;
   double b = 0;
@@ -87,19 +87,20 @@ struct SeenApproximately {
   double most = 0;  ///< N R
 };
 
-SeenApproximately see_approximately(const Plane& plane, const View& view);
+ApproximateProjection project_approximately(const Plane& plane,
+                                            const View& view);
 
-/// P(e) Q(s) - Q(e) P(s), positive where plane `p` is nearer if the eye is on
-/// the positive side of both: at pixel (i, j)'s centre a i + b j + c, off by at
-/// most `error`.
-struct OrderLine {
+/// The difference of two planes' depths, P(e) Q(s) - Q(e) P(s): positive where
+/// plane `p` is nearer if the eye is on the positive side of both. At the
+/// centre of pixel (i, j) it is a i + b j + c, off by at most `error`.
+struct DepthDifference {
   double a = 0;
   double b = 0;
   double c = 0;
   double error = 0;
 
-  /// Its sign at the centre of pixel (i, j), or 0 where doubles cannot tell.
-  int known_sign_at(std::int32_t i, std::int32_t j) const {
+  /// Its sign at the centre of pixel (i, j), or 0 if `error` exceeds it.
+  int filtered_sign_at(std::int32_t i, std::int32_t j) const {
     const double value = a * i + (b * j + c);
     return (value > error) - (value < -error);
   }
@@ -109,11 +110,13 @@ struct OrderLine {
 /// at s: |E q - e q~| <= |E| q' + |q| e' for each of both products; q~ is at
 /// most most + error. Rounding adds 2u in each coefficient's products and sum,
 /// and 5u in those of a i + b j + c: 8u of (|e| + |f|) most, with a margin.
-OrderLine order_line(const SeenApproximately& p, const SeenApproximately& q);
+DepthDifference depth_difference(const ApproximateProjection& p,
+                                 const ApproximateProjection& q);
 
 /// The difference of two depths (see depth_of()): positive where the first is
 /// nearer.
-inline OrderLine nearer_line(const OrderLine& p, const OrderLine& q) {
+inline DepthDifference difference_of_depths(const DepthDifference& p,
+                                            const DepthDifference& q) {
   return {p.a - q.a, p.b - q.b, p.c - q.c, (p.error + q.error) * (1 + 0x1p-40)};
 }
 

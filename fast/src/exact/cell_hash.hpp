@@ -6,12 +6,11 @@
 
 #include "exact/wide.hpp"
 
-/// Hashes of points, whatever the multiples of their coordinates by which they
-/// are known.
+/// Hashes of points in homogeneous coordinates, equal for equal points.
 namespace halfspace::fast {
 
-/// So many digits after the point of a coordinate count in its cell: fewer on
-/// grids whose points doubles tell apart less well.
+/// The number of binary digits after the point of a coordinate that its cell
+/// has: fewer on wide grids, whose coordinates leave doubles fewer of them.
 constexpr int cell_digits(int grid_bits) {
   return grid_bits == 26 ? 10 : grid_bits == 40 ? 2 : 0;
 }
@@ -19,7 +18,7 @@ constexpr int cell_digits(int grid_bits) {
 /// The number of the cell that holds n / d: in cells of 2^-digits, the one
 /// whose middle is nearest, the upper one of two.
 ///
-/// Requires: d > 0; (2^(digits + 1) n + d) and 2d fit so many words;
+/// Requires: d > 0; 2^(digits + 1) n + d and 2d fit `kWords` words;
 ///           `approximate` is off n / d by `error` at most, which is at most
 ///           2^-48 of it, and less than 2^60 cells from 0.
 template <std::size_t kWords, std::size_t kFew>
@@ -40,7 +39,7 @@ std::int64_t exact_cell(double approximate, const Wide<kFew>& n,
   }
 }
 
-/// Likewise, from doubles alone if they are sure.
+/// The same, from doubles alone if their error leaves no doubt.
 template <std::size_t kWords, std::size_t kFew>
 std::int64_t cell_of(double approximate, double error, const Wide<kFew>& n,
                      const Wide<kFew>& d, int digits) {

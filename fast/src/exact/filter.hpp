@@ -5,12 +5,13 @@
 #include <cmath>
 #include <cstddef>
 
-#include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/types.hpp"
+#include "halfspace/polygon.hpp"
 
 namespace halfspace::fast {
 
-/// Half a unit in the last place of 1; or, for a test of what stands behind the
-/// filters, so much that they can hardly ever tell.
+/// Half a unit in the last place of 1; or, to test the exact code behind the
+/// filters, so much that they hardly ever decide.
 #ifdef HALFSPACE_FILTERS_UNSURE
 constexpr double kRounding = 1;
 #else
@@ -58,8 +59,8 @@ inline Bounded value_at(const FilterPlane& f, const Vertex& v,
   return {value, f.size * (v.error * (1 + 0x1p-48) + rounding)};
 }
 
-/// The sign, or 0 where it cannot be told: not the same as zero.
-inline int known_sign([[maybe_unused]] const Bounded& b) {
+/// The sign, or 0 where the error leaves it undecided: not the same as zero.
+inline int filtered_sign([[maybe_unused]] const Bounded& b) {
 #ifdef HALFSPACE_FILTERS_UNSURE
   return 0;
 #else
@@ -70,12 +71,13 @@ inline int known_sign([[maybe_unused]] const Bounded& b) {
 /// Where a plane meets the edge from `p` to `q`, on different sides of it, at
 /// which it takes the values `hp` and `hq`.
 ///
-/// With t = hp / (hp - hq), exactly, and T from the values at hand:
-///   T - t = (hp (Hq - hq) - hq (Hp - hp)) / ((Hp - Hq)(hp - hq)),
-/// capitals for what was computed. The true signs differ, so
+/// Let t = hp / (hp - hq), exactly, and T the same of the computed values Hp
+/// and Hq:
+///   T - t = (hp (Hq - hq) - hq (Hp - hp)) / ((Hp - Hq)(hp - hq)).
+/// The true signs differ, so
 /// |hp - hq| = |hp| + |hq| and |T - t| <= max(errors) / |Hp - Hq|; also at most
 /// 1, both being from 0 to 1. So the vertex is off by at most the larger error
-/// of the ends, and |T - t| of the edge, and what rounding adds: T is off by
+/// of the ends, |T - t| of the edge, and the roundings: T is off by
 /// another 2u, and with |q - p| <= 2M a coordinate by at most
 /// 2u 2M + 2u 2M + u M = 9 u M < `rounding`. The factor 2 pays for the bound's
 /// own roundings.

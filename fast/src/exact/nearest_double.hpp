@@ -9,7 +9,7 @@
 /// Quotients of exact numbers, rounded once.
 namespace halfspace::fast {
 
-/// How many bits a value that is not negative has, up to its first one.
+/// The number of bits of a value that is not negative, without leading zeros.
 template <std::size_t kWords>
 int bit_count(const Wide<kWords>& a) {
   std::size_t top = kWords;
@@ -32,14 +32,16 @@ Wide<kWords> shifted_up(const Wide<kWords>& a, int bits) {
   return result;
 }
 
-/// Moves so many digits from the rest of n / d to those in front of it.
+/// Appends the next `count` binary digits of the quotient rest / d to `digits`,
+/// and leaves the remainder: a step of long division.
 ///
-/// Requires: 0 <= rest < d, no more than 30 digits.
+/// Requires: 0 <= rest < d; count <= 30.
 template <std::size_t kWords>
 void take_digits(int count, const Wide<kWords>& d, Wide<kWords>& rest,
                  std::uint64_t& digits) {
   rest = shifted_up(rest, count);
-  // Off by less than one: either double by 2^-52 of itself, and the quotient.
+  // Both doubles are off by 2^-52 of themselves, so the quotient is off by less
+  // than one.
   auto next = static_cast<std::int64_t>(to_double(rest) / to_double(d));
   rest = rest - multiply<kWords>(d, Int128{next});
   for (; rest.is_negative(); --next) rest = rest + d;
@@ -82,8 +84,8 @@ double exact_quotient(const Wide<kWords>& n, const Wide<kWords>& d,
   return sign_of_n * static_cast<double>(digits) * power_of_two(exponent - 52);
 }
 
-/// The highest bits of a value that is not negative, from its first one on: 64
-/// of them in each word, and how many places up they stand.
+/// The highest 128 bits of a value that is not negative, from its leading one
+/// on, and the exponent of `high`.
 struct Head {
   std::uint64_t high = 0;
   std::uint64_t low = 0;
@@ -106,13 +108,13 @@ Head head_of(const Wide<kWords>& a) {
   return head;
 }
 
-/// Likewise from the highest bits alone, if they tell; else 0. What they tell
-/// is never exact.
+/// The same from the highest bits alone, or 0 where they do not decide how to
+/// round. The answer is never exact.
 ///
-/// With N and D the heads, q = N / 2D in whole numbers: the true quotient is
-/// less than q + 1 for what was dropped of q, one more for what was dropped of
-/// N, and more than q - 2 for what was dropped of D, which is 2^-63 of it, for
-/// q < 2^64. So it is off by less than 3, and q has 63 bits or 64.
+/// With N and D the heads, q = N / 2D in whole numbers. The true quotient is
+/// less than q + 1 for the fraction of q, one more for the dropped bits of N,
+/// and more than q - 2 for those of D, which are 2^-63 of it, as q < 2^64. So
+/// it is off by less than 3, and q has 63 bits or 64.
 template <std::size_t kWords>
 double quick_quotient(const Wide<kWords>& n, const Wide<kWords>& d) {
   constexpr std::uint64_t kDoubt = 3;

@@ -14,8 +14,8 @@ __extension__ typedef unsigned __int128 Uint128;
 /// A signed integer of `kWords` words of 64 bits in two's complement, least
 /// word first. Lives in registers or on the stack; nothing allocates.
 ///
-/// Requires: every value computed fits. That is a matter of bits counted in
-///           advance, where each width is chosen; nothing is checked here.
+/// Requires: every value computed fits. The bits are counted where each width
+///           is chosen; nothing is checked here.
 template <std::size_t kWords>
 struct Wide {
   std::array<std::uint64_t, kWords> words{};
@@ -80,9 +80,9 @@ constexpr int sign(Int128 a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
 
 /// a * b in `kResult` words.
 ///
-/// The words are multiplied as if unsigned; with A words in a, reading a < 0
-/// as unsigned adds 2^(64 A), so that b * 2^(64 A) is taken off again, and the
-/// same for b. What both add together lies beyond A + B words.
+/// The words are multiplied as if unsigned. With A words in a, reading a < 0 as
+/// unsigned adds 2^(64 A), so b * 2^(64 A) is subtracted again; and the same
+/// for b. The product of both excesses lies beyond A + B words.
 template <std::size_t kResult, std::size_t kA, std::size_t kB>
 constexpr Wide<kResult> multiply(const Wide<kA>& a, const Wide<kB>& b) {
   constexpr std::size_t kFull = kA + kB < kResult ? kA + kB : kResult;
@@ -97,7 +97,7 @@ constexpr Wide<kResult> multiply(const Wide<kA>& a, const Wide<kB>& b) {
     }
     if (i + kB < kFull) product.words[i + kB] = carry;
   }
-  const auto take_off = [&product](const auto& value, std::size_t shift) {
+  const auto subtract = [&product](const auto& value, std::size_t shift) {
     std::uint64_t borrow = 0;
     for (std::size_t i = shift; i < kFull && i - shift < value.words.size();
          ++i) {
@@ -107,8 +107,8 @@ constexpr Wide<kResult> multiply(const Wide<kA>& a, const Wide<kB>& b) {
       borrow = static_cast<std::uint64_t>(d >> 64) & 1u;
     }
   };
-  if (a.is_negative()) take_off(b, kA);
-  if (b.is_negative()) take_off(a, kB);
+  if (a.is_negative()) subtract(b, kA);
+  if (b.is_negative()) subtract(a, kB);
   return Wide<kResult>(product);
 }
 template <std::size_t kResult>
@@ -149,7 +149,7 @@ double to_double(const Wide<kWords>& a) {
   return negative ? -value : value;
 }
 inline double to_double(Int128 a) {
-  // Of no more than 92 bits either part is a double: their sum rounds once.
+  // Both parts of up to 92 bits are doubles exactly, so their sum rounds once.
   constexpr int kLow = 40;
   const Int128 high = a >> kLow;
   if (high >> 52 != 0 && high >> 52 != -1) return static_cast<double>(a);

@@ -29,7 +29,8 @@ struct Meet {
 };
 
 template <std::size_t kResult, std::size_t kWords>
-Meet<kResult> meet_of(const ImageLine<kWords>& l, const ImageLine<kWords>& m) {
+Meet<kResult> meet_of(const EdgeFunction<kWords>& l,
+                      const EdgeFunction<kWords>& m) {
   const auto minor = [](const auto& p, const auto& q, const auto& r,
                         const auto& s) {
     return multiply<kResult>(p, q) - multiply<kResult>(r, s);
@@ -39,12 +40,12 @@ Meet<kResult> meet_of(const ImageLine<kWords>& l, const ImageLine<kWords>& m) {
 }
 
 template <std::size_t kWords>
-ImageLine<kWords> constant_slopes(int a, int b, std::int64_t c) {
+EdgeFunction<kWords> constant_slopes(int a, int b, std::int64_t c) {
   return {Wide<kWords>(a), Wide<kWords>(b), Wide<kWords>(c)};
 }
 
 template <std::size_t kWords, std::size_t kOther>
-ImageLine<kWords> widened(const ImageLine<kOther>& line) {
+EdgeFunction<kWords> widened(const EdgeFunction<kOther>& line) {
   return {Wide<kWords>(line.a), Wide<kWords>(line.b), Wide<kWords>(line.c)};
 }
 
@@ -64,10 +65,11 @@ LineTable::LineTable(const TreeReader& reader, const CameraData& camera)
 }
 
 template <int kBits>
-ImageLine<Grid<kBits>::kWords> LineTable::exact_line(const Line& line) const {
+EdgeFunction<Grid<kBits>::kWords> LineTable::exact_line(
+    const Line& line) const {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
   const auto seen = [&](PlaneId plane) {
-    return see(reader_.geometry().exact<kBits>(plane), camera_);
+    return projected(reader_.planes().exact<kBits>(plane), camera_);
   };
   const Scene& scene = reader_.scene();
   switch (line.kind) {
@@ -76,15 +78,15 @@ ImageLine<Grid<kBits>::kWords> LineTable::exact_line(const Line& line) const {
     case Kind::kRow:
       return constant_slopes<kWords>(0, 1, -2 * std::int64_t{line.first});
     case Kind::kEdge:
-      return widened<kWords>(edge_line(scene.point(line.first),
-                                       scene.point(line.second), camera_));
+      return widened<kWords>(edge_function(scene.point(line.first),
+                                           scene.point(line.second), camera_));
     case Kind::kMeet:
-      return meet_line<kBits>(seen(line.first), seen(line.second));
+      return meet_function<kBits>(seen(line.first), seen(line.second));
     case Kind::kNear:
       break;
   }
-  return widened<kWords>(
-      near_line<kBits>(seen(line.first), *camera_.near, camera_.perspective));
+  return widened<kWords>(near_function<kBits>(seen(line.first), *camera_.near,
+                                              camera_.perspective));
 }
 
 LineId LineTable::named(Kind kind, std::int32_t first, std::int32_t second) {

@@ -7,7 +7,7 @@
 
 #include "camera/edge_function.hpp"
 #include "halfspace/fast/visible_map.hpp"
-#include "raster/exact_coverage.hpp"
+#include "tree/tree_reader.hpp"
 
 namespace halfspace::fast {
 
@@ -39,11 +39,12 @@ class LineTable {
  public:
   LineTable(const TreeReader& reader, const CameraData& camera);
 
-  /// The image of a source edge, positive on the side that edge_line() says.
+  /// The image of a source edge, positive on the side that edge_function()
+  /// says.
   LineId edge(VertexId from, VertexId to);
-  /// Where two planes are seen to meet, as meet_line().
+  /// Where two planes are seen to meet, as meet_function().
   LineId meet(PolygonId support, PlaneId splitter);
-  /// Where a polygon passes the near distance, as near_line().
+  /// Where a polygon passes the near distance, as near_function().
   LineId near(PolygonId polygon);
   /// x or y less a coordinate in pixels: a line that only divides.
   LineId upright(std::int32_t x) { return axis(Kind::kColumn, x); }
@@ -112,7 +113,7 @@ class LineTable {
   /// The line of this name, made if it is new.
   LineId named(Kind kind, std::int32_t first, std::int32_t second);
   template <int kBits>
-  ImageLine<Grid<kBits>::kWords> exact_line(const Line& line) const;
+  EdgeFunction<Grid<kBits>::kWords> exact_line(const Line& line) const;
   int exact_side(LineId line, LineId a, LineId b);
 
   const TreeReader& reader_;

@@ -36,7 +36,7 @@ class FragmentSides {
       } else {
         const PlaneId splitter = splitter_of(corner.edge);
         sides_.push_back({lines_.meet(fragment.source, splitter),
-                          eye_sign * side_of(reader_, fragment, splitter)});
+                          eye_sign * reader_.side_of(fragment, splitter)});
       }
     }
     if (camera_.near)
@@ -116,7 +116,7 @@ Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
   FilterStats stats;
-  const EyeSide eye_side(reader, view, data, stats);
+  const EyeClassifier eye_side(reader, view, data, stats);
   LineTable lines(reader, data);
   CellTree cells(lines, data.width_px, data.height_px,
                  grid_depth(tree.fragments.size()));

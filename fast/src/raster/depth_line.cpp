@@ -59,8 +59,8 @@ CameraCorners camera_corners(std::span<const Vertex> corners,
 /// corners at the pixels that the fragment covers. The roundings of the
 /// quotients and of a i + b j + c take 8u of their sizes, and as much a
 /// difference of two: 16u. 2^-20 of all is room for the bound's own roundings.
-OrderLine depth_of(std::span<const Vertex> corners, const View& view,
-                   std::int32_t farthest) {
+DepthDifference depth_of(std::span<const Vertex> corners, const View& view,
+                         std::int32_t farthest) {
   const CameraCorners seen = camera_corners(corners, view);
   const double e = seen.xy_error;
   const double f = seen.t_error;
@@ -100,7 +100,7 @@ OrderLine depth_of(std::span<const Vertex> corners, const View& view,
       2 * n_error * reach + (view.perspective ? m_error : corner_error);
   const double h = view.perspective ? corner_error : m_error;
   const double r = view.perspective ? 1 / (seen.nearest - f) : seen.most + f;
-  OrderLine depth;
+  DepthDifference depth;
   depth.a = n[0] / divisor;
   depth.b = n[1] / divisor;
   depth.c = (rest + (n[0] + n[1]) / 2) / divisor;

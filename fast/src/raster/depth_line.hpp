@@ -13,7 +13,7 @@ namespace halfspace::fast {
 /// the error is enormous, or no number.
 ///
 /// Unlike its plane that comes from the vertices that it is drawn by.
-OrderLine depth_of(std::span<const Vertex> corners, const View& view,
-                   std::int32_t farthest);
+DepthDifference depth_of(std::span<const Vertex> corners, const View& view,
+                         std::int32_t farthest);
 
 }  // namespace halfspace::fast

@@ -158,15 +158,15 @@ class Drawer {
     PolygonId polygon = kBackground;
     std::uint32_t serial = 0;
     bool by_depths = false;  ///< planes may tell more
-    OrderLine line;          ///< positive where the fragment at hand is nearer
+    DepthDifference line;    ///< positive where the fragment at hand is nearer
   };
   Rival& rival(PolygonId other);
   struct Seen;
   void collect_corners(const Seen& entry);
-  const OrderLine* depth(PolygonId polygon);
+  const DepthDifference* depth(PolygonId polygon);
   bool compare_depths(Rival& entry);
   void compare_planes(Rival& entry);
-  const SeenApproximately& seen(PolygonId polygon);
+  const ApproximateProjection& seen(PolygonId polygon);
   Plane plane_of(PolygonId polygon, const TreeFragment* fragment) const;
 
   const Frame& frame_;
@@ -195,8 +195,8 @@ class Drawer {
     const BlockHead* block = nullptr;        ///< the fragment's, if it has one
   };
   struct Depths {
-    SeenApproximately plane;
-    OrderLine depth;  ///< of the fragment
+    ApproximateProjection plane;
+    DepthDifference depth;  ///< of the fragment
   };
   static constexpr std::size_t kSeenPolygons = 512;
   static std::size_t place_of(PolygonId polygon) {

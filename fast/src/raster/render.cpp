@@ -39,7 +39,7 @@ BandResult render_band(const Frame& frame, Screen& screen) {
   Canvas& canvas = screen.canvas();
   Drawer<kBits> drawer(frame, canvas);
   FilterStats stats;
-  const EyeSide eye_side(frame.reader, frame.view, frame.camera, stats);
+  const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats);
   const Culler culler(frame.view, frame.kernel, canvas);
   const bool has_boxes = tree.boxes.size() == tree.nodes.size();
   const auto enter = [&](NodeId id) {
@@ -52,7 +52,7 @@ BandResult render_band(const Frame& frame, Screen& screen) {
     return is_single || culler.can_show(tree.boxes[n]);
   };
   const auto side_of_source = [&](const TreeFragment& fragment) {
-    return eye_side(frame.reader.geometry().plane(fragment.source),
+    return eye_side(frame.reader.planes().plane(fragment.source),
                     fragment.source);
   };
   // A leaf is drawn when the next one is found: until then its vertices are on
@@ -99,7 +99,7 @@ BandResult paint_band(const Frame& frame, Screen& screen) {
   canvas.overwrite = true;
   FilterStats stats;
   std::vector<std::int32_t> scratch;
-  const EyeSide eye_side(frame.reader, frame.view, frame.camera, stats);
+  const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats);
   walk_back_to_front(tree, eye_side, [&](const Node& node, int sign) {
     return for_fragments_reversed(
         tree, node, scratch, [&](const TreeFragment& fragment) {
@@ -189,7 +189,7 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
-  const Frame frame = {reader,    data, image, view, best_kernel(options.loops),
+  const Frame frame = {reader,    data, image, view, best_kernel(options.simd),
                        pass.alpha};
   const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
   std::vector<BandResult> found(bands.size());

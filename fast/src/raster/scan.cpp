@@ -42,7 +42,7 @@ std::vector<ObjectSegment> segments_of(const ItemImage& items, PolygonId id) {
 std::vector<ObjectSegment> scan_convert(const Scene& scene,
                                         const Fragment& fragment,
                                         const Camera& camera,
-                                        FilterStats& stats) {
+                                        FilterStats& stats, SimdLevel simd) {
   const CameraData& data = camera.data();
   const Side side = side_of_eye(scene, fragment.source, camera, stats);
   if (side == Side::kOn) return {};
@@ -50,7 +50,7 @@ std::vector<ObjectSegment> scan_convert(const Scene& scene,
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
   const ImageOptions options;
-  const Frame frame = {reader, data, options, view, best_kernel()};
+  const Frame frame = {reader, data, options, view, best_kernel(simd)};
   Rendering image;
   image.items = ItemImage(data.width_px, data.height_px, kBackground);
   Screen screen({0, 0, data.width_px, data.height_px}, {0, data.height_px},

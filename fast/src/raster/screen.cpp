@@ -25,6 +25,49 @@ thread_local std::unique_ptr<ScreenMemory> spare;
 
 }  // namespace
 
+void make_unlit(LitTiles& screen, LitMemory& memory, const Rectangle& rectangle,
+                PixelRange lines) {
+  screen.tiles_across = (rectangle.right + kTileWidth - 1) / kTileWidth;
+  screen.words_across = (screen.tiles_across + 63) / 64;
+  screen.first_row = lines.first / kTileHeight;
+  screen.open_tiles = 0;
+  const std::int32_t rows =
+      (lines.end + kTileHeight - 1) / kTileHeight - screen.first_row;
+  const std::int32_t across = screen.tiles_across;
+  memory.lit.assign(static_cast<std::size_t>(rows) *
+                        static_cast<std::size_t>(across * kTileHeight),
+                    0);
+  memory.open.assign(static_cast<std::size_t>(rows * screen.words_across), 0);
+  screen.lit = memory.lit.data();
+  screen.open = memory.open.data();
+  const std::int32_t first_tile = rectangle.left / kTileWidth;
+  for (std::int32_t row = 0; row < rows; ++row) {
+    const std::int32_t top = (screen.first_row + row) * kTileHeight;
+    const bool whole_lines =
+        top >= lines.first && top + kTileHeight <= lines.end;
+    std::uint32_t* lit = screen.lit + std::int64_t{row} * across * kTileHeight;
+    std::uint64_t* open = screen.open + std::int64_t{row} * screen.words_across;
+    for (std::int32_t tile = 0; tile < across; ++tile) {
+      const std::int32_t x = tile * kTileWidth;
+      if (tile >= first_tile) {
+        open[tile / 64] |= std::uint64_t{1} << (tile % 64);
+        ++screen.open_tiles;
+        if (whole_lines && x >= rectangle.left &&
+            x + kTileWidth <= rectangle.right) {
+          continue;
+        }
+      }
+      for (std::int32_t r = 0; r < kTileHeight; ++r) {
+        const std::int32_t j = top + r;
+        lit[tile * kTileHeight + r] =
+            j < lines.first || j >= lines.end
+                ? ~std::uint32_t{0}
+                : ~bits_between(rectangle.left, rectangle.right, x);
+      }
+    }
+  }
+}
+
 std::size_t ScreenMemory::bytes() const {
   const auto room = [](const auto& r) {
     return static_cast<std::size_t>(r.count()) * sizeof(*r.get());
@@ -40,15 +83,10 @@ Screen::Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
     : memory_(spare ? std::move(spare) : std::make_unique<ScreenMemory>()) {
   canvas_.columns = {rectangle.left, rectangle.right};
   canvas_.lines = lines;
-  canvas_.tiles_across = (rectangle.right + kTileWidth - 1) / kTileWidth;
-  canvas_.words_across = (canvas_.tiles_across + 63) / 64;
-  canvas_.first_row = lines.first / kTileHeight;
-  light_outside(rectangle, lines);
   ScreenMemory& memory = *memory_;
+  make_unlit(canvas_, memory, rectangle, lines);
   const std::size_t tiles = memory.lit.size() / kTileHeight;
   memory.pieces_of.assign(tiles, Pieces{});
-  canvas_.lit = memory.lit.data();
-  canvas_.open = memory.open.data();
   canvas_.pieces_of = memory.pieces_of.data();
   canvas_.pieces = memory.pieces.get();
   canvas_.piece_room = memory.pieces.count();
@@ -81,46 +119,6 @@ Screen::Screen(const Rectangle& rectangle, PixelRange lines, Rendering& result,
 
 Screen::~Screen() {
   if (memory_->bytes() <= kMostSpare) spare = std::move(memory_);
-}
-
-/// Pixels that are not wanted count as lit.
-void Screen::light_outside(const Rectangle& rectangle, PixelRange lines) {
-  const std::int32_t rows =
-      (lines.end + kTileHeight - 1) / kTileHeight - canvas_.first_row;
-  const std::int32_t across = canvas_.tiles_across;
-  memory_->lit.assign(static_cast<std::size_t>(rows) *
-                          static_cast<std::size_t>(across * kTileHeight),
-                      0);
-  memory_->open.assign(static_cast<std::size_t>(rows * canvas_.words_across),
-                       0);
-  const std::int32_t first_tile = rectangle.left / kTileWidth;
-  for (std::int32_t row = 0; row < rows; ++row) {
-    const std::int32_t top = (canvas_.first_row + row) * kTileHeight;
-    const bool whole_lines =
-        top >= lines.first && top + kTileHeight <= lines.end;
-    std::uint32_t* lit =
-        memory_->lit.data() + std::int64_t{row} * across * kTileHeight;
-    std::uint64_t* open =
-        memory_->open.data() + std::int64_t{row} * canvas_.words_across;
-    for (std::int32_t tile = 0; tile < across; ++tile) {
-      const std::int32_t x = tile * kTileWidth;
-      if (tile >= first_tile) {
-        open[tile / 64] |= std::uint64_t{1} << (tile % 64);
-        ++canvas_.open_tiles;
-        if (whole_lines && x >= rectangle.left &&
-            x + kTileWidth <= rectangle.right) {
-          continue;
-        }
-      }
-      for (std::int32_t r = 0; r < kTileHeight; ++r) {
-        const std::int32_t j = top + r;
-        lit[tile * kTileHeight + r] =
-            j < lines.first || j >= lines.end
-                ? ~std::uint32_t{0}
-                : ~bits_between(rectangle.left, rectangle.right, x);
-      }
-    }
-  }
 }
 
 void Screen::make_room(Room what) {

@@ -12,8 +12,19 @@
 
 namespace halfspace::fast {
 
+/// The memory of tiles' bits.
+struct LitMemory {
+  std::vector<std::uint32_t> lit;
+  std::vector<std::uint64_t> open;
+};
+
+/// Lays out tiles over the lines and makes all pixels of `rectangle` within
+/// them unlit, all others lit: what is not wanted counts as lit.
+void make_unlit(LitTiles& screen, LitMemory& memory, const Rectangle& rectangle,
+                PixelRange lines);
+
 /// What a screen needs memory for.
-struct ScreenMemory {
+struct ScreenMemory : LitMemory {
   /// Memory of so many numbers, which need not be told.
   template <class T>
   class Room {
@@ -37,8 +48,6 @@ struct ScreenMemory {
 
   std::size_t bytes() const;
 
-  std::vector<std::uint32_t> lit;
-  std::vector<std::uint64_t> open;
   std::vector<Pieces> pieces_of;
   std::vector<std::uint32_t> leaf_of;
   // What is not used is not touched either.
@@ -69,7 +78,6 @@ class Screen {
   void enter_leaf();
 
  private:
-  void light_outside(const Rectangle& rectangle, PixelRange lines);
   void make_room(Room what);
 
   Canvas canvas_;

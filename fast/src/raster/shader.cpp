@@ -9,9 +9,9 @@
 namespace halfspace::fast {
 namespace {
 
-/// a line plus `factor` times another. Bits: see edge_line(), and 8 of a
+/// a line plus `factor` times another. Bits: see edge_function(), and 8 of a
 /// colour, 2 of three summands and 2 of exact_channel(): 238 of 256.
-void add(ImageLine<4>& sum, const ImageLine<4>& line, int factor) {
+void add(EdgeFunction<4>& sum, const EdgeFunction<4>& line, int factor) {
   sum.a = sum.a + multiply<4>(line.a, Int128{factor});
   sum.b = sum.b + multiply<4>(line.b, Int128{factor});
   sum.c = sum.c + multiply<4>(line.c, Int128{factor});
@@ -32,9 +32,9 @@ void Shader::prepare_exact() {
   exact_sums_ = {};
   exact_total_ = {};
   for (std::size_t k = 0; k < 3; ++k) {
-    const ImageLine<4> weight =
-        edge_line(scene_.point(corners[(k + 1) % 3]),
-                  scene_.point(corners[(k + 2) % 3]), camera_);
+    const EdgeFunction<4> weight =
+        edge_function(scene_.point(corners[(k + 1) % 3]),
+                      scene_.point(corners[(k + 2) % 3]), camera_);
     add(exact_total_, weight, eye_sign_);
     const std::array<int, 3> channels = {colors[k].r, colors[k].g, colors[k].b};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -43,7 +43,7 @@ void Shader::prepare_exact() {
   }
 }
 
-/// The weights as edge_line() has them, in doubles.
+/// The weights as edge_function() has them, in doubles.
 ///
 /// Let R bound the sizes of all coordinates: of the view's reach, and of the
 /// eye; L those of the edges, so that small triangles have small errors. A

@@ -70,8 +70,8 @@ class Shader {
   bool exact_ready_ = false;
   bool has_corners_ = false;
   std::array<Vertex, 3> corners_;
-  std::array<ImageLine<4>, 3> exact_sums_;
-  ImageLine<4> exact_total_;
+  std::array<EdgeFunction<4>, 3> exact_sums_;
+  EdgeFunction<4> exact_total_;
   Gradient gradient_;
 };
 

@@ -5,26 +5,28 @@
 namespace halfspace::fast {
 namespace {
 
-constexpr std::size_t kMostBins = 32;
+/// Numbers of bins, of short lists and of lists from kMany primitives on.
+/// Untuned; WAL07 uses 16.
 constexpr std::size_t kFewBins = 16;
-/// From here on more bins pay.
-constexpr std::size_t kManyItems = 1024;
+constexpr std::size_t kMostBins = 32;
+constexpr std::size_t kMany = 1024;
 
-/// For each axis, how many items begin and end in each bin.
+/// For each axis, how many primitives begin and end in each bin.
 struct Bins {
   std::array<std::array<std::int32_t, kMostBins>, 3> first{};
   std::array<std::array<std::int32_t, kMostBins>, 3> last{};
 };
 
-/// A border of bins, or a plane in general: of one axis, with its cost.
+/// A border between two bins of an axis, with its cost.
 struct Border {
   double cost = std::numeric_limits<double>::infinity();
   std::size_t bin = 0;  ///< the bin above it
 };
 
-/// The chances that a ray through a box meets its halves.
-struct Halves {
-  Halves(const Box& box, std::size_t axis) {
+/// The probabilities that a ray through a box meets its halves: the ratios of
+/// their surfaces to its own (GS87).
+struct BoxHalves {
+  BoxHalves(const Box& box, std::size_t axis) {
     const std::size_t u = (axis + 1) % 3;
     const std::size_t v = (axis + 2) % 3;
     low = box.low[axis];
@@ -35,8 +37,8 @@ struct Halves {
     round = du + dv;
     whole = ends + round * (double{high} - low);
   }
-  double chance(double length) const {
-    // A list without extent in two axes is a line: all that counts is length.
+  double probability(double length) const {
+    // A box without extent in two axes is a line: lengths are in the ratio.
     if (whole > 0) return (ends + round * length) / whole;
     return length / (double{high} - low);
   }
@@ -49,11 +51,11 @@ struct Halves {
 
 class AxisChooser {
  public:
-  AxisChooser(const ItemList& list, const Box& box, double cut_weight)
+  AxisChooser(const PrimitiveList& list, const Box& box, double cut_weight)
       : list_(list),
         box_(box),
         cut_weight_(cut_weight),
-        count_(list.count > kManyItems ? kMostBins : kFewBins) {}
+        count_(list.count > kMany ? kMostBins : kFewBins) {}
 
   AxisSplit choose() {
     fill();
@@ -76,12 +78,12 @@ class AxisChooser {
       scale[a] = size > 0 ? static_cast<float>(count_) / size : 0;
     }
     const auto most = static_cast<std::int32_t>(count_) - 1;
-    for (const Item& item : list_) {
+    for (const Primitive& p : list_) {
       for (std::size_t a = 0; a < 3; ++a) {
         const auto from =
-            static_cast<std::int32_t>((item.low[a] - box_.low[a]) * scale[a]);
+            static_cast<std::int32_t>((p.low[a] - box_.low[a]) * scale[a]);
         const auto to =
-            static_cast<std::int32_t>((item.high[a] - box_.low[a]) * scale[a]);
+            static_cast<std::int32_t>((p.high[a] - box_.low[a]) * scale[a]);
         ++bins_.first[a][static_cast<std::size_t>(std::min(from, most))];
         ++bins_.last[a][static_cast<std::size_t>(std::min(to, most))];
       }
@@ -89,7 +91,7 @@ class AxisChooser {
   }
 
   Border best_border(std::size_t axis) const {
-    const Halves halves(box_, axis);
+    const BoxHalves halves(box_, axis);
     const double width =
         (double{halves.high} - halves.low) / static_cast<double>(count_);
     const auto all = static_cast<double>(list_.count);
@@ -105,17 +107,17 @@ class AxisChooser {
       const double length = width * static_cast<double>(b);
       const SplitCost cost =
           cost_of(all, positive, negative,
-                  halves.chance(double{halves.high} - halves.low - length),
-                  halves.chance(length), cut_weight_);
+                  halves.probability(double{halves.high} - halves.low - length),
+                  halves.probability(length), cut_weight_);
       if (cost.cost < best.cost) best = {cost.cost, b};
     }
     return best;
   }
 
-  /// The best of the border, rounded to the grid, and some ends of items in the
-  /// bins beside it.
+  /// The best of the border, rounded to the grid, and some ends of primitives
+  /// in the bins beside it.
   AxisSplit refined(std::size_t axis, const Border& border) const {
-    constexpr std::size_t kTried = 8;
+    constexpr std::size_t kTried = 8;  // untuned
     const float low = box_.low[axis];
     const float high = box_.high[axis];
     const float width = (high - low) / static_cast<float>(count_);
@@ -126,7 +128,7 @@ class AxisChooser {
     const std::size_t step = 1 + list_.count / 512;
     for (std::size_t i = 0; i < list_.count && filled < kTried; i += step) {
       for (const float end :
-           {list_.items[i].low[axis], list_.items[i].high[axis]}) {
+           {list_.primitives[i].low[axis], list_.primitives[i].high[axis]}) {
         if (filled == kTried || !(std::abs(end - middle) <= width) ||
             !(low < end && end < high) ||
             std::find(tried.begin(), tried.begin() + filled, end) !=
@@ -138,29 +140,29 @@ class AxisChooser {
     }
     std::array<std::int32_t, kTried> negative{};
     std::array<std::int32_t, kTried> positive{};
-    for (const Item& item : list_) {
+    for (const Primitive& p : list_) {
       for (std::size_t k = 0; k < kTried; ++k) {
-        negative[k] += item.low[axis] < tried[k] ? 1 : 0;
-        positive[k] += item.high[axis] > tried[k] ? 1 : 0;
+        negative[k] += p.low[axis] < tried[k] ? 1 : 0;
+        positive[k] += p.high[axis] > tried[k] ? 1 : 0;
       }
     }
-    const Halves halves(box_, axis);
+    const BoxHalves halves(box_, axis);
     AxisSplit best;
     for (std::size_t k = 0; k < filled; ++k) {
       if (!(low <= tried[k] && tried[k] <= high)) continue;
-      // A plane that leaves one side the whole list gets nowhere.
+      // Both lists must be shorter than this one.
       const auto all = static_cast<std::int32_t>(list_.count);
       if (negative[k] == all || positive[k] == all) continue;
       const SplitCost cost =
           cost_of(static_cast<double>(list_.count), positive[k], negative[k],
-                  halves.chance(double{high} - tried[k]),
-                  halves.chance(double{tried[k]} - low), cut_weight_);
+                  halves.probability(double{high} - tried[k]),
+                  halves.probability(double{tried[k]} - low), cut_weight_);
       if (cost.cost < best.cost.cost) best = {cost, axis, tried[k]};
     }
     return best;
   }
 
-  const ItemList& list_;
+  const PrimitiveList& list_;
   const Box& box_;
   double cut_weight_;
   std::size_t count_;
@@ -169,7 +171,7 @@ class AxisChooser {
 
 }  // namespace
 
-AxisSplit best_axis_split(const ItemList& list, const Box& box,
+AxisSplit best_axis_split(const PrimitiveList& list, const Box& box,
                           double cut_weight) {
   return AxisChooser(list, box, cut_weight).choose();
 }

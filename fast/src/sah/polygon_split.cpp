@@ -3,7 +3,7 @@
 namespace halfspace::fast {
 namespace {
 
-/// A list longer than this is judged by so many of its items.
+/// A longer list is judged by a sample of this size. Untuned.
 constexpr std::size_t kSample = 192;
 
 struct Point2 {
@@ -40,33 +40,34 @@ double positive_area(const std::array<double, 4>& values) {
 struct Sample {
   std::vector<std::array<double, 3>> points;
   std::vector<std::size_t> first = {0};
-  const Item* largest = nullptr;
+  const Primitive* largest = nullptr;
 };
 
-Sample sample_of(const ItemReader& reader, const ItemList& list) {
+Sample sample_of(const PrimitiveReader& reader, const PrimitiveList& list) {
   Sample sample;
   const std::size_t count = std::min(list.count, kSample);
   sample.points.reserve(4 * count);
   sample.first.reserve(count + 1);
   double largest = -1;
   for (std::size_t i = 0; i < count; ++i) {
-    const Item& item = list.items[i * list.count / count];
-    reader.for_vertices(item, [&](double x, double y, double z) {
+    const Primitive& primitive = list.primitives[i * list.count / count];
+    reader.for_vertices(primitive, [&](double x, double y, double z) {
       sample.points.push_back({x, y, z});
     });
     sample.first.push_back(sample.points.size());
-    const double size = half_surface(double{item.high[0]} - item.low[0],
-                                     double{item.high[1]} - item.low[1],
-                                     double{item.high[2]} - item.low[2]);
+    const double size =
+        half_surface(double{primitive.high[0]} - primitive.low[0],
+                     double{primitive.high[1]} - primitive.low[1],
+                     double{primitive.high[2]} - primitive.low[2]);
     if (size > largest) {
       largest = size;
-      sample.largest = &item;
+      sample.largest = &primitive;
     }
   }
   return sample;
 }
 
-/// How many of a sample are, in part, on either side.
+/// How many primitives of a sample have a part on either side.
 struct Counts {
   double positive = 0;
   double negative = 0;
@@ -94,12 +95,12 @@ Counts count_sides(const Sample& sample, const FilterPlane& plane,
   return counts;
 }
 
-double area_of(const ItemReader& reader, const Item& item) {
+double area_of(const PrimitiveReader& reader, const Primitive& primitive) {
   std::array<double, 3> first{};
   std::array<double, 3> last{};
   std::array<double, 3> twice{};
   std::size_t k = 0;
-  reader.for_vertices(item, [&](double x, double y, double z) {
+  reader.for_vertices(primitive, [&](double x, double y, double z) {
     if (k == 0) first = {x, y, z};
     const std::array<double, 3> here = {x - first[0], y - first[1],
                                         z - first[2]};
@@ -114,13 +115,19 @@ double area_of(const ItemReader& reader, const Item& item) {
          2;
 }
 
-}  // namespace
+/// The probabilities that a ray through the box meets its parts on either side
+/// of a plane: the ratios of their surfaces to its own (GS87).
+struct HitProbabilities {
+  double positive = 1;
+  double negative = 1;
+};
 
-Chances chances_of(const std::array<double, 3>& low,
-                   const std::array<double, 3>& high, const Plane& plane) {
+HitProbabilities hit_probabilities(const std::array<double, 3>& low,
+                                   const std::array<double, 3>& high,
+                                   const Plane& plane) {
   const std::array<double, 3> normal = {plane.a, plane.b, plane.c};
-  // The positive part is closed, so its outward areas add up to nothing: those
-  // of the box's faces give that of the section.
+  // The area vectors of a closed surface add up to zero. So those of the
+  // positive part's share of the box's faces give that of the section.
   double positive = 0;
   double whole = 0;
   std::array<double, 3> section{};
@@ -149,9 +156,12 @@ Chances chances_of(const std::array<double, 3>& low,
           std::min(1.0, (whole - positive + cut) / whole)};
 }
 
-OwnSplit best_own_split(const ItemReader& reader, const ItemList& list,
-                        const Box& box, const std::array<double, 3>& origin,
-                        std::size_t tried, double cut_weight) {
+}  // namespace
+
+PolygonSplit best_polygon_split(const PrimitiveReader& reader,
+                                const PrimitiveList& list, const Box& box,
+                                const std::array<double, 3>& origin,
+                                std::size_t tried, double cut_weight) {
   const Sample sample = sample_of(reader, list);
   const std::size_t sampled = sample.first.size() - 1;
   const double rounding = rounding_of_values(reader.scene.grid_bits());
@@ -163,42 +173,43 @@ OwnSplit best_own_split(const ItemReader& reader, const ItemList& list,
   }
   const auto all = static_cast<double>(list.count);
   const double scale = all / static_cast<double>(sampled);
-  OwnSplit best;
+  PolygonSplit best;
   const std::size_t count = std::min(tried, list.count);
   for (std::size_t k = 0; k <= count; ++k) {
     // Spread over the list, then the largest.
-    const Item& item = k < count
-                           ? list.items[(2 * k + 1) * list.count / (2 * count)]
-                           : *sample.largest;
-    const Plane plane = plane_of(reader.scene, item.source);
+    const Primitive& primitive =
+        k < count ? list.primitives[(2 * k + 1) * list.count / (2 * count)]
+                  : *sample.largest;
+    const Plane plane = plane_of(reader.scene, primitive.source);
     const Counts counts = count_sides(sample, filter_plane(plane), rounding);
-    const Chances chances = chances_of(low, high, plane);
-    const SplitCost cost =
-        cost_of(all - counts.neither * scale, counts.positive * scale,
-                counts.negative * scale, chances.positive, chances.negative,
-                cut_weight);
-    if (cost.cost < best.cost.cost) best = {cost, item.source};
+    const HitProbabilities hit = hit_probabilities(low, high, plane);
+    const SplitCost cost = cost_of(
+        all - counts.neither * scale, counts.positive * scale,
+        counts.negative * scale, hit.positive, hit.negative, cut_weight);
+    if (cost.cost < best.cost.cost) best = {cost, primitive.source};
   }
   return best;
 }
 
-double overlap_of(const ItemReader& reader, const ItemList& list,
-                  const Box& box) {
+double overdraw_of(const PrimitiveReader& reader, const PrimitiveList& list,
+                   const Box& box) {
   const double shown = half_surface(double{box.high[0]} - box.low[0],
                                     double{box.high[1]} - box.low[1],
                                     double{box.high[2]} - box.low[2]) /
                        2;
   double area = 0;
-  for (const Item& item : list) area += area_of(reader, item) / 2;
+  for (const Primitive& primitive : list)
+    area += area_of(reader, primitive) / 2;
   if (!(shown > 0)) return 0;
   return area * area / shown;
 }
 
-double share_of_own_vertices(const ItemReader& reader, const ItemList& list,
+double distinct_vertex_ratio(const PrimitiveReader& reader,
+                             const PrimitiveList& list,
                              std::vector<VertexId>& scratch) {
   scratch.clear();
-  for (const Item& item : list) {
-    const auto corners = reader.scene.corners(item.source);
+  for (const Primitive& primitive : list) {
+    const auto corners = reader.scene.corners(primitive.source);
     scratch.insert(scratch.end(), corners.begin(), corners.end());
   }
   std::sort(scratch.begin(), scratch.end());

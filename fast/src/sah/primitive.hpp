@@ -7,40 +7,35 @@
 #include <cstdint>
 #include <limits>
 
-#include "halfspace/fast/build.hpp"
+#include "box/box.hpp"
+#include "halfspace/polygon.hpp"
 
 namespace halfspace::fast {
 
-/// What is known of a polygon or a part of one on its way down a tree for
-/// display: its box, rounded outwards, relative to the frame's origin.
-struct Item {
+/// A polygon, or a part of one, while the tree is built (a primitive in ray
+/// tracing): its box, rounded outwards, relative to the frame's origin.
+struct Primitive {
   std::array<float, 3> low;
   PolygonId source;
   std::array<float, 3> high;
-  std::int32_t part;  ///< which part, or kWhole
+  std::int32_t part;  ///< index of the part, or kWhole
 };
-static_assert(sizeof(Item) == 32);
+static_assert(sizeof(Primitive) == 32);
 
 constexpr std::int32_t kWhole = -1;
 
 /// The greatest float up to `value`, and the least from it on.
-inline float below(double value) {
+inline float float_below(double value) {
   const auto nearest = static_cast<float>(value);
   if (static_cast<double>(nearest) <= value) return nearest;
   return std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
-inline float above(double value) { return -below(-value); }
+inline float float_above(double value) { return -float_below(-value); }
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-/// The box of nothing.
-constexpr Box kNoBox = {{kInfinity, kInfinity, kInfinity},
-                        {-kInfinity, -kInfinity, -kInfinity}};
-
-inline void include(Box& box, const Item& item) {
+inline void extend(Box& box, const Primitive& primitive) {
   for (std::size_t a = 0; a < 3; ++a) {
-    box.low[a] = std::min(box.low[a], item.low[a]);
-    box.high[a] = std::max(box.high[a], item.high[a]);
+    box.low[a] = std::min(box.low[a], primitive.low[a]);
+    box.high[a] = std::max(box.high[a], primitive.high[a]);
   }
 }
 
@@ -50,19 +45,19 @@ inline double half_surface(double x, double y, double z) {
 }
 
 /// A list to be divided.
-struct ItemList {
-  const Item* items;
+struct PrimitiveList {
+  const Primitive* primitives;
   std::size_t count;
-  const Item* begin() const { return items; }
-  const Item* end() const { return items + count; }
+  const Primitive* begin() const { return primitives; }
+  const Primitive* end() const { return primitives + count; }
 };
 
-/// How good a plane is for a list.
+/// How good a plane is for a list, by the surface area heuristic (GS87, MB90).
 struct SplitCost {
-  /// Fragments that a ray through the list's box has to pay for; the list
-  /// itself, undivided, costs the number of its items.
+  /// Expected number of fragments that a ray through the list's box meets. An
+  /// undivided list costs the number of its primitives.
   double cost = std::numeric_limits<double>::infinity();
-  double cuts = 0;  ///< items that the plane cuts, about
+  double cuts = 0;  ///< primitives that the plane cuts, estimated
 };
 
 /// A plane across an axis, relative to the frame's origin.
@@ -72,28 +67,31 @@ struct AxisSplit {
   float coordinate = 0;  ///< an integer
 };
 
-/// How much less is paid for a child because its sibling, if that has all the
-/// rest, hides it: 0 would make dividing flat stacks worthless.
-constexpr double kHidden = 0.3;
+/// The share of a child's cost that is saved where its sibling hides it. With
+/// 1 flat stacks would not be divided at all. Untuned.
+constexpr double kHiddenShare = 0.3;
 
-/// The cost of a plane that divides a list of `count` items into two lists
+/// The cost of a plane that divides a list of `count` primitives into two lists
 /// that a ray through its box meets with the given probabilities.
 inline SplitCost cost_of(double count, double positive, double negative,
-                         double positive_chance, double negative_chance,
-                         double cut_weight) {
+                         double positive_probability,
+                         double negative_probability, double cut_weight) {
   const double both = positive + negative;
   const double cuts = std::max(0.0, both - count);
-  const double met = positive * positive_chance + negative * negative_chance;
-  const double hidden =
-      positive * negative * (positive_chance + negative_chance) * kHidden;
+  const double met =
+      positive * positive_probability + negative * negative_probability;
+  const double hidden = positive * negative *
+                        (positive_probability + negative_probability) *
+                        kHiddenShare;
   return {met - (both > 0 ? hidden / both : 0) + cut_weight * cuts, cuts};
 }
 
-/// The best plane across an axis: by bins first, then among the ends of items
-/// near the best bins' borders, where meshes in rows come apart without cuts.
+/// The best plane across an axis: by bins first (WAL07), then among the ends of
+/// primitives near the best bins' borders, where planes separate the rows of a
+/// regular mesh without cuts.
 ///
 /// Cost: linear.
-AxisSplit best_axis_split(const ItemList& list, const Box& box,
+AxisSplit best_axis_split(const PrimitiveList& list, const Box& box,
                           double cut_weight);
 
 }  // namespace halfspace::fast

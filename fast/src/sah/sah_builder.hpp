@@ -1,126 +1,114 @@
 #pragma once
 
-#include <atomic>
-#include <mutex>
 #include <optional>
 #include <vector>
 
-#include "halfspace/fast/display_tree.hpp"
+#include "sah/build_state.hpp"
 #include "sah/polygon_split.hpp"
 #include "sah/primitive.hpp"
 #include "tree/fragment_splitter.hpp"
 
 namespace halfspace::fast {
 
-/// What all threads of one build share.
-class DisplayWork {
- public:
-  DisplayWork(const Scene& scene, const DisplayTreeOptions& options);
-
-  /// The box of a polygon as an item.
-  Item item_of(PolygonId polygon) const;
-
-  /// Adds to the share that is done.
-  void add_done(double share);
-  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
-
-  const Scene& scene;
-  const DisplayTreeOptions& options;
-  GridPoint origin;  ///< the frame of items: the middle of the scene
-  /// What the scene's box shows from anywhere, on average; above 0.
-  /// Units: squares of grid steps.
-  double scene_size = 1;
-
- private:
-  std::mutex mutex_;
-  double done_ = 0;
-  double told_ = 0;
-  std::atomic<bool> stopped_ = false;
-};
-
-/// A list to be divided, with all that its items refer to, and what came of it.
-struct DisplayJob {
-  std::vector<Item> items;
-  std::vector<Part> parts;
-  Box box = kNoBox;
-  double share = 1;
-  double allowance = 0;  ///< how many cuts its subtree may make, about
+/// A list to be divided, with all that its primitives refer to, and the result.
+struct BuildJob {
+  std::vector<Primitive> primitives;
+  std::vector<FragmentRef> parts;
+  Box box = kEmptyBox;
+  double share = 1;       ///< of the work
+  double cut_budget = 0;  ///< how many cuts the subtree may make, about
   /// Corners of parts, cut vertices and free planes, those of the splitters
   /// above first.
   BspTree tree;
   std::size_t inherited_planes = 0;
 
-  /// The subtree of the list, or its root; indices count from its own arrays,
-  /// free planes from those above on.
+  /// The subtree of the list, or its root. Indices are those of its own arrays,
+  /// but free planes of the splitters above count first.
   BspTree piece;
   FilterStats stats;
-  /// Where the piece is a root alone: the lists of its subtrees.
-  DisplayJob* positive = nullptr;
-  DisplayJob* negative = nullptr;
+  /// If the piece is a root alone: the jobs of its subtrees.
+  BuildJob* positive = nullptr;
+  BuildJob* negative = nullptr;
 };
 
-/// Carries out one job.
-class DisplayWorker {
+/// Carries out one job: divides lists of primitives by the planes of least
+/// cost.
+class SahBuilder {
  public:
-  DisplayWorker(DisplayWork& work, DisplayJob& job);
+  SahBuilder(BuildState& state, BuildJob& job);
 
-  /// Makes the whole subtree.
-  void make_subtree();
+  /// Builds the whole subtree.
+  void build_subtree();
 
-  /// Makes the root, and the jobs for its subtrees; an empty list needs none.
-  struct Divided {
-    std::optional<DisplayJob> positive;
-    std::optional<DisplayJob> negative;
+  /// Builds the root, and the jobs of its subtrees, of those that are not
+  /// empty.
+  struct Subtrees {
+    std::optional<BuildJob> positive;
+    std::optional<BuildJob> negative;
   };
-  Divided divide();
+  Subtrees build_root();
 
  private:
-  /// A list at the top of the stack of items.
+  /// A list on top of the stack of primitives.
   struct Task {
     std::size_t first;
     std::size_t count;
     Box box;
     double share;
-    double allowance;
+    double cut_budget;
     NodeId parent;
     Side side;
   };
-  /// What became of a task's list: the negative side's is left in its place,
-  /// the positive side's is in positive_.
+  /// The lists into which a task's was divided: the negative side's takes its
+  /// place, the positive side's is in positive_.
   struct Partition {
     std::size_t negative_count = 0;
-    Box positive_box = kNoBox;
-    Box negative_box = kNoBox;
+    Box positive_box = kEmptyBox;
+    Box negative_box = kEmptyBox;
+  };
+  /// A splitter: a plane across an axis, or that of a polygon.
+  struct Splitter {
+    PlaneId id;
+    FilterPlane plane;
+    const AxisSplit* axis;  ///< or none
   };
 
   NodeId add_node(const Task& task);
-  std::optional<Partition> make_node(const Task& task);
+  std::optional<Partition> build_node(const Task& task);
+  PrimitiveList list_of(const Task& task) const {
+    return {primitives_.data() + task.first, task.count};
+  }
+  PlaneId add_free_plane(const AxisSplit& split);
+  double overdraw_cost(const Task& task);
+  double cut_budget_for_each(const Task& task, const Partition& parts) const;
+
+  Partition distribute(const Task& task, const Splitter& splitter);
+  void split_or_send(const Primitive& primitive, const Splitter& splitter,
+                     Partition& result, std::size_t& negative_end);
+  void send(const Primitive& primitive, int side, Partition& result,
+            std::size_t& negative_end);
+  Primitive primitive_of(const Primitive& whole, const FragmentRef& part,
+                         int side, const AxisSplit* axis);
+  FragmentRef fragment_of(const Primitive& primitive);
+
   void make_leaf(NodeId id, const Task& task);
   bool is_flat(const Task& task, PolygonId& splitter);
-  double contended_by(const Task& task);
-  Partition distribute(const Task& task, PlaneId id, const Plane& plane,
-                       const AxisSplit* axis);
-  void cut_or_send(const Item& item, PlaneId id, const FilterPlane& plane,
-                   const AxisSplit* axis, Partition& result,
-                   std::size_t& negative_end);
-  Item part_item(const Item& whole, const Part& part, int side,
-                 const AxisSplit* axis);
-  Part part_of(const Item& item);
-  std::size_t corner_count(const Item& item) const;
-  void add_fragments(NodeId id, std::vector<Item>& items);
-  DisplayJob job_of(const Item* items, std::size_t count, const Box& box,
-                    double share, double allowance) const;
-  double allowance_for_each(const Task& task, const Partition& parts) const;
+  std::size_t corner_count(const Primitive& primitive) const;
+  void sort_for_leaf(std::vector<Primitive>& primitives) const;
+  void add_fragments(NodeId id, std::vector<Primitive>& primitives);
+
+  BuildJob job_of(const PrimitiveList& list, const Box& box, double share,
+                  double cut_budget) const;
   Box absolute(const Box& box) const;
   void add_done(double share);
 
-  DisplayWork& work_;
-  DisplayJob& job_;
-  TreeBuilder builder_;
-  std::vector<Item>& items_;
-  std::vector<Item> positive_;
-  std::vector<Item> coincident_;
-  std::size_t coincident_count_ = 0;  ///< of the node that was made last
+  BuildState& state_;
+  BuildJob& job_;
+  FragmentSplitter splitter_;
+  std::vector<Primitive>& primitives_;
+  std::vector<Primitive> positive_;
+  std::vector<Primitive> coincident_;
+  std::size_t coincident_count_ = 0;  ///< of the node that was built last
   std::vector<Task> tasks_;
   std::vector<VertexId> vertices_;
   double done_ = 0;

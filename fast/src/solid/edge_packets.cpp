@@ -108,7 +108,7 @@ int known_side(const FilterPlane& plane, const Box& box, double rounding) {
   // No point of the box is off its middle by more than half of that; the
   // middle is rounded by less than 2^-20 of it, where it is rounded at all.
   const Vertex middle{at[0], at[1], at[2], radius * (0.5 + 0x1p-20)};
-  return known_sign(value_at(plane, middle, rounding));
+  return filtered_sign(value_at(plane, middle, rounding));
 }
 
 }  // namespace halfspace::fast

@@ -147,7 +147,7 @@ void sort_by_bucket(List<Piece>& pieces) {
                      static_cast<std::uint32_t>(keyed.size())});
   }
   sort_by_key(keyed);
-  List<Piece> sorted;
+  List<Piece> sorted(pieces.get_allocator());
   sorted.reserve(pieces.size());
   for (const KeyedIndex& k : keyed) sorted.push_back(pieces[k.index]);
   pieces.swap(sorted);

@@ -258,7 +258,7 @@ void line_up(Solid& solid) {
     face.first_edge = static_cast<std::uint32_t>(row.size());
     row.insert(row.end(), edges.begin(), edges.end());
   }
-  solid.edges.swap(row);
+  solid.edges = std::move(row);
 }
 
 Solid merge_faces(Solid solid, Merge rule) {

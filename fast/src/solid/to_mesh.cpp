@@ -152,6 +152,7 @@ std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
   });
   const List<std::int32_t> order = vertices_in_order(used, space);
   mesh.vertices.reserve(order.size());
+  mesh.points.assign(order.begin(), order.end());
   std::vector<std::uint8_t> moved(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     constexpr std::size_t kAhead = 16;

@@ -113,7 +113,7 @@ class Space {
   /// -1, 0, 1: the side of the plane, as it stands in the table, that holds
   /// the point.
   int side(std::int32_t plane_id, std::int32_t vertex_id) const {
-    const int known = known_sign(value_at(
+    const int known = filtered_sign(value_at(
         plane(plane_id).filter, vertex(vertex_id).approximate, rounding_));
     return known != 0 ? known : side_exactly(plane_id, vertex_id);
   }

@@ -3,63 +3,62 @@
 #include <algorithm>
 #include <utility>
 
-#include "box/box.hpp"
 #include "halfspace/assert.hpp"
-#include "halfspace/fast/display_tree.hpp"
 #include "tree/choose_root.hpp"
 #include "tree/fragment_splitter.hpp"
+#include "tree/node_boxes.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-/// A subtree still to be made: of the parts on top of the stack of parts, from
-/// `first` on.
-struct SubtreeToMake {
+/// A subtree to build, of the fragments on top of the stack from `first` on.
+struct BuildTask {
   std::size_t first;
   std::uint64_t key;
   double share;  ///< of the work
   NodeId parent;
   Side side;              ///< of the parent
-  NodeId node = kNoNode;  ///< its root, where there is one already
+  NodeId node = kNoNode;  ///< the root, if it exists already
 };
 
-/// How often progress is told, at least: after so much work, or as many
-/// decisions as take some milliseconds.
-constexpr double kToldShare = 1.0 / 256;
-constexpr std::size_t kToldDecisions = 1 << 18;
+/// Progress is reported after this share of the work or this many decisions,
+/// which take some milliseconds. Untuned.
+constexpr double kReportedShare = 1.0 / 256;
+constexpr std::size_t kReportedDecisions = 1 << 18;
 
-/// Tells how far a build is, and remembers that it was stopped.
-class Teller {
+/// Reports the progress of a build, and remembers that it was stopped.
+class ProgressReporter {
  public:
-  explicit Teller(const Progress& progress) : progress_(progress) {}
+  explicit ProgressReporter(const Progress& progress) : progress_(progress) {}
 
   bool is_stopped() const { return stopped_; }
 
   /// Adds work that is done.
   void add_done(double share) {
     done_ += share;
-    tell();
+    report();
   }
 
-  /// Adds decisions that are about to be taken; whether to take them.
+  /// Adds decisions that are about to be taken; false if the build was stopped.
   bool add_decisions(std::size_t count) {
     decisions_ += count;
-    tell();
+    report();
     return !stopped_;
   }
 
  private:
-  void tell() {
+  void report() {
     if (!progress_ || stopped_) return;
-    if (done_ < told_ + kToldShare && decisions_ < kToldDecisions) return;
-    told_ = done_;
+    if (done_ < reported_ + kReportedShare && decisions_ < kReportedDecisions)
+      return;
+    reported_ = done_;
     decisions_ = 0;
     stopped_ = !progress_(std::min(done_, 1.0));
   }
 
   const Progress& progress_;
   double done_ = 0;
-  double told_ = 0;
+  double reported_ = 0;
   std::size_t decisions_ = 0;
   bool stopped_ = false;
 };
@@ -72,9 +71,11 @@ void attach(BspTree& tree, NodeId parent, Side side, NodeId child) {
 }
 
 /// Adds a fragment to the tree's array, in no list yet.
-std::int32_t add_fragment(BspTree& tree, const Part& part, bool turned) {
-  tree.fragments.push_back({part.source, part.first, part.count & kCountMask,
-                            turned ? 1u : 0u, kNoFragment});
+std::int32_t add_fragment(BspTree& tree, const FragmentRef& fragment,
+                          bool turned) {
+  tree.fragments.push_back({fragment.source, fragment.first,
+                            fragment.count & kCountMask, turned ? 1u : 0u,
+                            kNoFragment});
   return static_cast<std::int32_t>(tree.fragments.size()) - 1;
 }
 
@@ -85,8 +86,8 @@ class Autopartition {
                 FilterStats& stats, const Progress& progress)
       : options_(options),
         tree_(tree),
-        teller_(progress),
-        builder_(scene, tree, stats),
+        reporter_(progress),
+        splitter_(scene, tree, stats),
         table_(intern_planes(scene)) {
     for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
       const auto id = static_cast<PolygonId>(p);
@@ -97,31 +98,32 @@ class Autopartition {
   /// Makes the tree of the whole scene; false where it was stopped.
   bool run() {
     for (std::size_t p = 0; p < planes_.size(); ++p) {
-      parts_.push_back(builder_.whole(static_cast<PolygonId>(p)));
+      fragments_.push_back(splitter_.whole(static_cast<PolygonId>(p)));
     }
-    if (parts_.empty()) return true;
+    if (fragments_.empty()) return true;
     tasks_.push_back({0, root_key(options_.seed), 1, kNoNode, Side::kOn});
-    work_off();
-    return !teller_.is_stopped();
+    run_tasks();
+    return !reporter_.is_stopped();
   }
 
-  /// Makes a leaf the root of a tree of its fragments, whose old entries no
-  /// list holds any more.
+  /// Makes a leaf the root of a tree of its fragments. Their old entries are in
+  /// no list then.
   void divide(NodeId leaf) {
     Node& node = tree_.nodes[static_cast<std::size_t>(leaf)];
-    parts_.clear();
+    fragments_.clear();
     for (std::int32_t f = node.first_fragment; f != kNoFragment;) {
-      const TreeFragment& fragment =
-          tree_.fragments[static_cast<std::size_t>(f)];
-      parts_.push_back(
-          {fragment.source, fragment.first_corner, fragment.corner_count});
-      f = fragment.next;
+      const TreeFragment& listed = tree_.fragments[static_cast<std::size_t>(f)];
+      fragments_.push_back(
+          {listed.source, listed.first_corner, listed.corner_count});
+      f = listed.next;
     }
-    std::sort(parts_.begin(), parts_.end(),
-              [](const Part& p, const Part& q) { return p.source < q.source; });
+    std::sort(fragments_.begin(), fragments_.end(),
+              [](const FragmentRef& p, const FragmentRef& q) {
+                return p.source < q.source;
+              });
     node.first_fragment = kNoFragment;
-    if (parts_.empty()) {
-      // Any plane divides nothing.
+    if (fragments_.empty()) {
+      // Any plane will do.
       node.splitter = 0;
       node.plane = planes_[0].plane;
       return;
@@ -129,23 +131,23 @@ class Autopartition {
     const auto number = static_cast<std::uint64_t>(leaf);
     tasks_.push_back(
         {0, root_key(options_.seed + number), 1, kNoNode, Side::kOn, leaf});
-    work_off();
+    run_tasks();
   }
 
  private:
-  void work_off() {
-    while (!tasks_.empty() && !teller_.is_stopped()) {
-      const SubtreeToMake task = tasks_.back();
+  void run_tasks() {
+    while (!tasks_.empty() && !reporter_.is_stopped()) {
+      const BuildTask task = tasks_.back();
       tasks_.pop_back();
       make_node(task);
     }
   }
 
-  Relation relation(const Part& part, PolygonId splitter) {
+  Relation relation(const FragmentRef& fragment, PolygonId splitter) {
     const auto s = static_cast<std::size_t>(splitter);
-    const auto p = static_cast<std::size_t>(part.source);
+    const auto p = static_cast<std::size_t>(fragment.source);
     if (table_.plane_of[s] == table_.plane_of[p]) return Relation::kCoincident;
-    return builder_.relation(part, splitter, planes_[s]);
+    return splitter_.relation(fragment, splitter, planes_[s]);
   }
 
   bool is_turned(PolygonId source, PolygonId splitter) const {
@@ -153,16 +155,16 @@ class Autopartition {
            table_.same_orientation[static_cast<std::size_t>(splitter)];
   }
 
-  void make_node(const SubtreeToMake& task) {
+  void make_node(const BuildTask& task) {
     // Step 1: choose the root; its plane is the node's.
-    const Part* list = parts_.data() + task.first;
-    const std::size_t count = parts_.size() - task.first;
+    const FragmentRef* list = fragments_.data() + task.first;
+    const std::size_t count = fragments_.size() - task.first;
     const std::size_t root = choose_root(
         count, options_, task.key,
         [&](std::size_t i, std::size_t j) {
           return relation(list[j], list[i].source);
         },
-        [&] { return teller_.add_decisions(count); });
+        [&] { return reporter_.add_decisions(count); });
     const PolygonId splitter = list[root].source;
     NodeId id = task.node;
     if (id == kNoNode) {
@@ -174,41 +176,41 @@ class Autopartition {
     node.splitter = splitter;
     node.plane = planes_[static_cast<std::size_t>(splitter)].plane;
 
-    // Step 2: the polygons in that plane stay, the others go to its sides;
-    // what the plane cuts goes to both.
+    // Step 2: the polygons in that plane stay, the others go to its sides; the
+    // parts of those that it cuts go to both.
     distribute(task.first, splitter, node);
 
-    // Step 3: make the subtrees of what is not empty; the last task is next.
-    // Its parts are on top of the stack.
+    // Step 3: make the subtrees of the sides that are not empty; the last task
+    // is next. Its fragments are on top of the stack.
     const double share = task.share / static_cast<double>(positive_.size() +
                                                           negative_.size() + 1);
-    const auto share_of = [share](const std::vector<Part>& parts) {
-      return share * static_cast<double>(parts.size());
+    const auto share_of = [share](const std::vector<FragmentRef>& fragments) {
+      return share * static_cast<double>(fragments.size());
     };
-    parts_.resize(task.first);
-    parts_.insert(parts_.end(), negative_.begin(), negative_.end());
+    fragments_.resize(task.first);
+    fragments_.insert(fragments_.end(), negative_.begin(), negative_.end());
     if (!negative_.empty()) {
       tasks_.push_back({task.first, negative_key(task.key), share_of(negative_),
                         id, Side::kNegative});
     }
     if (!positive_.empty()) {
-      tasks_.push_back({parts_.size(), positive_key(task.key),
+      tasks_.push_back({fragments_.size(), positive_key(task.key),
                         share_of(positive_), id, Side::kPositive});
     }
-    teller_.add_done(share);
-    parts_.insert(parts_.end(), positive_.begin(), positive_.end());
+    reporter_.add_done(share);
+    fragments_.insert(fragments_.end(), positive_.begin(), positive_.end());
   }
 
   void distribute(std::size_t first, PolygonId splitter, Node& node) {
     positive_.clear();
     negative_.clear();
     std::int32_t last = kNoFragment;
-    for (std::size_t i = first; i < parts_.size(); ++i) {
-      const Part& part = parts_[i];
-      switch (relation(part, splitter)) {
+    for (std::size_t i = first; i < fragments_.size(); ++i) {
+      const FragmentRef& fragment = fragments_[i];
+      switch (relation(fragment, splitter)) {
         case Relation::kCoincident: {
-          const std::int32_t added =
-              add_fragment(tree_, part, is_turned(part.source, splitter));
+          const std::int32_t added = add_fragment(
+              tree_, fragment, is_turned(fragment.source, splitter));
           if (last == kNoFragment) {
             node.first_fragment = added;
           } else {
@@ -218,16 +220,16 @@ class Autopartition {
           break;
         }
         case Relation::kPositive:
-          positive_.push_back(part);
+          positive_.push_back(fragment);
           break;
         case Relation::kNegative:
-          negative_.push_back(part);
+          negative_.push_back(fragment);
           break;
         case Relation::kSpanning: {
-          const CutParts cut = builder_.cut(
-              part, splitter, planes_[static_cast<std::size_t>(splitter)]);
-          positive_.push_back(cut.positive);
-          negative_.push_back(cut.negative);
+          const FragmentPair pair = splitter_.split(
+              fragment, splitter, planes_[static_cast<std::size_t>(splitter)]);
+          positive_.push_back(pair.positive);
+          negative_.push_back(pair.negative);
           break;
         }
       }
@@ -236,17 +238,17 @@ class Autopartition {
 
   BuildOptions options_;
   BspTree& tree_;
-  Teller teller_;
-  TreeBuilder builder_;
+  ProgressReporter reporter_;
+  FragmentSplitter splitter_;
   PlaneTable table_;
   std::vector<FilterPlane> planes_;
-  std::vector<Part> parts_;
-  std::vector<Part> positive_;
-  std::vector<Part> negative_;
-  std::vector<SubtreeToMake> tasks_;
+  std::vector<FragmentRef> fragments_;
+  std::vector<FragmentRef> positive_;
+  std::vector<FragmentRef> negative_;
+  std::vector<BuildTask> tasks_;
 };
 
-/// Lays the fragments out node by node, without those of no list.
+/// Lays the fragments out node by node, without those in no list.
 void drop_unused_fragments(BspTree& tree) {
   std::vector<TreeFragment> kept;
   for (Node& node : tree.nodes) {

@@ -12,8 +12,8 @@
 
 namespace halfspace::fast {
 
-/// What the rules know of a polygon: its degrees in HEUR's graph G(I), and how
-/// its plane divides the others.
+/// A polygon's degrees in HEUR's graph G(I), and how its plane divides the
+/// others.
 struct RootCounts {
   std::uint64_t out_degree = 0;
   std::uint64_t in_degree = 0;
@@ -21,10 +21,11 @@ struct RootCounts {
   std::uint64_t negative = 0;
 };
 
-/// Up to here the draws are looked up one by one, not in a list of all.
+/// Up to this number the draws are looked up one by one, not in a list of all.
+/// Untuned.
 constexpr std::uint32_t kFewCandidates = 32;
 
-/// The list places among which the rule chooses, in order (S3.4).
+/// The indices among which the rule chooses, in order (S3.4).
 inline void draw_candidates(const BuildOptions& options, std::size_t count,
                             std::uint64_t key,
                             std::vector<std::size_t>& candidates) {
@@ -42,8 +43,8 @@ inline void draw_candidates(const BuildOptions& options, std::size_t count,
     }
     candidates.resize(options.candidates);
   } else {
-    // The same without writing down the list 0, 1, 2, ...: only entries that
-    // were swapped differ from it, one for each draw.
+    // The same without the list 0, 1, 2, ...: only swapped entries differ from
+    // it, one for each draw.
     std::vector<std::pair<std::size_t, std::size_t>> moved;
     const auto entry = [&moved](std::size_t place) {
       for (auto it = moved.rbegin(); it != moved.rend(); ++it) {
@@ -60,7 +61,7 @@ inline void draw_candidates(const BuildOptions& options, std::size_t count,
   std::sort(candidates.begin(), candidates.end());
 }
 
-/// What the rule minimises (S3.3): first the first number, then the second.
+/// The cost that the rule minimises, in lexicographic order (S3.3).
 inline std::pair<std::uint64_t, std::uint64_t> root_cost(
     const RootCounts& counts, std::size_t polygon_count,
     const BuildOptions& options) {
@@ -91,10 +92,10 @@ inline std::pair<std::uint64_t, std::uint64_t> root_cost(
   return {0, 0};
 }
 
-/// The place of the root in a list of `count` polygons (S3.3).
-/// `relation_of(i, j)` is polygon j against the plane of polygon i;
-/// `go_on()` is asked once a candidate, and where it says no any place is
-/// given.
+/// The index of the root in a list of `count` polygons (S3.3).
+/// `relation_of(i, j)` is polygon j against the plane of polygon i; `go_on()`
+/// is called for each candidate, and where it returns false the answer is any
+/// index.
 template <class RelationOf, class GoOn>
 std::size_t choose_root(std::size_t count, const BuildOptions& options,
                         std::uint64_t key, RelationOf&& relation_of,
@@ -105,8 +106,8 @@ std::size_t choose_root(std::size_t count, const BuildOptions& options,
   std::vector<std::size_t> candidates;
   draw_candidates(options, count, key, candidates);
   if (candidates.size() == 1) return candidates[0];
-  // Step 3: what each would cut, and what would cut it. The in-degree is kept
-  // only for the rules that look at it.
+  // Step 3: how many polygons each would cut, and how many would cut it. The
+  // in-degree is kept only for the rules that use it.
   const bool needs_in =
       options.rule == RootRule::kH2 || options.rule == RootRule::kH3;
   std::vector<RootCounts> counts(candidates.size());

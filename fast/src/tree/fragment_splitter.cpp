@@ -2,85 +2,128 @@
 
 #include <utility>
 
+#include "halfspace/assert.hpp"
 #include "tree/split_walk.hpp"
 
 namespace halfspace::fast {
 
-Part TreeBuilder::whole(PolygonId polygon) {
-  const auto corners = geometry_.scene().corners(polygon);
-  const Part part{polygon, static_cast<std::uint32_t>(tree_.corners.size()),
-                  static_cast<std::uint32_t>(corners.size())};
+FragmentRef FragmentSplitter::whole(PolygonId polygon) {
+  const auto corners = planes_.scene().corners(polygon);
+  const FragmentRef fragment{polygon,
+                             static_cast<std::uint32_t>(tree_.corners.size()),
+                             static_cast<std::uint32_t>(corners.size())};
   for (std::size_t k = 0; k < corners.size(); ++k) {
     tree_.corners.push_back({static_cast<EdgeCode>(k), corners[k]});
   }
-  return part;
+  return fragment;
 }
 
-Relation TreeBuilder::relation(const Part& part, PlaneId id,
-                               const FilterPlane& plane) {
-  const Corner* corners = tree_.corners.data() + part.first;
-  signs_.resize(part.count);
-  values_.resize(part.count);
+int FragmentSplitter::sign_at(const FragmentRef& fragment, std::size_t k,
+                              PlaneId id, const FilterPlane& plane,
+                              Bounded& value) {
+  const Corner* corners = tree_.corners.data() + fragment.first;
+  value = value_at(plane, vertex(corners[k].vertex), planes_.rounding());
+  const int filtered = filtered_sign(value);
+  if (filtered != 0) {
+    ++stats_.filtered;
+    return filtered;
+  }
+  const Corner& before = corners[k == 0 ? fragment.count - 1 : k - 1];
+  const int exact =
+      planes_.exact_sign(fragment.source, before.edge, corners[k].edge, id);
+  ++stats_.exact;
+  stats_.zero += exact == 0 ? 1 : 0;
+  return exact;
+}
+
+Relation FragmentSplitter::relation(const FragmentRef& fragment, PlaneId id,
+                                    const FilterPlane& plane) {
+  signs_.resize(fragment.count);
+  values_.resize(fragment.count);
   bool some_positive = false;
   bool some_negative = false;
-  for (std::size_t k = 0; k < part.count; ++k) {
-    values_[k] =
-        value_at(plane, vertex(corners[k].vertex), geometry_.rounding());
-    int found = known_sign(values_[k]);
-    if (found != 0) {
-      ++stats_.filtered;
-    } else {
-      const Corner& before = corners[k == 0 ? part.count - 1 : k - 1];
-      found =
-          geometry_.exact_sign(part.source, before.edge, corners[k].edge, id);
-      ++stats_.exact;
-      stats_.zero += found == 0 ? 1 : 0;
-    }
-    signs_[k] = static_cast<std::int8_t>(found);
-    some_positive = some_positive || found > 0;
-    some_negative = some_negative || found < 0;
+  for (std::size_t k = 0; k < fragment.count; ++k) {
+    const int sign = sign_at(fragment, k, id, plane, values_[k]);
+    signs_[k] = static_cast<std::int8_t>(sign);
+    some_positive = some_positive || sign > 0;
+    some_negative = some_negative || sign < 0;
   }
   return relation_of(some_positive, some_negative);
 }
 
-CutParts TreeBuilder::cut(const Part& part, PlaneId id,
-                          const FilterPlane& plane) {
+FragmentPair FragmentSplitter::split(const FragmentRef& fragment, PlaneId id,
+                                     const FilterPlane& plane) {
+  HALFSPACE_ASSERT(signs_.size() == fragment.count);
   std::int32_t crossing_vertex = 0;
   bool crossing_is_new = true;
   new_corners_[0].clear();
   new_corners_[1].clear();
-  walk_cut(signs_, [&](int to, std::size_t k, bool crossing, bool cut) {
-    const Corner* corners = tree_.corners.data() + part.first;
-    std::int32_t index = corners[k].vertex;
+  walk_split(signs_, [&](int side, std::size_t k, bool crossing, bool cut) {
+    Corner corner = tree_.corners[fragment.first + k];
     if (crossing) {
-      // Told twice in a row: both parts share the vertex.
-      if (crossing_is_new) {
-        const std::size_t next = k + 1 == part.count ? 0 : k + 1;
-        crossing_vertex = vertex_count_ +
-                          static_cast<std::int32_t>(tree_.cut_vertices.size());
-        const Vertex from_source =
-            geometry_.crossing(part.source, corners[k].edge, plane);
-        const Vertex from_ends =
-            meet(vertex(index), values_[k], vertex(corners[next].vertex),
-                 values_[next], geometry_.rounding());
-        tree_.cut_vertices.push_back(
-            from_source.error <= from_ends.error ? from_source : from_ends);
-      }
+      // Both fragments share the vertex: their calls follow each other.
+      if (crossing_is_new) crossing_vertex = add_crossing(fragment, k, plane);
       crossing_is_new = !crossing_is_new;
-      index = crossing_vertex;
+      corner.vertex = crossing_vertex;
     }
-    new_corners_[to > 0 ? 0 : 1].push_back(
-        {cut ? splitter_edge(id) : corners[k].edge, index});
+    if (cut) corner.edge = splitter_edge(id);
+    new_corners_[side > 0 ? 0 : 1].push_back(corner);
   });
-  const auto add = [&](const std::vector<Corner>& corners) {
-    const Part added{part.source,
-                     static_cast<std::uint32_t>(tree_.corners.size()),
-                     static_cast<std::uint32_t>(corners.size())};
-    tree_.corners.insert(tree_.corners.end(), corners.begin(), corners.end());
-    return added;
-  };
-  const Part positive = add(new_corners_[0]);
-  return {positive, add(new_corners_[1])};
+  HALFSPACE_ASSERT(new_corners_[0].size() >= 3);
+  HALFSPACE_ASSERT(new_corners_[1].size() >= 3);
+  const FragmentRef positive = add(fragment.source, new_corners_[0]);
+  return {positive, add(fragment.source, new_corners_[1])};
+}
+
+/// Adds the point in which the plane passes through edge `k`: computed from the
+/// edge's ends or from the source's corners, whichever is known better.
+std::int32_t FragmentSplitter::add_crossing(const FragmentRef& fragment,
+                                            std::size_t k,
+                                            const FilterPlane& plane) {
+  const Corner* corners = tree_.corners.data() + fragment.first;
+  const std::size_t next = k + 1 == fragment.count ? 0 : k + 1;
+  const Vertex from_source =
+      planes_.crossing(fragment.source, corners[k].edge, plane);
+  const Vertex from_ends =
+      meet(vertex(corners[k].vertex), values_[k], vertex(corners[next].vertex),
+           values_[next], planes_.rounding());
+  tree_.cut_vertices.push_back(
+      from_source.error <= from_ends.error ? from_source : from_ends);
+  return vertex_count_ + static_cast<std::int32_t>(tree_.cut_vertices.size()) -
+         1;
+}
+
+FragmentRef FragmentSplitter::add(PolygonId source,
+                                  const std::vector<Corner>& corners) {
+  const FragmentRef added{source,
+                          static_cast<std::uint32_t>(tree_.corners.size()),
+                          static_cast<std::uint32_t>(corners.size())};
+  tree_.corners.insert(tree_.corners.end(), corners.begin(), corners.end());
+  return added;
+}
+
+StandaloneFragment::StandaloneFragment(const Scene& scene,
+                                       const Fragment& fragment,
+                                       FilterStats& stats)
+    : splitter_(scene, tree_, stats),
+      ref_{fragment.source, 0,
+           static_cast<std::uint32_t>(fragment.edges.size())} {
+  HALFSPACE_ASSERT(fragment.edges.size() == fragment.vertices.size());
+  tree_.cut_vertices = fragment.vertices;
+  auto vertex = static_cast<std::int32_t>(scene.data().vertices.size());
+  for (const EdgeName& edge : fragment.edges) {
+    tree_.corners.push_back({code_of(edge), vertex++});
+  }
+}
+
+Fragment StandaloneFragment::fragment_of(const FragmentRef& ref) const {
+  Fragment fragment{ref.source, {}, {}};
+  for (std::size_t k = 0; k < ref.count; ++k) {
+    const Corner& corner = tree_.corners[ref.first + k];
+    fragment.edges.push_back(name_of(corner.edge));
+    fragment.vertices.push_back(splitter_.vertex(corner.vertex));
+  }
+  return fragment;
 }
 
 void drop_unused_corners(BspTree& tree) {

@@ -10,8 +10,9 @@
 
 namespace halfspace::fast {
 
-/// A fragment on its way down a tree: `count` corners of the tree's array.
-struct Part {
+/// A fragment that is in no list of the tree yet: `count` corners of the
+/// tree's array, from `first` on.
+struct FragmentRef {
   PolygonId source = 0;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
@@ -27,43 +28,56 @@ inline bool opposed(const Plane& p, const Plane& q) {
   return p.a * q.a + p.b * q.b + p.c * q.c < 0;
 }
 
-/// Two parts that a plane made of one.
-struct CutParts {
-  Part positive;
-  Part negative;
+/// The two fragments that a plane makes of one.
+struct FragmentPair {
+  FragmentRef positive;
+  FragmentRef negative;
 };
 
-/// Decides and cuts the parts of a growing tree.
-class TreeBuilder {
+/// Decides and splits the fragments of a growing tree. All builders call this,
+/// and so do the public side_of(), relation() and split().
+class FragmentSplitter {
  public:
-  TreeBuilder(const Scene& scene, BspTree& tree, FilterStats& stats)
-      : geometry_(scene, tree.free_planes),
+  FragmentSplitter(const Scene& scene, BspTree& tree, FilterStats& stats)
+      : planes_(scene, tree.free_planes),
         vertex_count_(static_cast<std::int32_t>(scene.data().vertices.size())),
         tree_(tree),
         stats_(stats) {}
 
-  const Geometry& geometry() const { return geometry_; }
+  const ScenePlanes& planes() const { return planes_; }
 
   /// The whole polygon; its corners are added to the tree.
-  Part whole(PolygonId polygon);
+  FragmentRef whole(PolygonId polygon);
 
-  /// The part against the plane (S2.1). Remembers the signs for cut().
-  Relation relation(const Part& part, PlaneId id, const FilterPlane& plane);
+  /// The sign of the plane at vertex `k` of the fragment (S1.5); `value` is
+  /// set to its value there in doubles.
+  int sign_at(const FragmentRef& fragment, std::size_t k, PlaneId id,
+              const FilterPlane& plane, Bounded& value);
 
-  /// Cuts the part along the plane (S2.3).
-  /// Requires: the last call was relation(part, id, plane), and spanning.
-  CutParts cut(const Part& part, PlaneId id, const FilterPlane& plane);
+  /// The fragment against the plane (S2.1). Keeps the signs for split().
+  Relation relation(const FragmentRef& fragment, PlaneId id,
+                    const FilterPlane& plane);
+
+  /// Splits the fragment along the plane (S2.3).
+  /// Requires: the last call was relation(fragment, id, plane), and the answer
+  ///           was kSpanning.
+  FragmentPair split(const FragmentRef& fragment, PlaneId id,
+                     const FilterPlane& plane);
 
   Vertex vertex(std::int32_t index) const {
     if (index >= vertex_count_) {
       return tree_
           .cut_vertices[static_cast<std::size_t>(index - vertex_count_)];
     }
-    return to_vertex(geometry_.scene().point(index));
+    return to_vertex(planes_.scene().point(index));
   }
 
  private:
-  Geometry geometry_;
+  std::int32_t add_crossing(const FragmentRef& fragment, std::size_t k,
+                            const FilterPlane& plane);
+  FragmentRef add(PolygonId source, const std::vector<Corner>& corners);
+
+  ScenePlanes planes_;
   std::int32_t vertex_count_;
   BspTree& tree_;
   FilterStats& stats_;
@@ -72,8 +86,25 @@ class TreeBuilder {
   std::array<std::vector<Corner>, 2> new_corners_;
 };
 
+/// A public fragment, as FragmentSplitter reads it: in a tree of its own.
+class StandaloneFragment {
+ public:
+  StandaloneFragment(const Scene& scene, const Fragment& fragment,
+                     FilterStats& stats);
+
+  FragmentSplitter& splitter() { return splitter_; }
+  const FragmentRef& ref() const { return ref_; }
+  /// The public form of what the splitter made.
+  Fragment fragment_of(const FragmentRef& ref) const;
+
+ private:
+  BspTree tree_;
+  FragmentSplitter splitter_;
+  FragmentRef ref_;
+};
+
 /// Lays the corners out in the order of the fragments, without those of
-/// fragments that were cut.
+/// fragments that were split.
 void drop_unused_corners(BspTree& tree);
 
 }  // namespace halfspace::fast

@@ -8,9 +8,9 @@
 namespace halfspace::fast {
 namespace {
 
-/// A part on its way down, at `node` or, if there is none, at that place.
+/// A fragment on its way down: at `node` or, if there is none, at its place.
 struct Step {
-  Part part;
+  FragmentRef fragment;
   Box box;
   NodeId node;
   NodeId parent;
@@ -21,23 +21,25 @@ Node& node_at(BspTree& tree, NodeId id) {
   return tree.nodes[static_cast<std::size_t>(id)];
 }
 
-/// Puts the part into the node's list, which is in id order.
-void put(BspTree& tree, NodeId node, const Part& part, const Plane& plane) {
+/// Puts the fragment into the node's list, which is in id order.
+void put(BspTree& tree, NodeId node, const FragmentRef& fragment,
+         const Plane& plane) {
   const auto added = static_cast<std::int32_t>(tree.fragments.size());
   const bool turned = opposed(plane, node_at(tree, node).plane);
-  tree.fragments.push_back({part.source, part.first, part.count & kCountMask,
-                            turned ? 1u : 0u, kNoFragment});
+  tree.fragments.push_back({fragment.source, fragment.first,
+                            fragment.count & kCountMask, turned ? 1u : 0u,
+                            kNoFragment});
   std::int32_t* link = &node_at(tree, node).first_fragment;
   while (*link != kNoFragment) {
     TreeFragment& next = tree.fragments[static_cast<std::size_t>(*link)];
-    if (next.source > part.source) break;
+    if (next.source > fragment.source) break;
     link = &next.next;
   }
   tree.fragments.back().next = *link;
   *link = added;
 }
 
-/// Makes the part a node of its own.
+/// Makes a node of the fragment.
 void make_node(BspTree& tree, const Step& step, const Plane& plane) {
   const auto id = static_cast<NodeId>(tree.nodes.size());
   if (step.parent != kNoNode) {
@@ -45,16 +47,17 @@ void make_node(BspTree& tree, const Step& step, const Plane& plane) {
     (step.side == Side::kPositive ? parent.positive : parent.negative) = id;
   }
   Node node;
-  node.splitter = step.part.source;
+  node.splitter = step.fragment.source;
   node.plane = plane;
   tree.nodes.push_back(node);
-  put(tree, id, step.part, plane);
+  put(tree, id, step.fragment, plane);
 }
 
-Box box_of(const BspTree& tree, const TreeBuilder& builder, const Part& part) {
+Box box_of(const BspTree& tree, const FragmentSplitter& splitter,
+           const FragmentRef& fragment) {
   Box box = kEmptyBox;
-  for (std::uint32_t k = 0; k < part.count; ++k) {
-    extend(box, builder.vertex(tree.corners[part.first + k].vertex));
+  for (std::uint32_t k = 0; k < fragment.count; ++k) {
+    extend(box, splitter.vertex(tree.corners[fragment.first + k].vertex));
   }
   return box;
 }
@@ -68,22 +71,22 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon) {
 
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
             FilterStats& stats) {
-  TreeBuilder builder(scene, tree, stats);
+  FragmentSplitter splitter(scene, tree, stats);
   const Plane plane = plane_of(scene, polygon);
   const bool has_boxes = tree.boxes.size() == tree.nodes.size();
   std::vector<Step> steps;
-  const auto start = [&](const Part& part, NodeId node, NodeId parent,
-                         Side side) {
-    const Box box = has_boxes ? box_of(tree, builder, part) : Box{};
-    steps.push_back({part, box, node, parent, side});
+  const auto start = [&](const FragmentRef& fragment, NodeId node,
+                         NodeId parent, Side side) {
+    const Box box = has_boxes ? box_of(tree, splitter, fragment) : Box{};
+    steps.push_back({fragment, box, node, parent, side});
   };
-  start(builder.whole(polygon), tree.nodes.empty() ? kNoNode : 0, kNoNode,
+  start(splitter.whole(polygon), tree.nodes.empty() ? kNoNode : 0, kNoNode,
         Side::kOn);
   while (!steps.empty()) {
     const Step step = steps.back();
     steps.pop_back();
 
-    // Step 1: where there is no node, the part becomes one.
+    // Step 1: where there is no node, the fragment becomes one.
     if (step.node == kNoNode) {
       make_node(tree, step, plane);
       if (has_boxes) tree.boxes.push_back(step.box);
@@ -93,19 +96,20 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
       extend(tree.boxes[static_cast<std::size_t>(step.node)], step.box);
     }
 
-    // Step 2: else it stays here, goes to one side, or is cut and goes to both.
+    // Step 2: else it stays here, goes to one side, or is split and goes to
+    // both.
     const Node node = node_at(tree, step.node);
     HALFSPACE_ASSERT(node.splitter != kNoPlane);
     const auto child = [&node](Side side) {
       return side == Side::kPositive ? node.positive : node.negative;
     };
     const auto go = [&](Side side) {
-      steps.push_back({step.part, step.box, child(side), step.node, side});
+      steps.push_back({step.fragment, step.box, child(side), step.node, side});
     };
     const FilterPlane filter = filter_plane(node.plane);
-    switch (builder.relation(step.part, node.splitter, filter)) {
+    switch (splitter.relation(step.fragment, node.splitter, filter)) {
       case Relation::kCoincident:
-        put(tree, step.node, step.part, plane);
+        put(tree, step.node, step.fragment, plane);
         break;
       case Relation::kPositive:
         go(Side::kPositive);
@@ -114,9 +118,12 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
         go(Side::kNegative);
         break;
       case Relation::kSpanning: {
-        const CutParts cut = builder.cut(step.part, node.splitter, filter);
-        start(cut.negative, child(Side::kNegative), step.node, Side::kNegative);
-        start(cut.positive, child(Side::kPositive), step.node, Side::kPositive);
+        const FragmentPair pair =
+            splitter.split(step.fragment, node.splitter, filter);
+        start(pair.negative, child(Side::kNegative), step.node,
+              Side::kNegative);
+        start(pair.positive, child(Side::kPositive), step.node,
+              Side::kPositive);
         break;
       }
     }

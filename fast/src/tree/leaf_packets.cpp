@@ -7,17 +7,17 @@
 
 #include "base/tsan.hpp"
 #include "box/box.hpp"
-#include "raster/exact_coverage.hpp"
+#include "tree/tree_reader.hpp"
 
 namespace halfspace::fast {
 namespace {
 
 constexpr std::int32_t kEach = 8;
 
-/// Fewer than this are sooner drawn one by one.
+/// A shorter run is drawn faster one by one. Untuned.
 constexpr std::int32_t kFew = 4;
 
-/// The runs that the list of a node begins with and that are long enough.
+/// The runs at the beginning of a node's list that are long enough.
 struct Runs {
   std::int32_t triangles = 0;
   std::int32_t quadrangles = 0;
@@ -87,7 +87,7 @@ class BlockMaker {
       block.origin[a] = std::floor(rounded_down(low[a]));
     }
     for (std::size_t k = 0; k < kEach; ++k) {
-      // What is left over repeats the first.
+      // Lanes without a fragment repeat the first.
       const auto& from = corners[k < static_cast<std::size_t>(count) ? k : 0];
       double error = 0;
       for (std::size_t c = 0; c < kCorners; ++c) {
@@ -118,7 +118,7 @@ class BlockMaker {
            fragment.corner_count;
   }
 
-  /// Writes v - origin. Gives how far off the sum of both is.
+  /// Writes v - origin. Returns the error of the sum of both.
   static double put(float& to, double v, float origin) {
     to = static_cast<float>(v - double{origin});
     const double again = double{to} + double{origin};

@@ -1,8 +1,10 @@
+#include "tree/node_boxes.hpp"
+
 #include <utility>
 
 #include "box/box.hpp"
-#include "raster/exact_coverage.hpp"
 #include "tree/traversal.hpp"
+#include "tree/tree_reader.hpp"
 
 namespace halfspace::fast {
 

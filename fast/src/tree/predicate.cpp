@@ -1,10 +1,7 @@
 #include "halfspace/fast/predicate.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "halfspace/assert.hpp"
-#include "tree/scene_planes.hpp"
+#include "tree/fragment_splitter.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -73,22 +70,11 @@ std::vector<Plane> planes_of(const Scene& scene) {
 
 Side side_of(const Scene& scene, const Fragment& fragment, std::size_t k,
              PolygonId splitter, FilterStats& stats) {
-  const std::vector<FreePlane> none;
-  const Geometry geometry(scene, none);
-  const int known =
-      known_sign(value_at(filter_plane(geometry.plane(splitter)),
-                          fragment.vertices[k], geometry.rounding()));
-  if (known != 0) {
-    ++stats.filtered;
-    return static_cast<Side>(known);
-  }
-  const std::size_t count = fragment.edges.size();
-  const int decided = geometry.exact_sign(
-      fragment.source, code_of(fragment.edges[(k + count - 1) % count]),
-      code_of(fragment.edges[k]), splitter);
-  ++stats.exact;
-  stats.zero += decided == 0 ? 1 : 0;
-  return static_cast<Side>(decided);
+  StandaloneFragment whole(scene, fragment, stats);
+  Bounded value;
+  return static_cast<Side>(
+      whole.splitter().sign_at(whole.ref(), k, splitter,
+                               filter_plane(plane_of(scene, splitter)), value));
 }
 
 Side side_of_eye(const Scene& scene, PolygonId splitter, const Camera& camera,
@@ -104,14 +90,9 @@ Side side_of_eye(const Scene& scene, PolygonId splitter, const Camera& camera,
 
 Relation relation(const Scene& scene, const Fragment& fragment,
                   PolygonId splitter, FilterStats& stats) {
-  bool some_positive = false;
-  bool some_negative = false;
-  for (std::size_t k = 0; k < fragment.vertices.size(); ++k) {
-    const Side side = side_of(scene, fragment, k, splitter, stats);
-    some_positive = some_positive || side == Side::kPositive;
-    some_negative = some_negative || side == Side::kNegative;
-  }
-  return relation_of(some_positive, some_negative);
+  StandaloneFragment whole(scene, fragment, stats);
+  return whole.splitter().relation(whole.ref(), splitter,
+                                   filter_plane(plane_of(scene, splitter)));
 }
 
 FragmentName name_of(const Fragment& fragment) {

@@ -5,23 +5,23 @@
 
 namespace halfspace::fast {
 
-Plane Geometry::plane(PlaneId id) const {
+Plane ScenePlanes::plane(PlaneId id) const {
   if (!is_free(id)) return plane_of(scene_, id);
   const FreePlane& free = free_plane(id);
   return {free.axis == 0 ? 1.0 : 0.0, free.axis == 1 ? 1.0 : 0.0,
           free.axis == 2 ? 1.0 : 0.0, -static_cast<double>(free.coordinate)};
 }
 
-std::array<GridPoint, 2> Geometry::source_edge(PolygonId source,
-                                               std::int32_t corner) const {
+std::array<GridPoint, 2> ScenePlanes::source_edge(PolygonId source,
+                                                  std::int32_t corner) const {
   const auto corners = scene_.corners(source);
   const auto from = static_cast<std::size_t>(corner);
   const std::size_t to = from + 1 == corners.size() ? 0 : from + 1;
   return {scene_.point(corners[from]), scene_.point(corners[to])};
 }
 
-Vertex Geometry::crossing(PolygonId source, EdgeCode edge,
-                          const FilterPlane& plane) const {
+Vertex ScenePlanes::crossing(PolygonId source, EdgeCode edge,
+                             const FilterPlane& plane) const {
   if (is_source(edge)) {
     const auto ends = source_edge(source, edge);
     const Vertex p = to_vertex(ends[0]);
@@ -50,8 +50,8 @@ Vertex Geometry::crossing(PolygonId source, EdgeCode edge,
 }
 
 template <int kBits>
-int Geometry::exact_sign_on(PolygonId source, EdgeCode before, EdgeCode after,
-                            PlaneId plane) const {
+int ScenePlanes::exact_sign_on(PolygonId source, EdgeCode before,
+                               EdgeCode after, PlaneId plane) const {
   const ExactPlane<kBits> r = exact<kBits>(plane);
   if (is_source(before) && is_source(after)) {
     // Edges that follow each other in the source: the corner `after` leaves.
@@ -68,8 +68,8 @@ int Geometry::exact_sign_on(PolygonId source, EdgeCode before, EdgeCode after,
                              plane_corners(scene_, source), r);
 }
 
-int Geometry::exact_sign(PolygonId source, EdgeCode before, EdgeCode after,
-                         PlaneId plane) const {
+int ScenePlanes::exact_sign(PolygonId source, EdgeCode before, EdgeCode after,
+                            PlaneId plane) const {
   return with_grid(scene_.grid_bits(), [&](auto bits) {
     return exact_sign_on<bits()>(source, before, after, plane);
   });

@@ -40,9 +40,9 @@ Plane rounded(const ExactPlane<kBits>& plane) {
 }
 
 /// A scene and the free planes of its tree: what signs are decided from.
-class Geometry {
+class ScenePlanes {
  public:
-  Geometry(const Scene& scene, const std::vector<FreePlane>& free_planes)
+  ScenePlanes(const Scene& scene, const std::vector<FreePlane>& free_planes)
       : scene_(scene),
         free_planes_(free_planes),
         polygon_count_(static_cast<PlaneId>(scene.polygon_count())),

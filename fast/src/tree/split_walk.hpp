@@ -7,20 +7,21 @@
 namespace halfspace::fast {
 
 /// Walks round a fragment whose vertices have the given signs, not all on one
-/// side, and tells both parts' corners in order (S2.3).
+/// side, and gives the corners of both parts in order (S2.3).
 ///
-/// Calls put(part, k, crossing, cut): the next corner of the positive
-/// (part > 0) or negative part is vertex k, or if `crossing` the point in which
-/// edge k passes through the plane; the edge that leaves it is edge k, or if
-/// `cut` the plane's. A crossing is told twice, once for each part.
+/// Calls put(side, k, crossing, cut): the next corner of the part on the
+/// positive (side > 0) or negative side is vertex k, or if `crossing` the point
+/// in which edge k passes through the plane; the edge that leaves it is edge k,
+/// or if `cut` the plane's. Two calls follow each other for a crossing, one for
+/// each part.
 template <class Put>
-void walk_cut(const std::vector<std::int8_t>& signs, Put&& put) {
+void walk_split(const std::vector<std::int8_t>& signs, Put&& put) {
   const std::size_t count = signs.size();
   for (std::size_t k = 0; k < count; ++k) {
     const int here = signs[k];
     const int there = signs[k + 1 == count ? 0 : k + 1];
-    // Where the boundary passes through the plane, the part it leaves goes on
-    // along the cut, the part it enters along the edge.
+    // Where the boundary passes through the plane, the part that it leaves goes
+    // on along the cut, the part that it enters along the edge.
     if (here == 0) {
       put(-there, k, false, true);
       put(there, k, false, false);

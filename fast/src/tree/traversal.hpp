@@ -3,40 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "camera/view.hpp"
-#include "exact/exact_plane.hpp"
 #include "halfspace/fast/build.hpp"
-#include "raster/exact_coverage.hpp"
+#include "tree/eye_classifier.hpp"
 
 namespace halfspace::fast {
-
-/// Decides on which side of a tree's planes the eye is.
-class EyeSide {
- public:
-  EyeSide(const TreeReader& reader, const View& view, const CameraData& camera,
-          FilterStats& stats)
-      : reader_(reader), view_(view), camera_(camera), stats_(stats) {}
-
-  int operator()(const Plane& plane, PlaneId id) const {
-    const int known = known_sign(view_.eye_value(plane));
-    if (known != 0) {
-      ++stats_.filtered;
-      return known;
-    }
-    ++stats_.exact;
-    const int decided = exact(id);
-    stats_.zero += decided == 0 ? 1 : 0;
-    return decided;
-  }
-
- private:
-  int exact(PlaneId id) const;
-
-  const TreeReader& reader_;
-  const View& view_;
-  const CameraData& camera_;
-  FilterStats& stats_;
-};
 
 /// Walks the tree front to back: near subtree, node, far subtree.
 ///
@@ -44,7 +14,7 @@ class EyeSide {
 /// node's fragments, sign being the eye's side, 0 for a leaf, and says whether
 /// to go on. The papers recurse; a stack does so at any depth.
 template <class Enter, class Show>
-void walk_front_to_back(const BspTree& tree, const EyeSide& eye_side,
+void walk_front_to_back(const BspTree& tree, const EyeClassifier& side_of_eye,
                         Enter&& enter, Show&& show) {
   struct Step {
     NodeId node;  ///< to be shown, and then its far subtree walked
@@ -59,7 +29,7 @@ void walk_front_to_back(const BspTree& tree, const EyeSide& eye_side,
         if (!show(node, 0)) return;
         break;
       }
-      const int sign = eye_side(node.plane, node.splitter);
+      const int sign = side_of_eye(node.plane, node.splitter);
       steps.push_back({next, sign});
       next = sign < 0 ? node.negative : node.positive;
     }
@@ -75,7 +45,7 @@ void walk_front_to_back(const BspTree& tree, const EyeSide& eye_side,
 
 /// The same back to front: far subtree, node, near subtree.
 template <class Show>
-void walk_back_to_front(const BspTree& tree, const EyeSide& eye_side,
+void walk_back_to_front(const BspTree& tree, const EyeClassifier& side_of_eye,
                         Show&& show) {
   struct Step {
     NodeId node;
@@ -86,7 +56,7 @@ void walk_back_to_front(const BspTree& tree, const EyeSide& eye_side,
   while (true) {
     while (next != kNoNode) {
       const Node& node = tree.nodes[static_cast<std::size_t>(next)];
-      const int sign = eye_side(node.plane, node.splitter);
+      const int sign = side_of_eye(node.plane, node.splitter);
       steps.push_back({next, sign});
       next = sign < 0 ? node.positive : node.negative;
     }

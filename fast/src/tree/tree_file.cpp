@@ -9,7 +9,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "halfspace/fast/display_tree.hpp"
 #include "tree/leaf_packets.hpp"
 
 namespace halfspace::fast {
@@ -75,7 +74,7 @@ struct Header {
   std::array<Section, kSections> sections{};
   std::array<std::uint64_t, 8> unused{};
   std::uint64_t body_checksum = 0;
-  std::uint64_t header_checksum = 0;  // of what is before it
+  std::uint64_t header_checksum = 0;  // of the members before it
 };
 static_assert(sizeof(Header) == 256);
 
@@ -118,7 +117,7 @@ void copy_out(const std::vector<T>& array, std::byte* to) {
   if (!array.empty()) std::memcpy(to, array.data(), array.size() * sizeof(T));
 }
 
-/// A free plane has a gap between its members, which would tell of the past.
+/// A free plane has padding between its members, whose bytes are not defined.
 void copy_out(const std::vector<FreePlane>& array, std::byte* to) {
   for (const FreePlane& plane : array) {
     std::memcpy(to + offsetof(FreePlane, axis), &plane.axis,
@@ -351,7 +350,7 @@ Result<Done> save_tree(const std::string& path, const BspTree& tree,
 
 Result<BspTree> load_tree(const std::string& path, const Scene& scene) {
   std::ifstream file(path, std::ios::binary);
-  // A directory opens, and tells some size, but nothing can be read of it.
+  // A directory opens and has a size, but cannot be read.
   file.peek();
   file.seekg(0, std::ios::end);
   const std::streamoff size = file.tellg();

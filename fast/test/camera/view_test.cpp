@@ -79,12 +79,12 @@ TEST(ViewBounds, OfPlanesSeen) {
       const View view = make_view(camera, bits);
       const Plane p = plane_through(random, bits);
       const Plane q = plane_through(random, bits);
-      const SeenApproximately found = see_approximately(p, view);
-      const SeenApproximately other = see_approximately(q, view);
+      const ApproximateProjection found = project_approximately(p, view);
+      const ApproximateProjection other = project_approximately(q, view);
       const SeenAgain p_again = see_again(p, camera.data());
       const SeenAgain q_again = see_again(q, camera.data());
       eye.add(p_again.eye.error, found.eye.error);
-      const OrderLine both = order_line(found, other);
+      const DepthDifference both = depth_difference(found, other);
       for (const double i : {0.0, 499.0}) {
         for (const double j : {0.0, 499.0}) {
           const Noisy p_at = p_again.at(i, j);
@@ -178,7 +178,7 @@ class Fixture {
   const View& view() const { return view_; }
 
   /// The depth of the fragment with these vertices.
-  OrderLine depth(const std::vector<Vertex>& vertices) const {
+  DepthDifference depth(const std::vector<Vertex>& vertices) const {
     return depth_of(vertices, view_, 256);
   }
 
@@ -264,7 +264,7 @@ TEST(ViewBounds, OfDepths) {
         v = {random.from_to(-90, 90), random.from_to(-90, 90),
              random.from_to(-90, 90), random.from_to(0, 0x1p-12)};
       }
-      const OrderLine depth = fixture.depth(vertices);
+      const DepthDifference depth = fixture.depth(vertices);
       if (!(depth.error < (perspective ? 0.1 : 10))) continue;
       const int ways = static_cast<int>(random.from_to(0, 512));
       const double one = random.from_to(0, 1);

@@ -47,11 +47,11 @@ TEST(FilterBounds, OfAPlanesValueAtACut) {
 }
 
 TEST(FilterBounds, TheSignIsKnownBeyondTheBoundOnly) {
-  EXPECT_EQ(known_sign({1.0, 0.99}), 1);
-  EXPECT_EQ(known_sign({-1.0, 0.99}), -1);
-  EXPECT_EQ(known_sign({1.0, 1.0}), 0);
-  EXPECT_EQ(known_sign({-1.0, 1.0}), 0);
-  EXPECT_EQ(known_sign({0.0, 0.0}), 0);
+  EXPECT_EQ(filtered_sign({1.0, 0.99}), 1);
+  EXPECT_EQ(filtered_sign({-1.0, 0.99}), -1);
+  EXPECT_EQ(filtered_sign({1.0, 1.0}), 0);
+  EXPECT_EQ(filtered_sign({-1.0, 1.0}), 0);
+  EXPECT_EQ(filtered_sign({0.0, 0.0}), 0);
 }
 
 /// Where the values at the ends of an edge are what their bounds allow, the

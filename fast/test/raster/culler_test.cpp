@@ -192,7 +192,7 @@ void expect_sight(const Kernel& kernel, bool perspective,
 
 TEST(Culler, SkipsNoBoxWithAPointThatIsSeenButThoseAway) {
   for (const Kernel* kernel :
-       {&kPlainKernel, &best_kernel(Loops::kAvx2), &best_kernel()}) {
+       {&kPlainKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()}) {
     expect_sight(*kernel, true, Pixels(0));
     expect_sight(*kernel, true, Pixels(60'000));
     expect_sight(*kernel, false, Pixels(0));

@@ -82,9 +82,10 @@ TEST(Near, WhatIsAStepBeyondIsSeen) {
   BspTree blocks = leaf;
   add_blocks(blocks, scene);
   for (const Camera& camera : {perspective(), orthographic()}) {
-    for (const Loops loops : {Loops::kBest, Loops::kAvx2, Loops::kPortable}) {
+    for (const SimdLevel level :
+         {SimdLevel::kBest, SimdLevel::kAvx2, SimdLevel::kPortable}) {
       RenderOptions options;
-      options.loops = loops;
+      options.simd = level;
       for (const BspTree* each : {&tree, &leaf, &std::as_const(blocks)}) {
         expect_those_beyond(render(scene, *each, camera, {}, options).items);
       }
@@ -101,8 +102,9 @@ TEST(FastRender, PixelsAreCountedWithoutImages) {
   add_blocks(blocks, scene);
   RenderOptions counted;
   counted.items = counted.colors = false;
-  for (const Loops loops : {Loops::kBest, Loops::kAvx2, Loops::kPortable}) {
-    counted.loops = loops;
+  for (const SimdLevel level :
+       {SimdLevel::kBest, SimdLevel::kAvx2, SimdLevel::kPortable}) {
+    counted.simd = level;
     for (const BspTree* each : {&tree, &leaf, &std::as_const(blocks)}) {
       const Rendering all = render(scene, *each, perspective(), {}, {});
       EXPECT_GT(all.pixels_painted, 0U);

@@ -125,7 +125,7 @@ void expect_told(const Kernel& kernel, const Gradient& gradient,
 
 TEST(ShadeBounds, ColorsAskWhereTheirDoubtMatters) {
   for (const Kernel* kernel :
-       {&kPlainKernel, &best_kernel(Loops::kAvx2), &best_kernel()}) {
+       {&kPlainKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()}) {
     Random random;
     std::size_t told = 0;
     std::size_t doubtful = 0;
@@ -144,7 +144,7 @@ TEST(ShadeBounds, ColorsAskWhereTheirDoubtMatters) {
 /// What floats are off alone.
 TEST(ShadeBounds, ColorsAskWhereRoundingMatters) {
   for (const Kernel* kernel :
-       {&kPlainKernel, &best_kernel(Loops::kAvx2), &best_kernel()}) {
+       {&kPlainKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()}) {
     Random random;
     std::size_t told = 0;
     std::size_t doubtful = 0;

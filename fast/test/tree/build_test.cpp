@@ -6,10 +6,10 @@
 #include <random>
 #include <utility>
 
-#include "box/box.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "scenes.hpp"
+#include "tree/node_boxes.hpp"
 
 namespace halfspace::fast {
 namespace {

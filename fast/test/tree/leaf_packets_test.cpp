@@ -10,8 +10,8 @@
 
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/tree_file.hpp"
-#include "raster/exact_coverage.hpp"
 #include "scenes.hpp"
+#include "tree/tree_reader.hpp"
 
 namespace halfspace::fast {
 namespace {

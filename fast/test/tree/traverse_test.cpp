@@ -4,10 +4,10 @@
 #include <functional>
 #include <utility>
 
-#include "box/box.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/render.hpp"
 #include "scenes.hpp"
+#include "tree/node_boxes.hpp"
 
 namespace halfspace::fast {
 namespace {

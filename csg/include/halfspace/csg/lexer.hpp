@@ -8,7 +8,8 @@
 
 namespace halfspace::csg {
 
-/// A place in a text. Units: bytes from 1, in a line from 1.
+/// A place in a text. Units: bytes from 1, in a line from 1. Line 0: none, as
+/// where a script was made by a program; messages then name no place.
 struct Place {
   std::int32_t line = 1;
   std::int32_t column = 1;

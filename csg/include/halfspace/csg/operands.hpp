@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,40 @@ struct OperandOptions {
   bool repair = false;
   /// The word by which a user asks for `repair`, for messages.
   std::string repair_word = "repair";
+  /// Whether it is an error if no grid holds the solids exactly. Free sources
+  /// are rounded all the same. So are, if need be, those moved by a map that is
+  /// not made of mirrors, quarter turns, powers of 2 and 5, and shifts by short
+  /// decimals, and planes whose numbers are not short.
+  bool exact = false;
 };
+
+/// A solid before it is moved: that of a file, or one made in memory.
+struct Source {
+  std::string path;  ///< for messages
+  Scene scene;
+  std::vector<PolygonId> polygons;  ///< of the file, by polygon of the scene
+  bool to_repair = false;           ///< its surface passes through itself
+  /// Its coordinates were computed: any grid that is fine enough may hold them.
+  bool is_free = false;
+  /// Faces in one plane and of one colour become one before anything is done
+  /// with them (by the fast library): a third of the work for a mesh of
+  /// triangles. Origins then name the first of them.
+  bool merge_coplanar = false;
+  io::ImportReport report;
+  std::size_t corners_added = 0;  ///< where vertices lay within edges
+};
+
+/// The solid in a file.
+/// Errors: those of reading and importing, and of fast::check_operand(). The
+///         message names the file.
+Result<Source> read_source(const std::string& path,
+                           const OperandOptions& options);
+
+/// The solid that an imported scene is; `path` names it in messages.
+/// Errors: those of make_scene() and of fast::check_operand().
+Result<Source> make_source(const std::string& path,
+                           const io::Imported& imported,
+                           const OperandOptions& options);
 
 /// The solid, its faces noting the polygons of a file that they are parts of.
 /// Requires: none of them has been made from others.
@@ -38,16 +72,20 @@ class Operands {
   /// Reads the files and chooses the grid (S1.7).
   ///
   /// Requires: `script` and `plan` outlive the operands, which are the plan's.
-  /// Errors: those of reading and importing; kOpen, kSelfCrossing, kInsideOut
-  ///         (bad edges, faces that cross, inside out). The message names the
-  ///         file.
+  /// Errors: those of read_source().
   static Result<Operands> load(const Script& script, const Plan& plan,
                                const OperandOptions& options);
 
+  /// The same of sources that are there, one for each file of the script.
+  /// Errors: kOutOfRange (options.exact, and no grid of 54 bits will do).
+  static Result<Operands> join(
+      std::vector<std::shared_ptr<const Source>> sources, const Script& script,
+      const Plan& plan, const OperandOptions& options);
+
   /// The solid of a leaf, mirrored ones turned outwards again.
-  /// Errors: those of importing; kOpen, kSelfCrossing, kInsideOut;
-  ///         kOutOfRange (it is less than a step of the grid). The message names
-  ///         the file, and where in the script it is moved.
+  /// Errors: those of make_source(); kOutOfRange (it is less than a step of
+  ///         the grid). The message names the file, and where in the
+  ///         script it is moved.
   Result<GridSolid> leaf(std::int32_t id);
 
   /// Of each polygon of a leaf that was asked for the one in its file that it
@@ -75,6 +113,11 @@ class Operands {
   /// The error of a leaf of which a repair leaves no surface.
   Error nothing_left(std::int32_t leaf) const;
 
+  /// Whether a leaf's faces in one plane are to become one.
+  bool to_merge(std::int32_t leaf) const {
+    return source_of(leaf).merge_coplanar;
+  }
+
   /// Whether nobody looked for that.
   bool are_trusted() const { return !options_.find_crossings; }
 
@@ -91,13 +134,6 @@ class Operands {
   const std::string& path_of(std::int32_t leaf) const;
 
  private:
-  struct Source {
-    std::string path;
-    Scene scene;
-    std::vector<PolygonId> polygons;  ///< as Loaded::polygons
-    bool to_repair = false;
-  };
-
   Operands(const Script& script, const Plan& plan,
            const OperandOptions& options)
       : script_(&script),
@@ -106,19 +142,19 @@ class Operands {
         repair_(plan.leaves.size()),
         polygons_(plan.leaves.size()) {}
   Scene closed(Scene scene);
-  Result<bool> needs_repair(const GridSolid& solid,
-                            const std::vector<PolygonId>& polygons) const;
-  Result<Done> read_files();
   Result<Done> choose_grid();
+  Result<Done> choose_exact_grid();
+  bool choose_exact_grid(bool rounds_moved);
+  Error no_grid() const;
   const Source& source_of(std::int32_t leaf) const;
   Result<Scene> moved_scene(const Leaf& leaf, std::vector<PolygonId>& polygons);
 
   const Script* script_;
   const Plan* plan_;
   OperandOptions options_;
-  std::vector<Source> sources_;                   // by file of the script
-  std::vector<bool> repair_;                      // by leaf
-  std::vector<std::vector<PolygonId>> polygons_;  // by leaf
+  std::vector<std::shared_ptr<const Source>> sources_;  // by file
+  std::vector<bool> repair_;                            // by leaf
+  std::vector<std::vector<PolygonId>> polygons_;        // by leaf
   io::ImportReport report_;
   std::size_t corners_added_ = 0;
 };

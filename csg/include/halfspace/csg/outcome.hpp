@@ -80,6 +80,15 @@ struct Outcome {
   std::vector<Repair> repairs;
 };
 
+/// The result of the plan as it is; nothing where it was stopped. The faces'
+/// parts are the plan's leaves, and after those its planes.
+/// Errors: those of the operands.
+Result<std::optional<fast::Solid>> evaluate_solid(
+    const Plan& plan, Operands& operands, const EvaluateOptions& options);
+
+/// The solid, ready to be written: its faces merged by options.merge.
+Outcome outcome_of(fast::Solid solid, const EvaluateOptions& options);
+
 /// The result of the plan of the operands; nothing where it was stopped.
 /// Errors: those of the operands.
 Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,

@@ -7,6 +7,7 @@
 
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/types.hpp"
 
 namespace halfspace::fast {
 
@@ -18,9 +19,8 @@ constexpr std::int32_t kNoFragment = -1;
 
 /// A node of a tree (S3.1): a plane, two subtrees, and a list of fragments.
 ///
-/// The fragments lie in the plane, in id order; but a leaf, which has no plane
-/// and no subtrees, holds fragments that no plane of the tree parts, in any
-/// order.
+/// The fragments lie in the plane, in id order. A leaf has no plane and no
+/// subtrees; its fragments are in any order.
 struct Node {
   PlaneId splitter = kNoPlane;
   NodeId positive = kNoNode;
@@ -50,26 +50,19 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// A box with faces parallel to the axes. Units: grid steps.
-struct Box {
-  std::array<float, 3> low{};
-  std::array<float, 3> high{};
-  friend bool operator==(const Box&, const Box&) = default;
-};
-
-/// Which fragments a block holds.
+/// The fragments of a block.
 struct BlockHead {
   std::array<float, 3> origin{};    ///< whole numbers; units: grid steps
   std::int32_t first_fragment = 0;  ///< the others follow it
   std::int32_t count = 0;           ///< of fragments
-  /// The bits of those that are all of their source, its corners in their
-  /// order, and exact.
+  /// A bit for each fragment that is its whole source, with its corners in
+  /// their order, and exact.
   std::uint32_t whole = 0;
   friend bool operator==(const BlockHead&, const BlockHead&) = default;
 };
 
-/// Up to eight fragments of a leaf with so many corners, as the display reads
-/// them. Units: grid steps.
+/// Up to eight fragments of a leaf with `kCorners` corners each, in
+/// structure-of-arrays form for render(). Units: grid steps.
 template <std::size_t kCorners>
 struct FragmentBlock : BlockHead {
   using Eight = std::array<float, 8>;
@@ -77,11 +70,11 @@ struct FragmentBlock : BlockHead {
   alignas(32) std::array<Eight, kCorners> x{};
   std::array<Eight, kCorners> y{};
   std::array<Eight, kCorners> z{};
-  Eight error{};  ///< how far off a corner of each may be, read so; 0: exact
+  Eight error{};  ///< of each fragment's corners; 0: exact
   friend bool operator==(const FragmentBlock&, const FragmentBlock&) = default;
 };
 
-/// Where the blocks of a node begin.
+/// The indices of a node's first blocks.
 struct FirstBlocks {
   std::int32_t triangles = 0;
   std::int32_t quadrangles = 0;
@@ -90,8 +83,8 @@ struct FirstBlocks {
 
 /// A tree of a scene; its root, if it has one, is the first node (S3.1).
 ///
-/// Everything lies in arrays, by index: nothing to destroy one by one, however
-/// deep the tree.
+/// Everything lies in arrays and is referred to by index, so that destroying a
+/// deep tree needs no recursion.
 struct BspTree {
   std::vector<Node> nodes;
   std::vector<TreeFragment> fragments;
@@ -110,7 +103,7 @@ struct BspTree {
 };
 
 /// Called now and then with the share of the work that is done, from 0 to 1,
-/// never less than before. Where it returns false, the work stops.
+/// never decreasing. If it returns false, the work stops.
 using Progress = std::function<bool(double)>;
 
 /// The tree of the scene (S3.5; FAG83 sec. 2.2.1, Make_tree).
@@ -131,11 +124,23 @@ BspTree build(const Scene& scene, const BuildOptions& options,
 /// (S3.6; F2B "on-line").
 ///
 /// Each part of it ends in the node whose plane it lies in, or in a new node
-/// of its own where there was none. A tree that has boxes keeps them.
+/// where the tree had none. A tree with boxes keeps them up to date.
 /// Requires: a tree of this scene, without leaves.
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon);
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
             FilterStats& stats);
+
+/// Whether some node of the tree is a leaf: only render() takes such a tree.
+bool has_leaves(const BspTree& tree);
+
+/// Replaces every leaf by a subtree whose splitters are planes of its fragments
+/// (S3.5), so that the tree can be walked back to front (S3.7), painted and
+/// inserted into.
+///
+/// A pure function of its arguments.
+/// Exact: yes.
+/// Cost:  for a leaf of k fragments k log k decisions, at worst k squared.
+void divide_leaves(BspTree& tree, const Scene& scene);
 
 /// The size of the tree (S3.2). No recursion.
 TreeStats stats(const BspTree& tree);

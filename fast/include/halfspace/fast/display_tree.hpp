@@ -6,19 +6,19 @@
 
 namespace halfspace::fast {
 
-/// What a tree for display depends on beside the scene.
+/// The options of build_display_tree().
 struct DisplayTreeOptions {
-  /// Lists of so many fragments or fewer are not divided. Longer ones are where
-  /// a plane pays: where none does, a leaf may be longer.
+  /// Lists of up to this many fragments are not divided, unless they overdraw
+  /// much. Longer ones are divided where that lowers the cost.
   std::size_t leaf_size = 512;
-  /// What a cut costs, in fragments that a ray meets: more makes the tree
-  /// smaller and its leaves longer.
+  /// The cost of a cut, in fragments that a ray meets: a greater weight makes
+  /// the tree smaller and its leaves longer.
   double cut_weight = 2;
-  /// How many cuts the tree may make for each polygon, about, beyond the first
-  /// 100,000: what would need more lies in longer leaves. Bounds the memory.
+  /// The number of cuts that the tree may make for each polygon, about, beyond
+  /// the first 100,000. Leaves get longer where it is used up. Bounds memory.
   double most_cuts = 4;
-  /// How many polygons' own planes are tried where no plane across an axis
-  /// divides well; 0 for none.
+  /// The number of polygons whose planes are tried where no plane across an
+  /// axis divides well; 0 for none.
   std::size_t own_planes = 8;
   /// Threads to work with; 0 for as many as the machine has.
   int threads = 0;
@@ -27,18 +27,16 @@ struct DisplayTreeOptions {
   Progress progress;
 };
 
-/// A tree for displaying the scene (S3.1, S3.7) that divides it well with few
-/// cuts: any tree gives the same image.
+/// A tree for displaying the scene (S3.1, S3.7) with few cuts and large leaves.
+/// Any tree gives the same image. docs/display-tree.md explains the algorithm.
 ///
-/// Its splitters are planes across an axis (free planes) and, where those would
-/// cut too much, planes of polygons. Of the fragments on one side of a splitter
-/// all are on that side. The fragments that lie in a splitter are its node's,
-/// in id order; those of a leaf, triangles first, then quadrangles, hide each
-/// other as their depths say (S5.3). Which plane divides is what a ray through
-/// the box of a list has to pay for: fragments met, by the areas of the halves
-/// (the surface area argument of Naylor 1993, MacDonald & Booth 1990).
+/// Splitters are planes across an axis (free planes) and, where those would cut
+/// too much, planes of polygons. They are chosen by the surface area heuristic
+/// (GS87, MB90; for BSP trees NAY93). Fragments that lie in a splitter belong
+/// to its node, in id order. Those of a leaf, triangles first, then
+/// quadrangles, are ordered by depth when they are drawn (S5.3).
 ///
-/// Gives the tree, its boxes and blocks; no nodes if `progress` stopped it.
+/// Shape:    the tree with boxes and blocks; no nodes if `progress` stopped it.
 /// Requires: options.leaf_size >= 1; options.threads >= 0.
 /// Exact:    yes: planes are chosen by floats, sides decided exactly.
 /// Cost:     n log n; no recursion. The same tree for any number of threads.
@@ -48,18 +46,7 @@ BspTree build_display_tree(const Scene& scene,
                            const DisplayTreeOptions& options,
                            FilterStats& stats);
 
-/// Whether some node of the tree is a leaf: such a tree is for render() alone.
-bool has_leaves(const BspTree& tree);
-
-/// Makes every leaf a subtree whose splitters are planes of its fragments, so
-/// that the tree can be walked back to front (S3.7), painted and inserted into.
-///
-/// The same tree for the same tree.
-/// Exact: yes.
-/// Cost:  for a leaf of k fragments k log k decisions, at worst k squared.
-void divide_leaves(BspTree& tree, const Scene& scene);
-
-/// What the arrays of a tree take. Units: bytes.
+/// The memory of a tree by array. Units: bytes.
 struct TreeBytes {
   std::size_t nodes = 0;
   std::size_t boxes = 0;
@@ -76,10 +63,9 @@ struct TreeBytes {
   friend bool operator==(const TreeBytes&, const TreeBytes&) = default;
 };
 
-/// What the tree takes, array by array.
 TreeBytes bytes_by_array(const BspTree& tree);
 
-/// What the tree takes. Units: bytes.
+/// The memory of a tree in all. Units: bytes.
 std::size_t bytes_of(const BspTree& tree);
 
 }  // namespace halfspace::fast

@@ -8,17 +8,18 @@
 #include <vector>
 
 #include "halfspace/camera.hpp"
+#include "halfspace/fast/types.hpp"
 #include "halfspace/plane.hpp"
 #include "halfspace/polygon.hpp"
 #include "halfspace/scene.hpp"
 
 namespace halfspace::fast {
 
-/// How often a decision was taken, and how: passed in by whoever wants to
-/// know, never global. A decision is counted once, in one of the two.
+/// Counts of decisions, passed in by the caller, never global. A decision is
+/// counted once, in `filtered` or in `exact`.
 struct FilterStats {
-  std::uint64_t filtered = 0;  ///< the double-precision filter could tell
-  std::uint64_t exact = 0;     ///< it could not: exact integers decided
+  std::uint64_t filtered = 0;  ///< decided by the filter in doubles
+  std::uint64_t exact = 0;     ///< undecided by it: exact integers decided
   std::uint64_t zero = 0;      ///< those of `exact` that were zero
 
   void add(const FilterStats& other) {
@@ -34,7 +35,7 @@ struct FilterStats {
 /// the tree's free planes.
 using PlaneId = std::int32_t;
 
-/// A plane that is no polygon's: where coordinate `axis` equals `coordinate`.
+/// A plane of no polygon: where coordinate `axis` equals `coordinate`.
 /// Its positive side is where it is greater.
 struct FreePlane {
   std::int32_t axis = 0;
@@ -42,23 +43,12 @@ struct FreePlane {
   friend bool operator==(const FreePlane&, const FreePlane&) = default;
 };
 
-/// A vertex of a fragment, approximately: each coordinate is off by at most
-/// `error`. Units: grid steps.
-///
-/// Where exactly it is follows from the fragment's names: between two source
-/// edges it is their common corner; between a source edge and a splitter's,
-/// their meet; between two splitters' edges, the meet of both splitters and
-/// the polygon's plane.
-struct Vertex {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-  double error = 0;
-};
-
 /// A polygon, or what is left of one after cuts (S2.2).
 ///
-/// Edge `k` runs from vertex `k` to vertex `k + 1`, cyclically.
+/// Edge `k` runs from vertex `k` to vertex `k + 1`, cyclically. The names say
+/// where a vertex is exactly: between two source edges it is their common
+/// corner; between a source edge and a splitter's, their meet; between two
+/// splitters' edges, the meet of both splitters and the polygon's plane.
 struct Fragment {
   PolygonId source = 0;
   std::vector<EdgeName> edges;
@@ -72,15 +62,6 @@ Fragment whole(const Scene& scene, PolygonId id);
 /// a row that are not on one line.
 std::array<GridPoint, 3> plane_corners(const Scene& scene, PolygonId id);
 
-/// An oriented plane h(p) = a x + b y + c z + d in doubles. Each coefficient
-/// is off by at most 2^-52 of its size.
-struct Plane {
-  double a = 0;
-  double b = 0;
-  double c = 0;
-  double d = 0;
-};
-
 /// The plane of polygon `id` (S1.4).
 Plane plane_of(const Scene& scene, PolygonId id);
 
@@ -90,8 +71,8 @@ std::vector<Plane> planes_of(const Scene& scene);
 /// The names of the scene's planes, two polygons having the same one exactly
 /// if their planes are the same point set (S1.4).
 ///
-/// A plane is divided by its greatest common divisor and given a fixed sign,
-/// then looked up: so "coincident" is a comparison of ids.
+/// Planes are looked up in a canonical form, so that "coincident" is a
+/// comparison of ids.
 struct PlaneTable {
   std::vector<std::int32_t> plane_of;    ///< by polygon id
   std::vector<PolygonId> first_polygon;  ///< by plane: the lowest polygon id

@@ -7,6 +7,7 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/simd.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/scene.hpp"
 
@@ -22,10 +23,6 @@ struct Rectangle {
   friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
-/// The innermost loops: those that run everywhere, those for AVX2, or the best
-/// that there are; a machine that does not run them takes those before.
-enum class Loops : std::uint8_t { kPortable, kAvx2, kBest };
-
 /// What render() does that does not change a pixel.
 struct RenderOptions {
   int threads = 1;  ///< at least 1
@@ -34,7 +31,7 @@ struct RenderOptions {
   std::optional<Rectangle> rectangle;
   bool items = true;   ///< false: leave Rendering::items empty
   bool colors = true;  ///< false: leave Rendering::colors empty
-  Loops loops = Loops::kBest;
+  SimdLevel simd = SimdLevel::kBest;  ///< of the innermost loops
 };
 
 /// An image, and what it took.

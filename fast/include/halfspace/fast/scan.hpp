@@ -1,21 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/predicate.hpp"
-#include "halfspace/span.hpp"
+#include "halfspace/fast/screen.hpp"
+#include "halfspace/fast/simd.hpp"
 
 namespace halfspace::fast {
-
-/// An object segment: the pixels of one scan line that a fragment covers
-/// (S4.6; F2B's [I, J]). Units: pixels.
-struct ObjectSegment {
-  std::int32_t line = 0;
-  Span span;
-  friend bool operator==(const ObjectSegment&, const ObjectSegment&) = default;
-};
 
 /// The pixels whose samples the fragment covers (S4.5), line by line from the
 /// top (S4.6): as render() finds them, on a screen of its own.
@@ -29,6 +21,7 @@ struct ObjectSegment {
 std::vector<ObjectSegment> scan_convert(const Scene& scene,
                                         const Fragment& fragment,
                                         const Camera& camera,
-                                        FilterStats& stats);
+                                        FilterStats& stats,
+                                        SimdLevel simd = SimdLevel::kBest);
 
 }  // namespace halfspace::fast

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "halfspace/boolean.hpp"
-#include "halfspace/fast/build.hpp"
 #include "halfspace/fast/list.hpp"
+#include "halfspace/fast/types.hpp"
 #include "halfspace/int128.hpp"
 #include "halfspace/scene.hpp"
 

@@ -26,6 +26,7 @@ struct ExportedMesh {
   std::vector<std::uint32_t> first_corner = {0};
   std::vector<VertexId> corners;
   std::vector<std::int32_t> faces;  ///< by polygon: which face it is a part of
+  std::vector<std::int32_t> points;  ///< by vertex: the solid's id of its point
   std::vector<Rgb> colors;          ///< by polygon
   std::size_t moved = 0;  ///< vertices that doubles may not hold exactly
   double max_move = 0;    ///< no coordinate moved farther

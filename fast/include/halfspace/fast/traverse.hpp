@@ -8,8 +8,8 @@
 
 namespace halfspace::fast {
 
-/// What is done with each fragment; false ends the traversal.
-using Display = std::function<bool(const Node&, const TreeFragment&)>;
+/// Called for each fragment; false ends the traversal.
+using Visitor = std::function<bool(const Node&, const TreeFragment&)>;
 
 /// Displays the fragments of the tree so that none is hidden by one displayed
 /// before it (S3.7; F2B fig. 5, FAG83 Traverse_tree; E2).
@@ -21,13 +21,13 @@ using Display = std::function<bool(const Node&, const TreeFragment&)>;
 /// Ties:     fragments of one node, highest id first.
 /// Exact:    yes.
 void back_to_front(const BspTree& tree, const Scene& scene,
-                   const Camera& camera, const Display& display);
+                   const Camera& camera, const Visitor& visit);
 
 /// Displays the fragments of the tree so that none hides one displayed before
 /// it (S3.7; F2B fig. 6): near subtree, node, far subtree.
 ///
 /// Ties: fragments of one node, lowest id first.
 void front_to_back(const BspTree& tree, const Scene& scene,
-                   const Camera& camera, const Display& display);
+                   const Camera& camera, const Visitor& visit);
 
 }  // namespace halfspace::fast

@@ -11,8 +11,8 @@
 
 namespace halfspace::fast {
 
-/// What a tree depends on in its scene, in one number: grid, vertices and
-/// polygons; not colours, nor the unit.
+/// A hash of all that a tree depends on in its scene: grid, vertices and
+/// polygons, but not colours or the unit.
 std::uint64_t fingerprint_of(const Scene& scene);
 
 /// The version of the format that encode_tree() writes.
@@ -21,13 +21,13 @@ constexpr std::uint32_t kTreeFileVersion = 1;
 /// The bytes of a tree file.
 ///
 /// Layout: a header of 256 bytes, then the tree's six arrays as they lie in
-///         memory, each from a multiple of 64 bytes on, zeros between: a file
-///         that is mapped can be read in place. The header holds the magic
+///         memory, each at a multiple of 64 bytes, with zeros between, so that
+///         a mapped file can be read in place. The header holds the magic
 ///         "HSPCTREE", the version, a mark of the byte order, the scene's
-///         fingerprint, the size of the file, and for each array its place,
-///         length and size of an element; a checksum of all that follows it
-///         and one of itself. No pointers, no padding but zeros: the same tree
-///         gives the same bytes.
+///         fingerprint, the size of the file, for each array its offset, length
+///         and element size, a checksum of all that follows the header, and
+///         one of itself. There are no pointers and all padding is zero, so
+///         the same tree gives the same bytes.
 /// Exact:  yes: decode_tree() gives back the same tree.
 std::vector<std::byte> encode_tree(const BspTree& tree, const Scene& scene);
 

@@ -4,7 +4,7 @@
 
 #include "camera/edge_function.hpp"
 #include "halfspace/fast/build.hpp"
-#include "halfspace/fast/render.hpp"
+#include "halfspace/fast/simd.hpp"
 
 namespace halfspace::fast {
 
@@ -73,6 +73,24 @@ struct Pieces {
 /// What memory may run out of.
 enum class Room : std::uint8_t { kPieces, kInks };
 
+/// Which pixels are lit: the dynamic screen (S4.8), by tiles. What is off the
+/// screen is lit.
+struct LitTiles {
+  std::int32_t first_row = 0;  ///< the tile row at which tiles are counted
+  std::int32_t tiles_across = 0;
+  std::int32_t words_across = 0;  ///< of `open`, a tile row
+  std::uint32_t* lit = nullptr;   ///< 8 words a tile, tile by tile
+  std::uint64_t* open = nullptr;  ///< one bit a tile: some pixel is unlit
+  std::int64_t open_tiles = 0;    ///< how many of those bits are set
+
+  std::int64_t tile_at(std::int32_t row, std::int32_t tile) const {
+    return std::int64_t{row - first_row} * tiles_across + tile;
+  }
+  std::int64_t open_at(std::int32_t row) const {
+    return std::int64_t{row - first_row} * words_across;
+  }
+};
+
 /// The screen that one thread fills: which pixels are lit, and the images.
 ///
 /// Front to back a tile keeps a list of what was lit in it, and is written when
@@ -81,15 +99,9 @@ enum class Room : std::uint8_t { kPieces, kInks };
 ///
 /// Plain pointers, so that the inner loops can be compiled for several
 /// instruction sets and share nothing else. Units: pixels, tiles.
-struct Canvas {
-  PixelRange columns;          ///< the columns asked for: those of the images
-  PixelRange lines;            ///< the lines of this thread, of those asked for
-  std::int32_t first_row = 0;  ///< the tile row at which tiles are counted
-  std::int32_t tiles_across = 0;
-  std::int32_t words_across = 0;   ///< of `open`, a tile row
-  std::uint32_t* lit = nullptr;    ///< 8 words a tile, tile by tile
-  std::uint64_t* open = nullptr;   ///< one bit a tile: some pixel is unlit
-  std::int64_t open_tiles = 0;     ///< how many of those bits are set
+struct Canvas : LitTiles {
+  PixelRange columns;              ///< the columns asked for: of the images
+  PixelRange lines;                ///< the lines of this thread
   std::int32_t top = 0;            ///< the line at which the images begin
   std::int32_t* items = nullptr;   ///< null: not wanted
   std::uint8_t* colors = nullptr;  ///< null: not wanted
@@ -133,12 +145,6 @@ struct Canvas {
   /// polygons are small: there are many inks, which need not be kept.
   std::int32_t most_pieces = kMostPieces;
 
-  std::int64_t tile_at(std::int32_t row, std::int32_t tile) const {
-    return std::int64_t{row - first_row} * tiles_across + tile;
-  }
-  std::int64_t open_at(std::int32_t row) const {
-    return std::int64_t{row - first_row} * words_across;
-  }
   /// Where a pixel is in the images.
   std::int64_t pixel_at(std::int32_t x, std::int32_t y) const {
     return (y - top) * width + (x - columns.first);
@@ -200,6 +206,11 @@ enum class Sight : std::uint8_t { kHidden, kShown, kUntold };
 
 /// The inner loops for one instruction set.
 struct Kernel {
+  /// Lights the pixels from first[r] up to end[r] of the 8 lines r of a tile
+  /// row that are on the screen. `now`, 8 words for each tile of the row, gets
+  /// what becomes lit; tiles where nothing does are left as they are.
+  void (*light)(LitTiles& screen, std::int32_t row, const std::uint32_t* first,
+                const std::uint32_t* end, std::uint32_t* now);
   /// Lights and paints what the outline covers of the unlit pixels. Returns
   /// how many pixels that was if canvas.overwrite, else 0.
   std::int64_t (*draw)(Canvas& canvas, const Outline& outline, const Ink& ink,
@@ -235,7 +246,7 @@ extern const Kernel kAvx2Kernel;    ///< needs AVX2
 extern const Kernel kAvx512Kernel;  ///< needs AVX-512 with VBMI, and BMI2
 #endif
 
-/// The kernel of these loops, or the best below it that this machine runs.
-const Kernel& best_kernel(Loops loops = Loops::kBest);
+/// The kernel of the level, or the best below it that this processor has.
+const Kernel& best_kernel(SimdLevel level = SimdLevel::kBest);
 
 }  // namespace halfspace::fast

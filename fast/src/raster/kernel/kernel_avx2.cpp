@@ -35,9 +35,9 @@ namespace {
 
 }  // namespace
 
-const Kernel kAvx2Kernel = {draw,          draw_lines, draw_block<3>,
-                            draw_block<4>, any_open,   any_unlit,
-                            see_box,       leave_leaf, fill_rest};
+const Kernel kAvx2Kernel = {light,         draw,     draw_lines, draw_block<3>,
+                            draw_block<4>, any_open, any_unlit,  see_box,
+                            leave_leaf,    fill_rest};
 
 }  // namespace halfspace::fast
 #endif

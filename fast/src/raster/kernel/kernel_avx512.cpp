@@ -42,9 +42,9 @@ namespace {
 
 }  // namespace
 
-const Kernel kAvx512Kernel = {draw,          draw_lines, draw_block<3>,
-                              draw_block<4>, any_open,   any_unlit,
-                              see_box,       leave_leaf, fill_rest};
+const Kernel kAvx512Kernel = {
+    light,    draw,      draw_lines, draw_block<3>, draw_block<4>,
+    any_open, any_unlit, see_box,    leave_leaf,    fill_rest};
 
 }  // namespace halfspace::fast
 #endif

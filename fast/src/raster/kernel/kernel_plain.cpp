@@ -290,24 +290,47 @@ BlockDrawn draw_block(Canvas&, const View&, bool,
 
 }  // namespace
 
-const Kernel kPlainKernel = {draw,          draw_lines, draw_block<3>,
-                             draw_block<4>, any_open,   any_unlit,
-                             see_box,       leave_leaf, fill_rest};
+const Kernel kPlainKernel = {light,         draw,     draw_lines, draw_block<3>,
+                             draw_block<4>, any_open, any_unlit,  see_box,
+                             leave_leaf,    fill_rest};
 
-const Kernel& best_kernel(Loops loops) {
+bool is_supported(SimdLevel level) {
 #if defined(__x86_64__)
+  const bool avx2 = __builtin_cpu_supports("avx2") != 0 &&
+                    __builtin_cpu_supports("bmi") != 0 &&
+                    __builtin_cpu_supports("popcnt") != 0;
   const bool avx512 = __builtin_cpu_supports("avx512f") != 0 &&
                       __builtin_cpu_supports("avx512bw") != 0 &&
                       __builtin_cpu_supports("avx512dq") != 0 &&
                       __builtin_cpu_supports("avx512vl") != 0 &&
                       __builtin_cpu_supports("avx512vbmi") != 0 &&
                       __builtin_cpu_supports("bmi2") != 0;
-  if (loops == Loops::kBest && avx512) return kAvx512Kernel;
-  if (loops != Loops::kPortable && __builtin_cpu_supports("avx2") != 0) {
+#else
+  const bool avx2 = false;
+  const bool avx512 = false;
+#endif
+  switch (level) {
+    case SimdLevel::kAvx2:
+      return avx2;
+    case SimdLevel::kAvx512:
+      return avx2 && avx512;
+    case SimdLevel::kPortable:
+    case SimdLevel::kBest:
+      break;
+  }
+  return true;
+}
+
+const Kernel& best_kernel(SimdLevel level) {
+#if defined(__x86_64__)
+  if (level >= SimdLevel::kAvx512 && is_supported(SimdLevel::kAvx512)) {
+    return kAvx512Kernel;
+  }
+  if (level >= SimdLevel::kAvx2 && is_supported(SimdLevel::kAvx2)) {
     return kAvx2Kernel;
   }
 #else
-  (void)loops;
+  (void)level;
 #endif
   return kPlainKernel;
 }

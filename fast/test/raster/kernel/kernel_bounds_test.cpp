@@ -195,7 +195,7 @@ class Random {
   std::mt19937_64 engine_{7};
 };
 
-const Kernel* const kKernels[] = {&kPlainKernel, &best_kernel(Loops::kAvx2),
+const Kernel* const kKernels[] = {&kPlainKernel, &best_kernel(SimdLevel::kAvx2),
                                   &best_kernel()};
 
 TEST(KernelBounds, OutlinesAskWhereTheirErrorMatters) {

@@ -197,8 +197,8 @@ class Both {
 };
 
 TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
-  const Kernel* const kernels[] = {&kPlainKernel, &best_kernel(Loops::kAvx2),
-                                   &best_kernel()};
+  const Kernel* const kernels[] = {
+      &kPlainKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()};
   Random random;
   std::size_t small = 0;
   std::size_t contested = 0;

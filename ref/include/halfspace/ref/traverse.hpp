@@ -7,8 +7,8 @@
 
 namespace halfspace::ref {
 
-/// What is done with each fragment; false ends the traversal.
-using Display = std::function<bool(const Node&, const Fragment&)>;
+/// Called for each fragment; false ends the traversal.
+using Visitor = std::function<bool(const Node&, const Fragment&)>;
 
 /// Displays the fragments of the tree so that none is hidden by one displayed
 /// before it (S3.7; F2B fig. 5, FAG83 Traverse_tree; E2).
@@ -18,13 +18,13 @@ using Display = std::function<bool(const Node&, const Fragment&)>;
 /// and are not displayed.
 /// Ties: fragments of one node, highest id first.
 void back_to_front(const BspTree& tree, const Camera& camera,
-                   const Display& display);
+                   const Visitor& visit);
 
 /// Displays the fragments of the tree so that none hides one displayed before
 /// it (S3.7; F2B fig. 6): near subtree, node, far subtree.
 ///
 /// Ties: fragments of one node, lowest id first.
 void front_to_back(const BspTree& tree, const Camera& camera,
-                   const Display& display);
+                   const Visitor& visit);
 
 }  // namespace halfspace::ref

@@ -5,9 +5,9 @@
 
 namespace halfspace::shadow {
 
-/// fast::render(), and a chosen share of its pixels checked.
+/// fast::render(), with a share of its pixels checked.
 ///
-/// Requires: what fast::render() does, and options.items.
+/// Requires: options.items, and what fast::render() requires.
 Report render(const Scene& scene, const fast::BspTree& tree,
               const Camera& camera, const ImageOptions& image,
               const fast::RenderOptions& options, fast::Rendering& result,

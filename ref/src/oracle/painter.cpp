@@ -1,4 +1,4 @@
-#include "halfspace/ref/painter.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
 
 #include <functional>
 

@@ -1,5 +1,3 @@
-#include "halfspace/fast/display_tree.hpp"
-
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -11,63 +9,65 @@
 
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
+#include "halfspace/fast/display_tree.hpp"
 #include "sah/sah_builder.hpp"
 #include "tree/leaf_packets.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-/// A list of so many items or fewer is one thread's work.
+/// A list of this size or shorter is one thread's job. Untuned.
 constexpr std::size_t kJobSize = 16384;
 
-/// So many cuts are always allowed: some megabytes.
+/// This many cuts are always allowed: they take some megabytes.
 constexpr double kFreeCuts = 100'000;
 
-/// Polygons that a thread reads at a time.
+/// Polygons that a thread reads at a time. Untuned.
 constexpr std::size_t kBlock = 4096;
 
 /// Carries out the jobs of a build.
 class JobRunner {
  public:
-  explicit JobRunner(DisplayWork& work) : work_(work) {}
+  explicit JobRunner(BuildState& state) : state_(state) {}
 
   /// The root's job, with those of its subtrees.
-  DisplayJob* run() {
-    DisplayJob* root = add(root_job());
+  BuildJob* run() {
+    BuildJob* root = add(root_job());
     start(root);
     group_.wait();
-    for (const DisplayJob& job : jobs_) tsan_acquire(&job);
+    for (const BuildJob& job : jobs_) tsan_acquire(&job);
     return root;
   }
 
  private:
-  DisplayJob root_job() const {
-    DisplayJob job;
-    job.items.resize(work_.scene.polygon_count());
+  BuildJob root_job() const {
+    BuildJob job;
+    job.primitives.resize(state_.scene.polygon_count());
     {
       const TsanForkJoin shared;
       const auto read = [&](const tbb::blocked_range<std::size_t>& range) {
         shared.task([&] {
           for (std::size_t p = range.begin(); p < range.end(); ++p) {
-            job.items[p] = work_.item_of(static_cast<PolygonId>(p));
+            job.primitives[p] = state_.primitive_of(static_cast<PolygonId>(p));
           }
         });
       };
       tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, job.items.size(), kBlock), read);
+          tbb::blocked_range<std::size_t>(0, job.primitives.size(), kBlock),
+          read);
     }
-    for (const Item& item : job.items) include(job.box, item);
-    job.allowance = kFreeCuts + work_.options.most_cuts *
-                                    static_cast<double>(job.items.size());
+    for (const Primitive& p : job.primitives) extend(job.box, p);
+    job.cut_budget = kFreeCuts + state_.options.most_cuts *
+                                     static_cast<double>(job.primitives.size());
     return job;
   }
 
-  DisplayJob* add(DisplayJob job) {
+  BuildJob* add(BuildJob job) {
     const std::lock_guard<std::mutex> lock(mutex_);
     return &jobs_.emplace_back(std::move(job));
   }
 
-  void start(DisplayJob* job) {
+  void start(BuildJob* job) {
     tsan_release(job);
     group_.run([this, job] {
       tsan_acquire(job);
@@ -76,35 +76,35 @@ class JobRunner {
     });
   }
 
-  void carry_out(DisplayJob& job) {
-    if (work_.is_stopped()) return;
-    if (job.items.size() <= kJobSize) {
-      DisplayWorker(work_, job).make_subtree();
+  void carry_out(BuildJob& job) {
+    if (state_.is_stopped()) return;
+    if (job.primitives.size() <= kJobSize) {
+      SahBuilder(state_, job).build_subtree();
     } else {
-      DisplayWorker::Divided lists = DisplayWorker(work_, job).divide();
-      const auto go_on = [&](std::optional<DisplayJob>& list) {
-        if (!list) return static_cast<DisplayJob*>(nullptr);
-        DisplayJob* child = add(std::move(*list));
+      SahBuilder::Subtrees subtrees = SahBuilder(state_, job).build_root();
+      const auto started = [&](std::optional<BuildJob>& subtree) {
+        if (!subtree) return static_cast<BuildJob*>(nullptr);
+        BuildJob* child = add(std::move(*subtree));
         start(child);
         return child;
       };
-      job.negative = go_on(lists.negative);
-      job.positive = go_on(lists.positive);
+      job.negative = started(subtrees.negative);
+      job.positive = started(subtrees.positive);
     }
-    job.items = {};
+    job.primitives = {};
     job.parts = {};
     job.tree = {};
   }
 
-  DisplayWork& work_;
+  BuildState& state_;
   tbb::task_group group_;
   std::mutex mutex_;
-  std::deque<DisplayJob> jobs_;  // entries stay where they are
+  std::deque<BuildJob> jobs_;  // entries stay where they are
 };
 
 /// Where a piece's arrays begin in the tree's.
 struct Placed {
-  DisplayJob* job;
+  BuildJob* job;
   std::size_t nodes = 0;
   std::size_t fragments = 0;
   std::size_t corners = 0;
@@ -112,18 +112,19 @@ struct Placed {
   std::size_t free_planes = 0;
   NodeId positive = kNoNode;
   NodeId negative = kNoNode;
-  std::vector<std::int32_t> planes;  ///< what the inherited ones are here
+  std::vector<std::int32_t> planes;  ///< the tree's ids of inherited ones
 };
 
-/// Puts the pieces together: the node, its positive and its negative subtree.
-class Merger {
+/// Joins the pieces to one tree, in the order node, positive subtree, negative
+/// subtree.
+class PieceJoiner {
  public:
-  Merger(const Scene& scene, BspTree& tree)
+  PieceJoiner(const Scene& scene, BspTree& tree)
       : polygon_count_(static_cast<PlaneId>(scene.polygon_count())),
         vertex_count_(static_cast<std::int32_t>(scene.data().vertices.size())),
         tree_(tree) {}
 
-  void merge(DisplayJob* root, FilterStats& stats) {
+  void join(BuildJob* root, FilterStats& stats) {
     place(root, stats);
     tree_.nodes.resize(end_.nodes);
     tree_.fragments.resize(end_.fragments);
@@ -138,9 +139,9 @@ class Merger {
   }
 
  private:
-  void place(DisplayJob* root, FilterStats& stats) {
+  void place(BuildJob* root, FilterStats& stats) {
     struct Step {
-      DisplayJob* job;
+      BuildJob* job;
       std::size_t parent;
       Side side;
       std::vector<std::int32_t> planes;
@@ -171,10 +172,10 @@ class Merger {
       end_.free_planes += new_planes;
       const std::size_t index = pieces_.size();
       pieces_.push_back(std::move(at));
-      if (DisplayJob* child = step.job->negative) {
+      if (BuildJob* child = step.job->negative) {
         steps.push_back({child, index, Side::kNegative, below});
       }
-      if (DisplayJob* child = step.job->positive) {
+      if (BuildJob* child = step.job->positive) {
         steps.push_back({child, index, Side::kPositive, std::move(below)});
       }
     }
@@ -264,11 +265,11 @@ BspTree build_display_tree(const Scene& scene,
   tbb::task_arena arena(options.threads == 0 ? most
                                              : std::min(options.threads, most));
   arena.execute([&] {
-    DisplayWork work(scene, options);
-    JobRunner runner(work);
-    DisplayJob* root = runner.run();
-    if (!work.is_stopped()) {
-      Merger(scene, tree).merge(root, stats);
+    BuildState state(scene, options);
+    JobRunner runner(state);
+    BuildJob* root = runner.run();
+    if (!state.is_stopped()) {
+      PieceJoiner(scene, tree).join(root, stats);
       add_blocks(tree, scene);
     }
   });

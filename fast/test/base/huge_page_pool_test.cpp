@@ -1,4 +1,4 @@
-#include "halfspace/fast/list.hpp"
+#include "halfspace/fast/huge_page_pool.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,14 +12,16 @@
 #include <vector>
 
 #include "base/sanitizer.hpp"
+#include "halfspace/fast/list.hpp"
 
 namespace halfspace::fast {
 namespace {
 
 /// Lists of all lengths come and go, each full of its own number.
-void expect_lists_apart(std::uint32_t own) {
+void expect_lists_apart(HugePagePool& pool, std::uint32_t own) {
   std::mt19937_64 random(own);
-  std::vector<List<std::uint32_t>> lists(6);
+  std::vector<List<std::uint32_t>> lists;
+  for (int k = 0; k < 6; ++k) lists.emplace_back(&pool);
   std::vector<std::uint32_t> numbers(lists.size());
   for (int step = 0; step < 60; ++step) {
     const std::size_t at = random() % lists.size();
@@ -35,35 +37,38 @@ void expect_lists_apart(std::uint32_t own) {
             ? std::size_t{17} << 20
             : (std::size_t{1} << 12) << random() % 9 | random() % 4096;
     numbers[at] = own + 16 * static_cast<std::uint32_t>(step);
-    List<std::uint32_t>().swap(lists[at]);
+    lists[at].clear();
+    lists[at].shrink_to_fit();
     lists[at].assign(length, numbers[at]);
   }
 }
 
-TEST(List, HasMemoryOfItsOwn) {
+TEST(HugePagePool, GivesEveryListMemoryOfItsOwn) {
+  HugePagePool pool;
   std::vector<std::thread> threads;
   for (std::uint32_t own = 0; own < 4; ++own)
-    threads.emplace_back(expect_lists_apart, own);
+    threads.emplace_back(expect_lists_apart, std::ref(pool), own);
   for (std::thread& thread : threads) thread.join();
 }
 
 /// Under sanitizers nothing is kept, so that they see what is used too late.
-TEST(List, GivesBackWhatTheNextOneTakes) {
+TEST(HugePagePool, GivesKeptBlocksLastInFirstOut) {
   if (kSanitized) return;
+  HugePagePool pool;
   constexpr std::size_t kShortest = std::size_t{1} << 16;
   constexpr std::size_t kLongest = std::size_t{1} << 26;
   std::vector<void*> other;
   for (std::size_t bytes = kShortest; bytes <= kLongest; bytes *= 2) {
-    void* const memory = allocate_list(bytes);
-    // What else is free of that size shall not be what is found.
-    other.push_back(allocate_list(bytes));
-    free_list(memory, bytes);
-    EXPECT_EQ(allocate_list(bytes), memory) << bytes;
-    free_list(memory, bytes);
-    free_list(other.back(), bytes);
+    void* const memory = pool.allocate(bytes);
+    // A second block of that size, so that the first is not the only one.
+    other.push_back(pool.allocate(bytes));
+    pool.deallocate(memory, bytes);
+    EXPECT_EQ(pool.allocate(bytes), memory) << bytes;
+    pool.deallocate(memory, bytes);
+    pool.deallocate(other.back(), bytes);
     // The last that was given back is the first to be taken.
-    EXPECT_EQ(allocate_list(bytes), other.back()) << bytes;
-    free_list(other.back(), bytes);
+    EXPECT_EQ(pool.allocate(bytes), other.back()) << bytes;
+    pool.deallocate(other.back(), bytes);
   }
 }
 
@@ -76,18 +81,19 @@ std::size_t resident_bytes() {
   return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-TEST(List, KeepsNoMoreThanItSays) {
+TEST(HugePagePool, KeepsNoMoreThanItSays) {
   if (kSanitized) return;
+  HugePagePool pool;
   constexpr std::size_t kMost = std::size_t{1} << 27;
   constexpr std::size_t kEach = std::size_t{1} << 25;
-  const auto use_six = [] {
+  const auto use_six = [&pool] {
     std::array<void*, 6> memory;
     for (void*& m : memory) {
-      m = allocate_list(kEach);
+      m = pool.allocate(kEach);
       std::fill_n(static_cast<char*>(m), kEach, 'x');
     }
     const std::size_t used = resident_bytes();
-    for (void* m : memory) free_list(m, kEach);
+    for (void* m : memory) pool.deallocate(m, kEach);
     return used;
   };
   const std::size_t used = use_six();
@@ -97,15 +103,40 @@ TEST(List, KeepsNoMoreThanItSays) {
   EXPECT_LT(use_six(), used + kEach);
 }
 
-TEST(List, BeginsWithALargePageWhereItIsLong) {
+TEST(HugePagePool, AlignsLongBlocksToHugePages) {
   constexpr std::size_t kPage = std::size_t{1} << 21;
+  HugePagePool pool;
   for (const std::size_t bytes :
        {kPage / 2, kPage - 1, kPage, 3 * kPage + 5, 32 * kPage, 40 * kPage}) {
-    void* const memory = allocate_list(bytes);
+    void* const memory = pool.allocate(bytes);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory) % kPage, 0u) << bytes;
     std::fill_n(static_cast<char*>(memory), bytes, 'x');
-    free_list(memory, bytes);
+    pool.deallocate(memory, bytes);
   }
+}
+
+TEST(HugePagePool, GivesBackItsBlocksWhenDestroyed) {
+  if (kSanitized) return;
+  constexpr std::size_t kBytes = std::size_t{1} << 26;
+  const std::size_t before = resident_bytes();
+  {
+    HugePagePool pool;
+    void* const memory = pool.allocate(kBytes);
+    std::fill_n(static_cast<char*>(memory), kBytes, 'x');
+    pool.deallocate(memory, kBytes);
+    EXPECT_GT(resident_bytes(), before + kBytes / 2);
+  }
+  EXPECT_LT(resident_bytes(), before + kBytes / 2);
+}
+
+/// The library changes no global state: its lists use what the program set.
+TEST(List, UsesTheDefaultResourceOfTheProgram) {
+  HugePagePool pool;
+  EXPECT_EQ(List<int>().get_allocator().resource(),
+            std::pmr::get_default_resource());
+  auto* const before = std::pmr::set_default_resource(&pool);
+  EXPECT_EQ(List<int>().get_allocator().resource(), &pool);
+  std::pmr::set_default_resource(before);
 }
 
 }  // namespace

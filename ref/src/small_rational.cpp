@@ -1,7 +1,5 @@
-#include "halfspace/ref/rational.hpp"
+#include "halfspace/ref/small_rational.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "halfspace/assert.hpp"
@@ -9,8 +7,6 @@
 
 namespace halfspace::ref {
 namespace {
-
-using BigInteger = boost::multiprecision::component_type<BigRational>::type;
 
 const BigInteger& least_int128() {
   static const BigInteger value = -(BigInteger(1) << 127);
@@ -123,38 +119,7 @@ Rational operator/(const Rational& a, const Rational& b) {
 
 Rational floor(const Rational& a) {
   if (!a.big_) return a;
-  const BigInteger whole = numerator(*a.big_);
-  const BigInteger part = denominator(*a.big_);
-  BigInteger quotient = whole / part;  // towards zero
-  if (whole < 0 && quotient * part != whole) quotient -= 1;
-  return Rational(BigRational(quotient));
-}
-
-double nearest_double(const Rational& a) {
-  if (sign(a) == 0) return 0;
-  const BigRational value = a.big();
-  const BigInteger above = abs(numerator(value));
-  const BigInteger below = denominator(value);
-  BigInteger quotient, rest, divisor;
-  const auto divide_by_power_of_2 = [&](int exponent) {
-    divisor = exponent > 0 ? BigInteger(below << exponent) : below;
-    const BigInteger dividend =
-        exponent < 0 ? BigInteger(above << -exponent) : above;
-    divide_qr(dividend, divisor, quotient, rest);
-  };
-  // A double is an integer of 53 bits times a power of two, of 2^-1074 or more.
-  // The estimate of the power, from the lengths, is right or one too great.
-  const int length =
-      static_cast<int>(msb(above)) - static_cast<int>(msb(below));
-  int exponent = std::max(length - 52, -1074);
-  divide_by_power_of_2(exponent);
-  if (exponent > -1074 && quotient < BigInteger(1) << 52) {
-    divide_by_power_of_2(--exponent);
-  }
-  const BigInteger twice = 2 * rest;
-  if (twice > divisor || (twice == divisor && quotient % 2 != 0)) quotient += 1;
-  const double magnitude = std::ldexp(quotient.convert_to<double>(), exponent);
-  return sign(a) < 0 ? -magnitude : magnitude;
+  return Rational(BigRational(floor_of(*a.big_)));
 }
 
 std::int64_t Rational::to_int64() const {

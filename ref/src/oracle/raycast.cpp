@@ -1,4 +1,4 @@
-#include "halfspace/ref/raycast.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
 
 #include <algorithm>
 #include <optional>

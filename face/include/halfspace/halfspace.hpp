@@ -1,0 +1,5 @@
+#pragma once
+
+/// The library in one header (docs/library.md): solids, meshes, pictures.
+#include "halfspace/mesh.hpp"
+#include "halfspace/solid.hpp"

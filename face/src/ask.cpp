@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fields.hpp"
+#include "halfspace/csg/outcome.hpp"
+#include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/to_mesh.hpp"
+#include "halfspace/io/write_mesh.hpp"
+#include "locate.hpp"
+#include "measure.hpp"
+#include "node.hpp"
+#include "topology.hpp"
+
+namespace halfspace {
+namespace {
+
+using detail::Evaluation;
+using detail::SolidNode;
+
+fast::Solid merged_by(const fast::Solid& solid, MergeFaces merge) {
+  switch (merge) {
+    case MergeFaces::kOrigin:
+      return fast::merge_faces(solid, fast::Merge::kOrigin);
+    case MergeFaces::kPlane:
+      return fast::merge_faces(solid, fast::Merge::kPlane);
+    case MergeFaces::kNone:
+      break;
+  }
+  return solid;
+}
+
+csg::MergeRule rule_of(MergeFaces merge) {
+  switch (merge) {
+    case MergeFaces::kOrigin:
+      return csg::MergeRule::kOrigin;
+    case MergeFaces::kPlane:
+      return csg::MergeRule::kPlane;
+    case MergeFaces::kNone:
+      break;
+  }
+  return csg::MergeRule::kNone;
+}
+
+Result<std::shared_ptr<Evaluation>> evaluation_of(const Solid& solid) {
+  return SolidNode::of(solid).evaluation({});
+}
+
+/// What `ask` answers about the solid, with nobody else at its table.
+template <class Ask>
+auto answer(const Solid& solid, const Ask& ask)
+    -> Result<decltype(ask(std::declval<const fast::Solid&>()))> {
+  const auto evaluation = evaluation_of(solid);
+  if (!evaluation) return evaluation.error();
+  const std::lock_guard lock((*evaluation)->mutex);
+  return ask((*evaluation)->solid);
+}
+
+/// The same, but for the empty solid, of which it is an error.
+template <class Ask>
+auto answer_of_some(const Solid& solid, const Ask& ask)
+    -> Result<decltype(ask(std::declval<const fast::Solid&>()))> {
+  const auto evaluation = evaluation_of(solid);
+  if (!evaluation) return evaluation.error();
+  const std::lock_guard lock((*evaluation)->mutex);
+  if ((*evaluation)->solid.faces.empty())
+    return Error{ErrorCode::kEmpty, solid.name() + ": it is empty"};
+  return ask((*evaluation)->solid);
+}
+
+/// The mesh as an exact scene, if its vertices are on the grid; else the mesh.
+Result<Done> written(const std::filesystem::path& path,
+                     const csg::Outcome& outcome) {
+  const auto report = outcome.scene ? io::write_scene_mesh(path, *outcome.scene)
+                                    : io::write_mesh(path, outcome.mesh);
+  if (!report) return report.error();
+  return Done{};
+}
+
+/// The colours of properties, in the faces.
+void color_faces(const Evaluation& evaluation, fast::Solid& solid) {
+  for (fast::Face& face : solid.faces) {
+    const auto part = static_cast<std::size_t>(face.part);
+    if (part >= evaluation.uses.size()) continue;
+    const auto& properties =
+        evaluation.uses[part].node->leaf->data()->properties;
+    face.color =
+        properties && !properties->colors.empty()
+            ? properties->colors[static_cast<std::size_t>(face.polygon)]
+            : Rgb{200, 200, 200};
+  }
+}
+
+}  // namespace
+
+Result<Done> Solid::evaluate(const WorkOptions& options) const {
+  const auto evaluation = node_->evaluation(options);
+  if (!evaluation) return evaluation.error();
+  return Done{};
+}
+
+Result<Mesh> Solid::mesh(const MeshOptions& options) const {
+  const auto evaluation = evaluation_of(*this);
+  if (!evaluation) return evaluation.error();
+  const std::lock_guard lock((*evaluation)->mutex);
+  const fast::Solid solid = merged_by((*evaluation)->solid, options.merge);
+  const fast::ExportedMesh exported =
+      fast::to_mesh(solid, {options.triangles, detail::thread_count(0)});
+  Mesh mesh;
+  mesh.vertices.reserve(exported.vertices.size());
+  for (const auto& v : exported.vertices)
+    mesh.vertices.push_back({v[0], v[1], v[2]});
+  mesh.first_corner = exported.first_corner;
+  mesh.corners = exported.corners;
+  const auto operands = static_cast<std::int32_t>((*evaluation)->uses.size());
+  for (const std::int32_t f : exported.faces) {
+    const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
+    mesh.origins.push_back(
+        face.part < operands ? Origin{face.part, face.polygon} : Origin{});
+  }
+  detail::carry_properties(**evaluation, solid, exported, mesh);
+  return mesh;
+}
+
+Result<Done> Solid::save(const std::filesystem::path& path,
+                         const MeshOptions& options) const {
+  const auto evaluation = evaluation_of(*this);
+  if (!evaluation) return evaluation.error();
+  const std::lock_guard lock((*evaluation)->mutex);
+  fast::Solid solid = (*evaluation)->solid;
+  color_faces(**evaluation, solid);
+  csg::EvaluateOptions how;
+  how.merge = rule_of(options.merge);
+  how.triangles = options.triangles;
+  how.threads = detail::thread_count(0);
+  return written(path, csg::outcome_of(std::move(solid), how));
+}
+
+Result<std::vector<Solid>> Solid::operands() const {
+  const auto evaluation = evaluation_of(*this);
+  if (!evaluation) return evaluation.error();
+  std::vector<Solid> solids;
+  for (const Evaluation::Use& use : (*evaluation)->uses)
+    solids.push_back(SolidNode::solid_of(use.node));
+  return solids;
+}
+
+Result<RoundingReport> Solid::rounding() const {
+  const auto evaluation = evaluation_of(*this);
+  if (!evaluation) return evaluation.error();
+  return (*evaluation)->rounding;
+}
+
+Result<bool> Solid::is_empty() const {
+  return answer(*this, [](const fast::Solid& s) { return s.faces.empty(); });
+}
+
+Result<double> Solid::volume() const {
+  return answer(*this, detail::volume_of);
+}
+
+Result<double> Solid::area() const { return answer(*this, detail::area_of); }
+
+Result<std::string> Solid::exact_volume() const {
+  return answer(*this, detail::exact_volume_of);
+}
+
+Result<std::optional<std::string>> Solid::exact_area() const {
+  return answer(*this, detail::exact_area_of);
+}
+
+Result<Bounds> Solid::bounds() const {
+  return answer_of_some(*this, detail::bounds_of);
+}
+
+Result<Point> Solid::centroid() const {
+  return answer_of_some(*this, [](const fast::Solid& solid) {
+    const auto c = detail::moments_of(solid).centroid;
+    return Point{c[0], c[1], c[2]};
+  });
+}
+
+Result<std::array<std::array<double, 3>, 3>> Solid::inertia() const {
+  return answer_of_some(*this, [](const fast::Solid& solid) {
+    return detail::moments_of(solid).inertia;
+  });
+}
+
+Result<std::size_t> Solid::shell_count() const {
+  return answer(*this, [](const fast::Solid& solid) {
+    return detail::topology_of(solid).shells;
+  });
+}
+
+Result<std::int64_t> Solid::genus() const {
+  return answer(*this, [](const fast::Solid& solid) {
+    return detail::topology_of(solid).genus;
+  });
+}
+
+Result<Location> Solid::locate(Point point) const {
+  if (!std::isfinite(point.x) || !std::isfinite(point.y) ||
+      !std::isfinite(point.z))
+    return Error{ErrorCode::kNotFinite, "the point is not finite"};
+  return answer(*this, [&](const fast::Solid& solid) {
+    return detail::location_of(solid, point);
+  });
+}
+
+Result<bool> Solid::overlaps(const Solid& other) const {
+  const auto empty = (*this & other).is_empty();
+  if (!empty) return empty.error();
+  return !*empty;
+}
+
+Result<bool> Solid::contains(const Solid& other) const {
+  return (other - *this).is_empty();
+}
+
+}  // namespace halfspace

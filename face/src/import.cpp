@@ -1,0 +1,201 @@
+#include "import.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "halfspace/csg/trimmed.hpp"
+#include "halfspace/io/import.hpp"
+#include "halfspace/io/load_scene.hpp"
+#include "halfspace/io/read_mesh.hpp"
+#include "number.hpp"
+
+namespace halfspace::detail {
+namespace {
+
+/// Colours that keep apart in one plane what has other properties: polygons
+/// merge where these agree.
+class Groups {
+ public:
+  explicit Groups(const Mesh* properties) : properties_(properties) {}
+
+  /// Whether polygons may merge at all: the affine functions of fields are the
+  /// polygons' own, and there are no more codes than colours.
+  bool may_merge() const {
+    return (properties_ == nullptr || properties_->field_count == 0) &&
+           codes_.size() < kMostCodes;
+  }
+  Rgb code_of(std::size_t polygon) {
+    if (properties_ == nullptr) return {};
+    Key key{};
+    if (!properties_->colors.empty()) key.first = properties_->colors[polygon];
+    if (!properties_->materials.empty())
+      key.second = properties_->materials[polygon];
+    const auto next = static_cast<std::uint32_t>(codes_.size());
+    const std::uint32_t code = codes_.try_emplace(key, next).first->second;
+    return {static_cast<std::uint8_t>(code >> 16),
+            static_cast<std::uint8_t>(code >> 8),
+            static_cast<std::uint8_t>(code)};
+  }
+
+ private:
+  using Key = std::pair<Rgb, std::int32_t>;
+  static constexpr std::size_t kMostCodes = std::size_t{1} << 24;
+  const Mesh* properties_;
+  std::map<Key, std::uint32_t> codes_;
+};
+
+/// The source that nothing has to be looked for in.
+Result<csg::Source> trusted_source(const std::string& name,
+                                   const io::Imported& imported) {
+  csg::Source source;
+  source.path = name;
+  source.polygons = imported.faces;
+  source.report = imported.report;
+  Result<Scene> scene = make_scene(csg::trimmed(imported.scene));
+  if (!scene) return io::error_about(name, scene.error());
+  source.scene = *std::move(scene);
+  return source;
+}
+
+bool has_colors(const io::Mesh& mesh) {
+  const auto any = [](const std::vector<std::optional<Rgb>>& colors) {
+    return std::any_of(colors.begin(), colors.end(),
+                       [](const auto& color) { return color.has_value(); });
+  };
+  return any(mesh.vertex_colors) || any(mesh.face_colors);
+}
+
+/// The colours that import gives a file's polygons, as properties.
+std::shared_ptr<const Mesh> properties_of(const io::Mesh& mesh) {
+  if (!has_colors(mesh)) return nullptr;
+  const auto imported = io::import_scene(mesh, {});
+  if (!imported) return nullptr;
+  auto properties = std::make_shared<Mesh>();
+  properties->colors.resize(mesh.face_count());
+  for (std::size_t p = 0; p < imported->faces.size(); ++p) {
+    properties->colors[static_cast<std::size_t>(imported->faces[p])] =
+        imported->scene.color(static_cast<PolygonId>(p));
+  }
+  return properties;
+}
+
+}  // namespace
+
+Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
+                               std::shared_ptr<const Mesh> properties,
+                               const ImportHow& how) {
+  Groups groups(properties.get());
+  mesh.vertex_colors.clear();
+  mesh.face_colors.resize(mesh.face_count());
+  for (std::size_t p = 0; p < mesh.face_count(); ++p)
+    mesh.face_colors[p] = groups.code_of(p);
+  Result<io::Imported> imported = io::import_scene(mesh, {});
+  if (!imported) return io::error_about(name, imported.error());
+  csg::OperandOptions options;
+  options.repair = how.options.resolve;
+  options.repair_word = "OperandOptions::resolve";
+  Result<csg::Source> source = how.is_trusted
+                                   ? trusted_source(name, *imported)
+                                   : csg::make_source(name, *imported, options);
+  if (!source) return source.error();
+  source->is_free =
+      how.is_free || how.options.may_round || imported->report.moved > 0;
+  source->merge_coplanar = how.options.merge_coplanar && groups.may_merge();
+  LeafData data;
+  if (properties && properties->field_count > 0) {
+    for (const VertexId corner : mesh.corners)
+      data.corners.push_back(mesh.vertices[static_cast<std::size_t>(corner)]);
+  }
+  data.source = std::make_shared<const csg::Source>(*std::move(source));
+  data.properties = std::move(properties);
+  return data;
+}
+
+std::optional<Error> fault_of(const Mesh& mesh) {
+  const std::size_t corners = mesh.corners.size();
+  const auto& first = mesh.first_corner;
+  if (first.empty() || first.front() != 0 || first.back() != corners ||
+      !std::is_sorted(first.begin(), first.end())) {
+    return Error{ErrorCode::kBadIndex,
+                 "first_corner does not begin with 0, rise and end with the "
+                 "number of corners"};
+  }
+  for (std::size_t i = 0; i < corners; ++i) {
+    const std::int32_t vertex = mesh.corners[i];
+    if (vertex < 0 || static_cast<std::size_t>(vertex) >= mesh.vertices.size())
+      return Error{ErrorCode::kBadIndex,
+                   "corner " + std::to_string(i) + " is vertex " +
+                       std::to_string(vertex) + ", of " +
+                       std::to_string(mesh.vertices.size()),
+                   static_cast<std::int64_t>(i)};
+  }
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (!is_finite(mesh.vertices[v]))
+      return Error{ErrorCode::kNotFinite,
+                   "vertex " + std::to_string(v) + " is not finite",
+                   static_cast<std::int64_t>(v)};
+  }
+  const std::size_t polygons = mesh.polygon_count();
+  const auto fits = [](std::size_t size, std::size_t wanted) {
+    return size == 0 || size == wanted;
+  };
+  if (!fits(mesh.colors.size(), polygons) ||
+      !fits(mesh.materials.size(), polygons) ||
+      mesh.fields.size() != corners * mesh.field_count) {
+    return Error{ErrorCode::kOutOfRange,
+                 "colors or materials are not one a polygon, or fields not "
+                 "field_count a corner"};
+  }
+  for (std::size_t i = 0; i < mesh.fields.size(); ++i) {
+    if (!std::isfinite(mesh.fields[i]))
+      return Error{ErrorCode::kNotFinite,
+                   "a field of corner " + std::to_string(i / mesh.field_count) +
+                       " is not finite",
+                   static_cast<std::int64_t>(i / mesh.field_count)};
+  }
+  return std::nullopt;
+}
+
+Result<LeafData> mesh_leaf(const std::string& name, const Mesh& mesh,
+                           const ImportHow& how) {
+  if (const auto fault = fault_of(mesh)) return io::error_about(name, *fault);
+  ExactPoints exact = exact_points(mesh.vertices);
+  io::Mesh made;
+  made.vertices = std::move(exact.points);
+  made.decimal = exact.decimal;
+  made.first_corner = mesh.first_corner;
+  made.corners = mesh.corners;
+  std::shared_ptr<const Mesh> properties;
+  if (!mesh.colors.empty() || !mesh.materials.empty() || mesh.field_count > 0)
+    properties = std::make_shared<const Mesh>(mesh);
+  return imported_leaf(name, std::move(made), std::move(properties), how);
+}
+
+Result<LeafData> file_leaf(const std::string& path,
+                           const OperandOptions& options) {
+  ImportHow how;
+  how.options = options;
+  if (!io::is_scene_name(path)) {
+    Result<io::Mesh> mesh = io::read_mesh(path);
+    if (!mesh) return mesh.error();
+    auto properties = properties_of(*mesh);
+    return imported_leaf(path, *std::move(mesh), std::move(properties), how);
+  }
+  csg::OperandOptions read;
+  read.repair = options.resolve;
+  read.repair_word = "OperandOptions::resolve";
+  Result<csg::Source> source = csg::read_source(path, read);
+  if (!source) return source.error();
+  source->merge_coplanar = options.merge_coplanar;
+  source->is_free = options.may_round;
+  auto properties = std::make_shared<Mesh>();
+  properties->colors = source->scene.data().colors;
+  LeafData data;
+  data.source = std::make_shared<const csg::Source>(*std::move(source));
+  data.properties = std::move(properties);
+  return data;
+}
+
+}  // namespace halfspace::detail

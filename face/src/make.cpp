@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "hull.hpp"
+#include "import.hpp"
+#include "node.hpp"
+#include "number.hpp"
+
+namespace halfspace {
+namespace {
+
+using detail::faulty_solid;
+using detail::leaf_solid;
+
+constexpr int kMostSegments = 1 << 16;
+
+detail::ImportHow trusted() {
+  detail::ImportHow how;
+  how.is_trusted = true;
+  return how;
+}
+
+bool is_size(double value) { return std::isfinite(value) && value > 0; }
+
+/// The point of the unit circle at `i` of `n` equal steps; exact at quarters,
+/// and the same in each quarter.
+Point2 on_circle(int i, int n) {
+  const int quarter = static_cast<int>(4LL * i / n) % 4;
+  const auto rest = static_cast<long double>(4LL * i % n) / n;
+  const long double angle = rest * std::numbers::pi_v<long double> / 2;
+  // Rounded to doubles from something longer, so that other machines make the
+  // same solid.
+  const auto c = static_cast<double>(rest == 0 ? 1 : std::cos(angle));
+  const auto s = static_cast<double>(rest == 0 ? 0 : std::sin(angle));
+  switch (quarter) {
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
+  }
+}
+
+/// Twice the area that the loop goes round, counterclockwise, about.
+double area2(const std::vector<Point2>& loop) {
+  double sum = 0;
+  const Point2& o = loop.front();
+  for (std::size_t i = 2; i < loop.size(); ++i) {
+    const Point2& p = loop[i - 1];
+    const Point2& q = loop[i];
+    sum += (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+  }
+  return sum;
+}
+
+/// An outline turned about the z axis: a ring of vertices for each point off
+/// the axis, one vertex for each on it.
+class Revolution {
+ public:
+  Revolution(const std::vector<Point2>& outline, int segments)
+      : outline_(outline), segments_(segments) {
+    for (const Point2& p : outline_) {
+      first_.push_back(static_cast<std::int32_t>(mesh_.vertices.size()));
+      for (int k = 0; k < (p.x == 0 ? 1 : segments_); ++k) {
+        const Point2 at = on_circle(k, segments_);
+        mesh_.vertices.push_back({p.x * at.x, p.x * at.y, p.y});
+      }
+    }
+    for (std::size_t i = 0; i < outline_.size(); ++i)
+      add_band(i, (i + 1) % outline_.size());
+  }
+  Mesh mesh() && { return std::move(mesh_); }
+
+ private:
+  std::int32_t vertex(std::size_t point, int k) const {
+    return first_[point] + (outline_[point].x == 0 ? 0 : k % segments_);
+  }
+
+  /// The polygons that the edge between two points passes over.
+  void add_band(std::size_t i, std::size_t j) {
+    const bool i_on = outline_[i].x == 0, j_on = outline_[j].x == 0;
+    if (i_on && j_on) return;
+    if ((i_on || j_on) && outline_[i].y == outline_[j].y) {
+      std::vector<std::int32_t> disc;
+      for (int k = 0; k < segments_; ++k)
+        disc.push_back(vertex(i_on ? j : i, k));
+      // Outlines go counterclockwise: outwards below is to the right.
+      if (i_on) std::reverse(disc.begin(), disc.end());
+      mesh_.add(disc);
+      return;
+    }
+    for (int k = 0; k < segments_; ++k) {
+      if (i_on) {
+        mesh_.add({vertex(i, 0), vertex(j, k + 1), vertex(j, k)});
+      } else if (j_on) {
+        mesh_.add({vertex(i, k), vertex(i, k + 1), vertex(j, 0)});
+      } else {
+        mesh_.add(
+            {vertex(i, k), vertex(i, k + 1), vertex(j, k + 1), vertex(j, k)});
+      }
+    }
+  }
+
+  const std::vector<Point2>& outline_;
+  int segments_;
+  std::vector<std::int32_t> first_;
+  Mesh mesh_;
+};
+
+Solid revolved(const std::string& name, std::vector<Point2> outline,
+               int segments, bool is_trusted) {
+  if (segments < 3 || segments > kMostSegments) {
+    return faulty_solid(name, ErrorCode::kOutOfRange,
+                        "there are " + std::to_string(segments) +
+                            " segments, not 3 to " +
+                            std::to_string(kMostSegments));
+  }
+  return leaf_solid(name, [=, outline = std::move(outline)] {
+    detail::ImportHow how;
+    how.is_free = true;
+    how.is_trusted = is_trusted;
+    return detail::mesh_leaf(name, Revolution(outline, segments).mesh(), how);
+  });
+}
+
+Solid bad_size(const char* name) {
+  return faulty_solid(name, ErrorCode::kOutOfRange,
+                      "a size is not a number above 0");
+}
+
+/// The mesh of a prism from `low` to `high`; the loop counterclockwise.
+Mesh prism_mesh(const std::vector<Point2>& loop, double low, double high) {
+  Mesh mesh;
+  const auto n = static_cast<std::int32_t>(loop.size());
+  for (const double z : {low, high}) {
+    for (const Point2& p : loop) mesh.vertices.push_back({p.x, p.y, z});
+  }
+  std::vector<std::int32_t> bottom, top;
+  for (std::int32_t i = 0; i < n; ++i) {
+    bottom.push_back(n - 1 - i);
+    top.push_back(n + i);
+  }
+  mesh.add(bottom);
+  mesh.add(top);
+  for (std::int32_t i = 0; i < n; ++i) {
+    const std::int32_t j = (i + 1) % n;
+    mesh.add({i, j, n + j, n + i});
+  }
+  return mesh;
+}
+
+Solid prism_of(std::vector<Point2> loop, double height) {
+  if (loop.size() < 3) {
+    return faulty_solid("prism", ErrorCode::kTooFewVertices,
+                        "a loop has fewer than 3 points");
+  }
+  if (area2(loop) < 0) std::reverse(loop.begin(), loop.end());
+  return leaf_solid("prism", [loop = std::move(loop), height] {
+    return detail::mesh_leaf(
+        "prism", prism_mesh(loop, std::min(height, 0.0), std::max(height, 0.0)),
+        {});
+  });
+}
+
+}  // namespace
+
+Solid::Solid()
+    : Solid(leaf_solid("nothing", [] {
+        return detail::mesh_leaf("nothing", {}, trusted());
+      })) {}
+
+Solid Solid::box(Point a, Point b) {
+  return leaf_solid("box", [a, b]() -> Result<detail::LeafData> {
+    const Point low{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+    const Point high{std::max(a.x, b.x), std::max(a.y, b.y),
+                     std::max(a.z, b.z)};
+    if (detail::is_finite(a) && detail::is_finite(b) &&
+        (low.x == high.x || low.y == high.y || low.z == high.z))
+      return Error{ErrorCode::kZeroArea, "box: it is flat"};
+    return detail::mesh_leaf("box",
+                             prism_mesh({{low.x, low.y},
+                                         {high.x, low.y},
+                                         {high.x, high.y},
+                                         {low.x, high.y}},
+                                        low.z, high.z),
+                             trusted());
+  });
+}
+
+Solid Solid::sphere(double radius, int segments) {
+  if (!is_size(radius)) return bad_size("sphere");
+  const int bands = std::max(2, segments / 2);
+  std::vector<Point2> outline;
+  for (int i = 0; i <= bands; ++i) {
+    const Point2 at = on_circle(i, 2 * bands);
+    outline.push_back({i == bands ? 0 : radius * at.y, -radius * at.x});
+  }
+  return revolved("sphere", std::move(outline), segments, true);
+}
+
+Solid Solid::cylinder(double radius, double height, int segments) {
+  if (!is_size(radius) || !is_size(height)) return bad_size("cylinder");
+  return revolved("cylinder",
+                  {{0, 0}, {radius, 0}, {radius, height}, {0, height}},
+                  segments, true);
+}
+
+Solid Solid::cone(double bottom, double top, double height, int segments) {
+  if (!(is_size(bottom) || bottom == 0) || !(is_size(top) || top == 0) ||
+      !is_size(height) || bottom + top == 0)
+    return bad_size("cone");
+  std::vector<Point2> outline = {{0, 0}};
+  if (bottom > 0) outline.push_back({bottom, 0});
+  if (top > 0) outline.push_back({top, height});
+  outline.push_back({0, height});
+  return revolved("cone", std::move(outline), segments, true);
+}
+
+Solid Solid::torus(double radius, double tube_radius, int segments,
+                   int tube_segments) {
+  if (!is_size(radius) || !is_size(tube_radius)) return bad_size("torus");
+  if (tube_radius >= radius || tube_segments < 3 ||
+      tube_segments > kMostSegments) {
+    return faulty_solid("torus", ErrorCode::kOutOfRange,
+                        "the tube's radius is not below the ring's, or it has "
+                        "fewer than 3 segments");
+  }
+  std::vector<Point2> outline;
+  for (int i = 0; i < tube_segments; ++i) {
+    const Point2 at = on_circle(i, tube_segments);
+    outline.push_back({radius + tube_radius * at.x, tube_radius * at.y});
+  }
+  return revolved("torus", std::move(outline), segments, true);
+}
+
+Solid Solid::prism(const Outline& outline, double height) {
+  if (height == 0 || !std::isfinite(height)) {
+    return faulty_solid("prism", ErrorCode::kOutOfRange,
+                        "its height is 0 or not finite");
+  }
+  Solid solid = prism_of(outline.points, height);
+  for (const auto& hole : outline.holes) solid -= prism_of(hole, height);
+  return solid;
+}
+
+Solid Solid::revolution(const std::vector<Point2>& outline, int segments) {
+  const bool is_right =
+      outline.size() >= 3 &&
+      std::all_of(outline.begin(), outline.end(), [](const Point2& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && p.x >= 0;
+      });
+  if (!is_right) {
+    return faulty_solid("revolution", ErrorCode::kOutOfRange,
+                        "its outline has fewer than 3 points, or one with r "
+                        "below 0 or not finite");
+  }
+  std::vector<Point2> loop = outline;
+  if (area2(loop) < 0) std::reverse(loop.begin(), loop.end());
+  return revolved("revolution", std::move(loop), segments, false);
+}
+
+Solid Solid::hull(std::vector<Point> points) {
+  return leaf_solid(
+      "hull", [points = std::move(points)]() -> Result<detail::LeafData> {
+        if (!std::all_of(points.begin(), points.end(), detail::is_finite))
+          return Error{ErrorCode::kNotFinite, "hull: a point is not finite"};
+        auto mesh = detail::hull_of(points);
+        if (!mesh) return mesh.error();
+        return detail::imported_leaf("hull", *std::move(mesh), nullptr, {});
+      });
+}
+
+Solid Solid::from_mesh(Mesh mesh, const OperandOptions& options) {
+  return leaf_solid("mesh", [mesh = std::move(mesh), options] {
+    return detail::mesh_leaf("mesh", mesh, {.options = options});
+  });
+}
+
+Solid Solid::from_file(std::filesystem::path path,
+                       const OperandOptions& options) {
+  std::string name = path.string();
+  return leaf_solid(
+      name, [name, options] { return detail::file_leaf(name, options); });
+}
+
+}  // namespace halfspace

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "halfspace/csg/matrix.hpp"
+#include "halfspace/csg/operands.hpp"
+#include "halfspace/csg/script.hpp"
+#include "halfspace/fast/solid.hpp"
+#include "halfspace/solid.hpp"
+
+namespace halfspace::detail {
+
+/// What stands at a leaf of an expression, once it is loaded.
+struct LeafData {
+  std::shared_ptr<const csg::Source> source;
+  /// The polygons' properties; null if they have none.
+  std::shared_ptr<const Mesh> properties;
+  /// By corner of those, its point exactly; empty where there are no fields.
+  std::vector<csg::Numbers3> corners;
+};
+
+/// A leaf of an expression: made, or read, when it is first needed.
+class Leaf {
+ public:
+  using Load = std::function<Result<LeafData>()>;
+  explicit Leaf(Load load) : load_(std::move(load)) {}
+
+  /// The data; the same at each call, from any thread.
+  const Result<LeafData>& data() const {
+    const std::lock_guard lock(mutex_);
+    if (!data_) data_.emplace(load_());
+    return *data_;
+  }
+
+ private:
+  Load load_;
+  mutable std::mutex mutex_;
+  mutable std::optional<Result<LeafData>> data_;
+};
+
+/// A solid that was worked out. `solid` and what it shares with others of one
+/// table may be used by one thread at a time: hold `mutex` for that.
+struct Evaluation {
+  fast::Solid solid;
+  /// By leaf of the plan: the operand, and how it was moved.
+  struct Use {
+    std::shared_ptr<const SolidNode> node;
+    csg::Matrix matrix;
+  };
+  std::vector<Use> uses;
+  RoundingReport rounding;
+  std::mutex mutex;
+};
+
+/// A node of an expression. Immutable, but for what it remembers.
+struct SolidNode {
+  csg::NodeKind kind = csg::NodeKind::kFile;
+  std::shared_ptr<const SolidNode> left;
+  std::shared_ptr<const SolidNode> right;
+  std::shared_ptr<const Leaf> leaf;  ///< of kFile
+  csg::HalfSpace half;               ///< of kHalf
+  csg::Matrix matrix;                ///< of kTransform
+  std::optional<Error> error;        ///< what was wrong with its making
+  std::string name;
+
+  SolidNode() = default;
+  SolidNode(const SolidNode&) = delete;
+  SolidNode& operator=(const SolidNode&) = delete;
+  /// No recursion, however deep the expression is.
+  ~SolidNode();
+
+  static const SolidNode& of(const Solid& solid) { return *solid.node_; }
+  static std::shared_ptr<const SolidNode> shared(const Solid& solid) {
+    return solid.node_;
+  }
+  static Solid solid_of(std::shared_ptr<const SolidNode> node) {
+    return Solid(std::move(node));
+  }
+
+  /// What the expression comes to; worked out once.
+  Result<std::shared_ptr<Evaluation>> evaluation(
+      const WorkOptions& options) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::optional<Result<std::shared_ptr<Evaluation>>> evaluation_;
+};
+
+/// A leaf of that name.
+Solid leaf_solid(std::string name, Leaf::Load load);
+
+/// A solid that is the error.
+Solid faulty_solid(std::string name, ErrorCode code, std::string message);
+
+/// How many threads `threads` asks for: 0 for all.
+int thread_count(int threads);
+
+}  // namespace halfspace::detail

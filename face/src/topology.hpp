@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "halfspace/fast/solid.hpp"
+
+namespace halfspace::detail {
+
+/// What a surface is like as a whole: its connected parts, and the handles of
+/// all of them.
+struct Topology {
+  std::size_t shells = 0;
+  std::int64_t genus = 0;
+};
+
+/// Exact: yes. Where more than two faces meet at an edge, those that bound one
+/// wedge of the solid go on into each other.
+/// Source: the formula of Euler and Poincare; radial order as in Weiler's
+/// radial
+///         edge structure.
+Topology topology_of(const fast::Solid& solid);
+
+}  // namespace halfspace::detail

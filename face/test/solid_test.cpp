@@ -1,0 +1,233 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <thread>
+#include <vector>
+
+#include "halfspace/halfspace.hpp"
+
+namespace halfspace {
+namespace {
+
+Solid cube(double size) { return Solid::box({0, 0, 0}, {size, size, size}); }
+
+TEST(FaceSolid, UnitsMeetOnOneGrid) {
+  // Steps of a tenth, of 2^-4 and of a thousandth.
+  const Solid a = cube(2.5);
+  const Solid b = cube(1).scaled(0.0625).translated({1, 1, 1});
+  const Solid c = cube(0.001);
+  EXPECT_EQ(*(a - b - c).exact_volume(), "15.624755858375");
+}
+
+TEST(FaceSolid, WhatNoGridHoldsIsAnError) {
+  const Solid far = cube(1).translated({1e12, 0, 0});
+  const Solid fine = cube(1e-9);
+  const auto volume = (far.named("far") + fine.named("fine")).volume();
+  ASSERT_FALSE(volume);
+  EXPECT_EQ(volume.error().code, ErrorCode::kOutOfRange);
+  EXPECT_NE(volume.error().message.find("fine"), std::string::npos);
+  EXPECT_NE(volume.error().message.find("far"), std::string::npos);
+}
+
+TEST(FaceSolid, ExactMapsMoveNothing) {
+  const Solid box = Solid::box({0, 0, 0}, {1, 2, 3});
+  const Solid moved = box.rotated({0, 0, 1}, 90)
+                          .mirrored({{1, 0, 0}, 5})
+                          .scaled(0.1)
+                          .translated({1e-3, 0, 0});
+  EXPECT_EQ(moved.rounding()->moved, 0u);
+  EXPECT_EQ(*moved.exact_volume(), "0.006");
+  // (x, y, z) went to (-y, x, z), then to (10 + y, x, z).
+  EXPECT_EQ(*moved.bounds(), (Bounds{{1.001, 0, 0}, {1.201, 0.1, 0.3}}));
+}
+
+TEST(FaceSolid, OtherMapsRoundOnceAndSayHowFar) {
+  const Solid turned = cube(1).rotated({1, 2, 3}, 30);
+  const RoundingReport report = *turned.rounding();
+  EXPECT_GT(report.moved, 0u);
+  EXPECT_LE(report.max_move, report.step / 2);
+  EXPECT_LE(report.step, 1e-9);
+  EXPECT_NEAR(*turned.volume(), 1, 1e-9);
+  // What is exact beside it stays so.
+  const Solid apart = turned + cube(0.1).translated({5, 0, 0});
+  EXPECT_EQ(*(apart - turned).exact_volume(), "0.001");
+}
+
+TEST(FaceSolid, OperatorsAreTheRegularisedBooleans) {
+  const Solid a = cube(2), b = cube(2).translated({1, 1, 1});
+  EXPECT_EQ(*(a + b).volume(), 15);
+  EXPECT_EQ(*(a & b).volume(), 1);
+  EXPECT_EQ(*(a - b).volume(), 7);
+  EXPECT_EQ(*(a ^ b).volume(), 14);
+  EXPECT_EQ(*(~(~a & ~b)).volume(), 15);
+  const auto unbounded = (~a).volume();
+  ASSERT_FALSE(unbounded);
+  EXPECT_EQ(unbounded.error().code, ErrorCode::kUnbounded);
+  EXPECT_EQ(*(a - Solid()).volume(), 8);
+  EXPECT_EQ(*(Solid() + a).volume(), 8);
+  EXPECT_TRUE(*(a & Solid()).is_empty());
+  const auto [below, above] = a.split({{0, 0, 1}, 0.5});
+  EXPECT_EQ(*below.volume(), 2);
+  EXPECT_EQ(*above.volume(), 6);
+}
+
+TEST(FaceSolid, ManyAtOnceAreTheSamePoints) {
+  std::vector<Solid> cubes;
+  for (int i = 0; i < 200; ++i)
+    cubes.push_back(cube(1).translated({0.5 * i, 0, 0}));
+  const Solid all = Solid::union_of(cubes);
+  EXPECT_EQ(*all.volume(), 100.5);
+  EXPECT_EQ(*Solid::intersection_of(std::span(cubes).first(2)).volume(), 0.5);
+  EXPECT_TRUE(*Solid::union_of({}).is_empty());
+}
+
+TEST(FaceSolid, DeepExpressionsAreTakenApartWithoutRecursion) {
+  Solid solid = cube(1);
+  for (int i = 0; i < 200000; ++i) solid = solid.translated({1, 0, 0});
+  solid = Solid();
+}
+
+TEST(FaceSolid, EqualExpressionsGiveEqualMeshesInAnyThread) {
+  const auto part = [] {
+    return cube(4) - Solid::sphere(2, 16) -
+           Solid::cylinder(1, 9, 12).rotated({1, 1, 0}, 20);
+  };
+  const Mesh expected = *part().mesh();
+  EXPECT_GT(expected.polygon_count(), 20u);
+  const Solid shared = part();
+  std::vector<std::thread> threads;
+  std::vector<Mesh> meshes(8);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    threads.emplace_back([&, i] {
+      // Half of them the same value, half of them one that shares operands.
+      const Solid mine = i % 2 == 0 ? shared : shared + Solid();
+      meshes[i] = *(i % 2 == 0 ? mine : part()).mesh();
+      EXPECT_TRUE(mine.volume());
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const Mesh& mesh : meshes) EXPECT_EQ(mesh, expected);
+}
+
+TEST(FaceSolid, OriginsNameOperandsAndPolygons) {
+  const Solid plate = cube(2), drill = cube(1).named("drill");
+  const Solid part = plate - drill.translated({0.5, 0.5, 1.5});
+  const Mesh mesh = *part.mesh();
+  const std::vector<Solid> operands = *part.operands();
+  ASSERT_EQ(operands.size(), 2u);
+  ASSERT_EQ(mesh.origins.size(), mesh.polygon_count());
+  std::size_t of_plate = 0, of_drill = 0;
+  for (const Origin& origin : mesh.origins) {
+    const Solid& from = operands[static_cast<std::size_t>(origin.operand)];
+    of_plate += from == plate ? 1u : 0u;
+    of_drill += from.name() == "drill" ? 1u : 0u;
+  }
+  EXPECT_EQ(of_plate + of_drill, mesh.polygon_count());
+  EXPECT_EQ(of_drill, 5u);  // four sides and the bottom of the hole
+}
+
+TEST(FaceSolid, TrianglesInOnePlaneAreOneFace) {
+  Mesh mesh = *cube(1).mesh({.triangles = true});
+  ASSERT_EQ(mesh.polygon_count(), 12u);
+  mesh.origins.clear();
+  EXPECT_EQ(Solid::from_mesh(mesh).mesh()->polygon_count(), 6u);
+  // Materials keep them apart.
+  mesh.materials.resize(12);
+  mesh.materials[0] = 7;
+  EXPECT_EQ(Solid::from_mesh(mesh).mesh()->polygon_count(), 7u);
+}
+
+TEST(FaceSolid, ErrorsSayWhatIsWrongWithWhat) {
+  Mesh open = *cube(1).mesh();
+  open.corners.resize(20);
+  open.first_corner.resize(6);
+  open.origins.clear();
+  const auto code = [](const Solid& solid) {
+    return solid.volume().error().code;
+  };
+  EXPECT_EQ(code(Solid::from_mesh(open)), ErrorCode::kOpen);
+  Mesh inverted = *cube(1).mesh();
+  std::reverse(inverted.corners.begin(), inverted.corners.end());
+  EXPECT_EQ(code(Solid::from_mesh(inverted)), ErrorCode::kInsideOut);
+  Mesh crossing = *cube(2).mesh();
+  const Mesh other = *cube(2).translated({1, 1, 1}).mesh();
+  for (std::size_t p = 0; p < other.polygon_count(); ++p) {
+    std::vector<std::int32_t> corners;
+    for (const std::int32_t c : other.corners_of(p)) corners.push_back(c + 8);
+    crossing.add(corners);
+  }
+  crossing.vertices.insert(crossing.vertices.end(), other.vertices.begin(),
+                           other.vertices.end());
+  EXPECT_EQ(code(Solid::from_mesh(crossing)), ErrorCode::kSelfCrossing);
+  EXPECT_EQ(*Solid::from_mesh(crossing, {.resolve = true}).volume(), 15);
+  Mesh wrong = *cube(1).mesh();
+  wrong.corners[3] = 99;
+  EXPECT_EQ(code(Solid::from_mesh(wrong)), ErrorCode::kBadIndex);
+  EXPECT_EQ(code(Solid::from_file("nowhere.off")), ErrorCode::kUnreadable);
+  EXPECT_EQ(code(Solid::from_text("\"a.off\" |")), ErrorCode::kSyntax);
+  EXPECT_EQ(code(Solid::sphere(-1)), ErrorCode::kOutOfRange);
+  EXPECT_EQ(code(Solid::sphere(1, 2)), ErrorCode::kOutOfRange);
+  EXPECT_EQ(code(Solid::box({0, 0, 0}, {1, 1, 0})), ErrorCode::kZeroArea);
+  EXPECT_EQ(code(cube(1).scaled(0)), ErrorCode::kZeroArea);
+  EXPECT_EQ(code(cube(1).translated({std::nan(""), 0, 0})),
+            ErrorCode::kNotFinite);
+  EXPECT_EQ(code(Solid::hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}})),
+            ErrorCode::kZeroArea);
+  const auto stopped =
+      (cube(1) + cube(2)).evaluate({.threads = 1, .progress = [](double) {
+                                      return false;
+                                    }});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::kStopped);
+  EXPECT_EQ(to_string(stopped.error().code), "stopped");
+}
+
+TEST(FaceSolidDeathTest, AResultWithoutAValueTellsItsMessage) {
+  EXPECT_DEATH(static_cast<void>(*Solid::from_file("nowhere.off").volume()),
+               "nowhere.off");
+}
+
+TEST(FaceSolid, HullsAndPrismsAreExact) {
+  std::vector<Point> points;
+  for (int i = 0; i < 125; ++i)
+    points.push_back({(i % 5) / 10.0, (i / 5 % 5) / 10.0, (i / 25) / 10.0});
+  const Solid hull = Solid::hull(points);
+  EXPECT_EQ(*hull.exact_volume(), "0.064");
+  EXPECT_EQ(hull.mesh()->polygon_count(), 6u);
+  EXPECT_EQ(hull.rounding()->moved, 0u);
+  const Outline outline{{{0, 0}, {4, 0}, {4, 3}, {2, 1}, {0, 3}},
+                        {{{1, 0.5}, {3, 0.5}, {2, 0.75}}}};
+  EXPECT_EQ(*Solid::prism(outline, 0.5).exact_volume(), "3.875");
+  EXPECT_EQ(*Solid::prism(outline, -0.5).exact_volume(), "3.875");
+  EXPECT_EQ(*Solid::prism(outline, 0.5).genus(), 1);
+}
+
+TEST(FaceSolid, PointsAreInsideOnAndOutside) {
+  const Solid solid = cube(2) - cube(1);
+  EXPECT_EQ(*solid.locate({1.5, 1.5, 1.5}), Location::kInside);
+  EXPECT_EQ(*solid.locate({0.5, 0.5, 0.5}), Location::kOutside);
+  EXPECT_EQ(*solid.locate({1, 0.5, 0.5}), Location::kOn);
+  EXPECT_EQ(*solid.locate({1, 1, 1}), Location::kOn);
+  EXPECT_EQ(*solid.locate({0.5, 0.5, 1}), Location::kOn);
+  EXPECT_EQ(*solid.locate({0.5, 0.5, 1 + 1e-9}), Location::kInside);
+  EXPECT_EQ(*solid.locate({0.5, 0.5, -3}), Location::kOutside);
+  EXPECT_EQ(*solid.locate({2, 2, 3}), Location::kOutside);
+  EXPECT_TRUE(*cube(2).contains(cube(1)));
+  EXPECT_FALSE(*cube(1).contains(cube(2)));
+  EXPECT_FALSE(*cube(1).overlaps(cube(1).translated({1, 0, 0})));
+  EXPECT_TRUE(*cube(1).overlaps(cube(1).translated({0.9, 0, 0})));
+}
+
+TEST(FaceSolid, TextAndFilesAreOperands) {
+  ASSERT_TRUE(cube(2).save("face_cube.off"));
+  const Solid file = Solid::from_file("face_cube.off");
+  EXPECT_EQ(*(file - cube(1)).volume(), 7);
+  const Solid text = Solid::from_text(
+      R"("face_cube.off" - translate("face_cube.off", 1, 1, 1))");
+  EXPECT_EQ(*text.volume(), 7);
+  EXPECT_EQ(*(text & cube(1)).volume(), 1);
+}
+
+}  // namespace
+}  // namespace halfspace

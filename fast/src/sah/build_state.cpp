@@ -1,0 +1,70 @@
+#include "sah/build_state.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace halfspace::fast {
+namespace {
+
+/// Progress is reported after this share of the work. Untuned.
+constexpr double kReportedShare = 1.0 / 256;
+
+/// The least box of points: its corners of least and greatest coordinates.
+struct GridBox {
+  GridPoint low;
+  GridPoint high;
+
+  explicit GridBox(const GridPoint& first) : low(first), high(first) {}
+  void add(const GridPoint& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y),
+            std::max(high.z, p.z)};
+  }
+};
+
+}  // namespace
+
+BuildState::BuildState(const Scene& a_scene,
+                       const DisplayTreeOptions& the_options)
+    : scene(a_scene), options(the_options) {
+  if (scene.data().vertices.empty()) return;
+  GridBox box(scene.data().vertices.front());
+  for (const GridPoint& p : scene.data().vertices) box.add(p);
+  const GridPoint size = {box.high.x - box.low.x, box.high.y - box.low.y,
+                          box.high.z - box.low.z};
+  const double half =
+      half_surface(static_cast<double>(size.x), static_cast<double>(size.y),
+                   static_cast<double>(size.z));
+  scene_size = std::max(1.0, half / 2);
+  origin = {box.low.x + size.x / 2, box.low.y + size.y / 2,
+            box.low.z + size.z / 2};
+}
+
+Primitive BuildState::primitive_of(PolygonId polygon) const {
+  const auto corners = scene.corners(polygon);
+  GridBox box(scene.point(corners[0]));
+  for (const VertexId v : corners.subspan(1)) box.add(scene.point(v));
+  // Differences of at most 54 bits and a sign: rounded once, outwards.
+  const auto down = [](std::int64_t a, std::int64_t b) {
+    return float_below(static_cast<double>(a - b));
+  };
+  const auto up = [](std::int64_t a, std::int64_t b) {
+    return float_above(static_cast<double>(a - b));
+  };
+  return {{down(box.low.x, origin.x), down(box.low.y, origin.y),
+           down(box.low.z, origin.z)},
+          polygon,
+          {up(box.high.x, origin.x), up(box.high.y, origin.y),
+           up(box.high.z, origin.z)},
+          kWhole};
+}
+
+void BuildState::add_done(double share) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  done_ += share;
+  if (is_stopped() || done_ < reported_ + kReportedShare) return;
+  reported_ = done_;
+  if (!options.progress(std::min(done_, 1.0))) stopped_ = true;
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+
+#include "halfspace/fast/display_tree.hpp"
+#include "sah/primitive.hpp"
+
+namespace halfspace::fast {
+
+/// The state that all threads of one build share.
+class BuildState {
+ public:
+  BuildState(const Scene& scene, const DisplayTreeOptions& options);
+
+  /// The whole polygon as a primitive.
+  Primitive primitive_of(PolygonId polygon) const;
+
+  /// Adds to the share of the work that is done, and reports it.
+  void add_done(double share);
+  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
+
+  const Scene& scene;
+  const DisplayTreeOptions& options;
+  GridPoint origin;  ///< of the primitives' frame: the middle of the scene
+  /// The area of the scene's box as seen from a random direction, on average;
+  /// above 0. Units: squares of grid steps.
+  double scene_size = 1;
+
+ private:
+  std::mutex mutex_;
+  double done_ = 0;
+  double reported_ = 0;
+  std::atomic<bool> stopped_ = false;
+};
+
+}  // namespace halfspace::fast

@@ -1,0 +1,14 @@
+#include "tree/eye_classifier.hpp"
+
+#include "camera/edge_function.hpp"
+
+namespace halfspace::fast {
+
+int EyeClassifier::exact(PlaneId id) const {
+  return with_grid(reader_.scene().grid_bits(), [&](auto bits) {
+    return sign(
+        projected(reader_.planes().template exact<bits()>(id), camera_).eye);
+  });
+}
+
+}  // namespace halfspace::fast
