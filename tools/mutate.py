@@ -51,11 +51,12 @@ FILES = [
     "ref/src/oracle/painter.cpp", "ref/src/oracle/zbuffer.cpp",
     "ref/src/oracle/raycast.cpp",
     "fast/src/raster/dynamic_screen.cpp",
+    "fast/src/raster/kernel/generic/coverage_merge.hpp",
     "fast/src/tree/split.cpp", "fast/src/tree/scene_planes.cpp",
     "fast/src/tree/predicate.cpp", "fast/src/tree/splitter.cpp",
-    "fast/src/tree/traverse.cpp", "fast/src/tree/insert.cpp", "fast/src/raster/screen.cpp",
-    "fast/src/raster/scan.cpp", "fast/src/intersect/self_intersections.cpp", "fast/src/camera/view.cpp",
-    "fast/src/raster/culler.cpp", "fast/src/raster/shader.cpp", "fast/src/raster/drawer.cpp",
+    "fast/src/tree/traverse.cpp", "fast/src/tree/insert.cpp", "fast/src/raster/tile_buffer.cpp",
+    "fast/src/raster/scan_convert.cpp", "fast/src/intersect/self_intersections.cpp", "fast/src/camera/view.cpp",
+    "fast/src/raster/culler.cpp", "fast/src/raster/gouraud.cpp", "fast/src/raster/polygon_rasterizer.cpp",
     "fast/src/sah/sah_builder.cpp", "fast/src/sah/axis_split.cpp",
     "fast/src/sah/polygon_split.cpp",
     "fast/src/sah/build_display_tree.cpp",
@@ -189,6 +190,11 @@ TESTS_OF = {
     "fast/src/screen": {"vectors_test": "*Implementations*",
                         "fast_test": "KernelTiles* " + FAST_IMAGE,
                         "agree_image_test": AGREE_IMAGE},
+    **{f"fast/src/raster/{stem}": {
+        "fast_test": "DynamicScreen*:KernelTiles*",
+        "exhaustive_test": "*RandomMerges*", "agree_image_test": AGREE_IMAGE,
+        "proptest": "S4*"}
+       for stem in ("dynamic_screen", "kernel/generic/coverage_merge")},
     "io/src/triangulate": {
         "io_test": "Triangulate*:ShapeOf*-*Ends*:*Quadratic*:*ManyCorners* "
                    "Triangulate.*Ends*:*Quadratic*:*ManyCorners*:ImportScene*"},
