@@ -64,8 +64,9 @@ void to_floats(const Affine3& f, float (&to)[4]) {
 /// by (D + W d) / t, a twentieth where t is 20 (D + W d) or more; its own
 /// roundings add 2^-23 W, less than a hundredth. Beyond W, the farthest pixel,
 /// it is off by as much of itself over W, and so is beyond W less that.
-Culler::Culler(const View& view, const Kernel& kernel, const Canvas& canvas)
-    : view_(view), kernel_(kernel), canvas_(canvas) {
+Culler::Culler(const View& view, const TileKernel& kernel,
+               const TileView& screen)
+    : view_(view), kernel_(kernel), screen_(screen) {
   to_floats(view.x, box_view_.x);
   to_floats(view.y, box_view_.y);
   const double xy_error = 0x1p29 * view.xy_error;
@@ -75,12 +76,12 @@ Culler::Culler(const View& view, const Kernel& kernel, const Canvas& canvas)
     to_floats(view.t, box_view_.t);
     near = view.near + t_error;
   } else {
-    // Nothing is divided; where there is a near distance nothing is told.
+    // Nothing is divided; where there is a near distance nothing is decided.
     box_view_.t[3] = 1;
     t_error = 0;
     if (std::isfinite(view.near)) near = 2;
   }
-  const double farthest = std::max(canvas.columns.end, canvas.lines.end);
+  const double farthest = std::max(screen.columns.end, screen.lines.end);
   const double least =
       std::max(near, 20 * (xy_error + (farthest + 1) * t_error));
   box_view_.least = static_cast<float>(least * (1 + 0x1p-20));
@@ -121,10 +122,10 @@ bool Culler::can_show_slowly(const Box& box) const {
       y_most = std::max(y_most, ys[k]);
     }
   }
-  const PixelRange columns = pixels(x_least, x_most, canvas_.columns);
-  const PixelRange lines = pixels(y_least, y_most, canvas_.lines);
+  const PixelRange columns = pixels(x_least, x_most, screen_.columns);
+  const PixelRange lines = pixels(y_least, y_most, screen_.lines);
   if (columns.first >= columns.end || lines.first >= lines.end) return false;
-  return kernel_.any_unlit(canvas_, columns, lines);
+  return kernel_.any_unlit(screen_, columns, lines);
 }
 
 }  // namespace halfspace::fast

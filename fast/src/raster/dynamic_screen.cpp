@@ -4,8 +4,8 @@
 
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/screen.hpp"
-#include "raster/kernel/kernel.hpp"
-#include "raster/screen.hpp"
+#include "raster/kernel/tile_kernel.hpp"
+#include "raster/tile_buffer.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -61,7 +61,7 @@ struct DynamicScreen::Tiles {
 
   std::int32_t width;
   std::int32_t height;
-  const Kernel& kernel;
+  const TileKernel& kernel;
   LitMemory memory;
   LitTiles screen;
   std::vector<std::uint32_t> now;  ///< what becomes lit of a tile row

@@ -14,8 +14,8 @@
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "raster/culler.hpp"
-#include "raster/drawer.hpp"
-#include "raster/screen.hpp"
+#include "raster/polygon_rasterizer.hpp"
+#include "raster/tile_buffer.hpp"
 #include "tree/traversal.hpp"
 
 namespace halfspace::fast {
@@ -34,19 +34,19 @@ int source_side(const TreeFragment& fragment, int node_sign) {
 }
 
 template <int kBits>
-BandResult render_band(const Frame& frame, Screen& screen) {
+BandResult render_band(const Frame& frame, TileBuffer& buffer) {
   const BspTree& tree = frame.reader.tree();
-  Canvas& canvas = screen.canvas();
-  Drawer<kBits> drawer(frame, canvas);
+  TileView& screen = buffer.view();
+  PolygonRasterizer<kBits> rasterizer(frame, screen);
   FilterStats stats;
   const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats);
-  const Culler culler(frame.view, frame.kernel, canvas);
+  const Culler culler(frame.view, frame.kernel, screen);
   const bool has_boxes = tree.boxes.size() == tree.nodes.size();
   const auto enter = [&](NodeId id) {
     if (!has_boxes) return true;
     const auto n = static_cast<std::size_t>(id);
     const Node& node = tree.nodes[n];
-    // One fragment is sooner drawn than its box tested.
+    // Drawing one fragment is faster than testing its box.
     const bool is_single = node.splitter != kNoPlane &&
                            node.positive == kNoNode && node.negative == kNoNode;
     return is_single || culler.can_show(tree.boxes[n]);
@@ -55,60 +55,60 @@ BandResult render_band(const Frame& frame, Screen& screen) {
     return eye_side(frame.reader.planes().plane(fragment.source),
                     fragment.source);
   };
-  // A leaf is drawn when the next one is found: until then its vertices are on
-  // their way from memory.
+  // A leaf is drawn when the next one is found: its vertices are fetched from
+  // memory meanwhile.
   const Node* waiting = nullptr;
   const auto draw_waiting = [&] {
     if (waiting == nullptr) return;
     // One fragment hides nothing of its own.
     const auto first = static_cast<std::size_t>(waiting->first_fragment);
-    if (tree.fragments[first].next != kNoFragment) screen.enter_leaf();
-    drawer.draw_leaf(*waiting, side_of_source);
+    if (tree.fragments[first].next != kNoFragment) buffer.enter_leaf();
+    rasterizer.draw_leaf(*waiting, side_of_source);
     waiting = nullptr;
   };
   const auto show = [&](const Node& node, int sign) {
     if (node.splitter == kNoPlane) {
-      drawer.prefetch(node);
+      rasterizer.prefetch(node);
       draw_waiting();
       waiting = &node;
     } else if (node.first_fragment != kNoFragment) {
       draw_waiting();
       for_fragments(tree, node, [&](const TreeFragment& fragment) {
-        drawer.draw(fragment, source_side(fragment, sign));
+        rasterizer.draw(fragment, source_side(fragment, sign));
         return true;
       });
     }
-    return canvas.open_tiles > 0;
+    return screen.open_tiles > 0;
   };
   walk_front_to_back(tree, eye_side, enter, show);
   draw_waiting();
-  const std::int64_t unlit = drawer.fill_rest(frame.image.background);
+  const std::int64_t unlit = rasterizer.fill_rest(frame.image.background);
   const std::int64_t all =
-      std::int64_t{canvas.columns.end - canvas.columns.first} *
-      (canvas.lines.end - canvas.lines.first);
-  stats.add(drawer.stats());
-  return {static_cast<std::size_t>(all - unlit), drawer.fragments(), stats};
+      std::int64_t{screen.columns.end - screen.columns.first} *
+      (screen.lines.end - screen.lines.first);
+  stats.add(rasterizer.stats());
+  return {static_cast<std::size_t>(all - unlit), rasterizer.fragments(), stats};
 }
 
 template <int kBits>
-BandResult paint_band(const Frame& frame, Screen& screen) {
+BandResult paint_band(const Frame& frame, TileBuffer& buffer) {
   const BspTree& tree = frame.reader.tree();
-  Canvas& canvas = screen.canvas();
-  Drawer<kBits> drawer(frame, canvas);
-  drawer.fill_rest(frame.image.background);
-  canvas.overwrite = true;
+  TileView& screen = buffer.view();
+  PolygonRasterizer<kBits> rasterizer(frame, screen);
+  rasterizer.fill_rest(frame.image.background);
+  screen.overwrite = true;
   FilterStats stats;
   std::vector<std::int32_t> scratch;
   const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats);
   walk_back_to_front(tree, eye_side, [&](const Node& node, int sign) {
     return for_fragments_reversed(
         tree, node, scratch, [&](const TreeFragment& fragment) {
-          drawer.draw(fragment, source_side(fragment, sign));
+          rasterizer.draw(fragment, source_side(fragment, sign));
           return true;
         });
   });
-  stats.add(drawer.stats());
-  return {drawer.pixels(), drawer.fragments(), stats};
+  stats.add(rasterizer.stats());
+  return {rasterizer.pixels(), rasterizer.fragments(), stats};
 }
 
 /// Bands of whole tile rows, one or a few for each thread.
@@ -131,8 +131,8 @@ std::vector<PixelRange> bands_of(const Rectangle& rectangle, int threads) {
   return bands;
 }
 
-/// Calls work(b) for every band, in so many threads, the middle ones first: in
-/// most pictures they take longest, and what is left for the end is little.
+/// Calls work(b) for every band, in that many threads, the middle ones first:
+/// in most pictures they take longest, and what is left for the end is little.
 template <class Work>
 void for_bands(std::size_t count, int threads, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -194,11 +194,11 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
   std::vector<BandResult> found(bands.size());
   const auto one = [&](std::size_t b) {
-    Screen screen(rectangle, bands[b], result, leaves);
+    TileBuffer buffer(rectangle, bands[b], result, leaves);
     found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
       return pass.order == Order::kFrontToBack
-                 ? render_band<bits()>(frame, screen)
-                 : paint_band<bits()>(frame, screen);
+                 ? render_band<bits()>(frame, buffer)
+                 : paint_band<bits()>(frame, buffer);
     });
   };
   if (options.threads == 1) {

@@ -27,6 +27,12 @@ Vertex corner_of(const FragmentBlock<kCorners>& block, std::size_t c,
           double{block.error[k]}};
 }
 
+/// The block that begins so. Requires: its fragments have kCorners corners.
+template <std::size_t kCorners>
+const FragmentBlock<kCorners>& block_of(const BlockHead& head) {
+  return static_cast<const FragmentBlock<kCorners>&>(head);
+}
+
 /// A tree and its scene, as the display reads them.
 class TreeReader {
  public:
@@ -44,6 +50,9 @@ class TreeReader {
   std::span<const Corner> corners(const TreeFragment& fragment) const {
     return {tree_.corners.data() + fragment.first_corner,
             fragment.corner_count};
+  }
+  const TreeFragment* fragments_of(const BlockHead& block) const {
+    return tree_.fragments.data() + block.first_fragment;
   }
   /// Requires: a node of the tree.
   Blocks blocks(const Node& leaf) const {

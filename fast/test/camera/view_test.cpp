@@ -10,8 +10,8 @@
 
 #include "noisy.hpp"
 #include "raster/depth_line.hpp"
-#include "raster/drawer.hpp"
-#include "raster/screen.hpp"
+#include "raster/polygon_rasterizer.hpp"
+#include "raster/tile_buffer.hpp"
 #include "scenes.hpp"
 
 /// The bounds of what a camera makes of planes and points, against running
@@ -138,7 +138,7 @@ struct Given {
 };
 Given given;
 
-std::int64_t take(Canvas&, const Outline& outline, const Ink&, const Decider&) {
+std::int64_t take(TileView&, const Outline& outline, const PixelSource&) {
   std::copy_n(outline.x, 3, given.x.begin());
   std::copy_n(outline.y, 3, given.y.begin());
   given.error = outline.error;
@@ -164,11 +164,11 @@ class Fixture {
     given = {};
     tree_.cut_vertices = vertices;
     Rendering result;
-    Screen screen({0, 0, 8, 8}, {0, 8}, result, false);
+    TileBuffer buffer({0, 0, 8, 8}, {0, 8}, result, false);
     const TreeReader reader(scene_, tree_);
     const Frame frame = {reader, camera_.data(), image_, view_, kernel_};
     bool asked = false;
-    Drawer<26>(frame, screen.canvas())
+    PolygonRasterizer<26>(frame, buffer.view())
         .draw_any(tree_.fragments[0], [&](const TreeFragment&) {
           asked = true;
           return 1;
@@ -194,7 +194,7 @@ class Fixture {
   View view_;
   ImageOptions image_;
   BspTree tree_;
-  Kernel kernel_ = kPlainKernel;
+  TileKernel kernel_ = kPortableKernel;
 };
 
 /// An image plane that is not square, so far from the eye.

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "noisy.hpp"
-#include "raster/screen.hpp"
+#include "raster/tile_buffer.hpp"
 
 /// Which boxes are skipped: none that holds what an unlit pixel's centre sees,
 /// were it at the box's very border; but what is well away from all those.
@@ -119,12 +119,12 @@ struct Seen {
   std::array<double, 2> y = {kMost, -kMost};
 };
 
-void light(const Kernel& kernel, Canvas& canvas, const Rectangle& r) {
+void light(const TileKernel& kernel, TileView& screen, const Rectangle& r) {
   const double x[4] = {double(r.left), double(r.right), double(r.right),
                        double(r.left)};
   const double y[4] = {double(r.top), double(r.top), double(r.bottom),
                        double(r.bottom)};
-  kernel.draw(canvas, {x, y, 4, 0x1p-20, 1}, {0, 0, 1, 0}, Decider{});
+  kernel.draw(screen, {x, y, 4, 0x1p-20, 1}, {0, 0, 1, 0});
 }
 
 /// The point that the pixel's centre sees at depth `t`.
@@ -143,18 +143,18 @@ std::array<double, 3> point_seen(const CameraData& data, std::int32_t i,
           along(&LatticeVector::z)};
 }
 
-void expect_sight(const Kernel& kernel, bool perspective,
+void expect_sight(const TileKernel& kernel, bool perspective,
                   const Pixels& pixels) {
   const auto& [left, wanted, lit] = pixels;
   Random random;
   Rendering none;
-  Screen screen(wanted, {wanted.top, wanted.bottom}, none, false);
-  light(kernel, screen.canvas(), lit);
+  TileBuffer buffer(wanted, {wanted.top, wanted.bottom}, none, false);
+  light(kernel, buffer.view(), lit);
   std::size_t seen = 0, behind = 0, aside = 0;
   for (int round = 0; round < 20'000; ++round) {
     const CameraData data = camera_data(random, perspective, left);
     const View view = make_view(*make_camera(data, kBits), kBits);
-    const Culler culler(view, kernel, screen.canvas());
+    const Culler culler(view, kernel, buffer.view());
     // Often in the first or the last column or row that is wanted.
     const auto place = [&](int first, int end, int size) {
       const auto somewhere = static_cast<std::int32_t>(random.from_to(0, size));
@@ -191,8 +191,8 @@ void expect_sight(const Kernel& kernel, bool perspective,
 }
 
 TEST(Culler, SkipsNoBoxWithAPointThatIsSeenButThoseAway) {
-  for (const Kernel* kernel :
-       {&kPlainKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()}) {
+  for (const TileKernel* kernel :
+       {&kPortableKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()}) {
     expect_sight(*kernel, true, Pixels(0));
     expect_sight(*kernel, true, Pixels(60'000));
     expect_sight(*kernel, false, Pixels(0));
@@ -207,11 +207,11 @@ TEST(Culler, SkipsNothingThatDoublesAreTooCoarseFor) {
   data.sy = {0, 256, 0};
   data.width_px = data.height_px = 8;
   Rendering none;
-  Screen screen({0, 0, 8, 8}, {0, 8}, none, false);
+  TileBuffer buffer({0, 0, 8, 8}, {0, 8}, none, false);
   const auto can_show = [&](float side, float depth) {
     const View view = make_view(*make_camera(data, 54), 54);
     // A box well beyond the image.
-    return Culler(view, best_kernel(), screen.canvas())
+    return Culler(view, best_kernel(), buffer.view())
         .can_show({{side, side, depth}, {side + 1e3f, side + 1e3f, depth}});
   };
   // Not even how deep the box is.

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "camera/view.hpp"
-#include "raster/kernel/kernel.hpp"
-#include "raster/screen.hpp"
+#include "no_fallback.hpp"
+#include "raster/kernel/tile_kernel.hpp"
+#include "raster/tile_buffer.hpp"
 
 /// The kernels are given outlines with errors so large that it matters: moved
 /// by them, corners change what is covered. Where they do, a kernel must ask;
@@ -80,36 +81,28 @@ Polygon moved(Polygon p, double by, int way) {
 }
 
 /// What a kernel asked for.
-struct Asked {
+struct Asked : NoFallback {
+  PixelSource begin(std::int32_t, std::int32_t) override { return source; }
+  PixelRange exact_line(std::int32_t j, PixelRange) override {
+    lines[static_cast<std::size_t>(j)] = true;
+    return {0, 0};
+  }
   std::vector<bool> lines = std::vector<bool>(kHeight);
-  Ink ink;
+  PixelSource source;
 };
 
-Decider decider_of(Asked& asked) {
-  Decider decider{};
-  decider.begin = [](void* context, std::int32_t, std::int32_t) {
-    return static_cast<Asked*>(context)->ink;
-  };
-  decider.exact_line = [](void* context, std::int32_t j, PixelRange) {
-    static_cast<Asked*>(context)->lines[static_cast<std::size_t>(j)] = true;
-    return PixelRange{0, 0};
-  };
-  decider.context = &asked;
-  return decider;
-}
-
-constexpr Ink kBlank = {kBackground, 0, 0, 0};
+constexpr PixelSource kBlank = {kBackground, 0, 0, 0};
 
 /// A blank image with its screen.
 struct Paper {
   Paper() {
     result.items = ItemImage(kWidth, kHeight, kBackground);
-    screen.emplace(Rectangle{0, 0, kWidth, kHeight}, PixelRange{0, kHeight},
+    buffer.emplace(Rectangle{0, 0, kWidth, kHeight}, PixelRange{0, kHeight},
                    result, false);
   }
-  Canvas& canvas() { return screen->canvas(); }
+  TileView& view() { return buffer->view(); }
   Rendering result;
-  std::optional<Screen> screen;
+  std::optional<TileBuffer> buffer;
 };
 
 /// What the polygon may be in truth: its corners are off, but it is convex.
@@ -195,11 +188,11 @@ class Random {
   std::mt19937_64 engine_{7};
 };
 
-const Kernel* const kKernels[] = {&kPlainKernel, &best_kernel(SimdLevel::kAvx2),
-                                  &best_kernel()};
+const TileKernel* const kKernels[] = {
+    &kPortableKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()};
 
 TEST(KernelBounds, OutlinesAskWhereTheirErrorMatters) {
-  for (const Kernel* kernel : kKernels) {
+  for (const TileKernel* kernel : kKernels) {
     Random random;
     std::size_t changed = 0;
     for (int round = 0; round < 2000; ++round) {
@@ -217,11 +210,12 @@ TEST(KernelBounds, OutlinesAskWhereTheirErrorMatters) {
       }
       Asked asked;
       Paper paper;
-      kernel->draw(paper.canvas(),
+      paper.view().exact = &asked;
+      kernel->draw(paper.view(),
                    {x.data(), y.data(), static_cast<std::int32_t>(p.size()),
                     error, turn > 0 ? 1 : -1},
-                   asked.ink, decider_of(asked));
-      kernel->fill_rest(paper.canvas(), kBlank, decider_of(asked));
+                   asked.source);
+      kernel->fill_rest(paper.view(), kBlank);
       expect_told(all, asked, paper.result.items, changed);
       if (HasFatalFailure()) return;
     }
@@ -294,7 +288,8 @@ BlockDrawn draw_block(const Polygon& p, View view, float error, Off off,
       return best_kernel().draw_quadrangles;
     }
   }();
-  return draw(to.paper.canvas(), view, cull, block, decider_of(to.asked));
+  to.paper.view().exact = &to.asked;
+  return draw(to.paper.view(), view, cull, block);
 }
 
 std::unique_ptr<Small> draw_small(const Polygon& p, const View& view,
@@ -304,8 +299,7 @@ std::unique_ptr<Small> draw_small(const Polygon& p, const View& view,
       p.size() == 3 ? draw_block<3>(p, view, error, off, cull, *result)
                     : draw_block<4>(p, view, error, off, cull, *result);
   result->displayed = drawn.displayed;
-  best_kernel().fill_rest(result->paper.canvas(), kBlank,
-                          decider_of(result->asked));
+  best_kernel().fill_rest(result->paper.view(), kBlank);
   result->is_left = drawn.left != 0;
   return result;
 }
@@ -338,7 +332,7 @@ TEST(KernelBounds, SmallPolygonsAskWhereTheirErrorMatters) {
     expect_told(all, found->asked, found->paper.result.items, changed);
     if (HasFatalFailure()) return;
   }
-  if (&best_kernel() != &kPlainKernel) {
+  if (&best_kernel() != &kPortableKernel) {
     EXPECT_GT(drawn, 2000u);
   }
 }
@@ -371,7 +365,7 @@ TEST(KernelBounds, SmallPolygonsTurnForSureOrAreLeft) {
     ASSERT_EQ(found->displayed, negative ? 1 : 0);
     ++told;
   }
-  if (&best_kernel() != &kPlainKernel) {
+  if (&best_kernel() != &kPortableKernel) {
     EXPECT_GT(told, 500u);
   }
 }
@@ -385,7 +379,7 @@ TEST(KernelBounds, SmallPolygonsAreLeftWhereTheirDepthIsInDoubt) {
   for (const Off off : {Off::kView, Off::kBlock}) {
     double& doubt = off == Off::kView ? view.t_error : view.t_growth;
     doubt = off == Off::kView ? 0x1p-12 : 0x1p8;
-    const bool is_plain = &best_kernel() == &kPlainKernel;
+    const bool is_plain = &best_kernel() == &kPortableKernel;
     EXPECT_EQ(draw_small(p, view, 0x1p-20f, off, false)->is_left, is_plain);
     doubt *= 3;
     EXPECT_TRUE(draw_small(p, view, 0x1p-20f, off, false)->is_left);
@@ -405,10 +399,10 @@ TEST(KernelBounds, ARectangleIsOpenWhereATileOfItIs) {
   std::size_t found = 0;
   for (int round = 0; round < 20'000; ++round) {
     std::vector<std::uint64_t> open(4 * kRows);
-    Canvas canvas;
-    canvas.first_row = 3;
-    canvas.words_across = 4;
-    canvas.open = open.data();
+    TileView screen;
+    screen.first_row = 3;
+    screen.words_across = 4;
+    screen.open = open.data();
     const std::int32_t tile = below(kTiles);
     const std::int32_t row = below(kRows);
     open[static_cast<std::size_t>(4 * row + tile / 64)] |= std::uint64_t{1}
@@ -421,8 +415,8 @@ TEST(KernelBounds, ARectangleIsOpenWhereATileOfItIs) {
     const bool expected =
         left / kTileWidth <= tile && tile <= (right - 1) / kTileWidth &&
         top / kTileHeight <= row && row <= (bottom - 1) / kTileHeight;
-    for (const Kernel* kernel : kKernels) {
-      ASSERT_EQ(kernel->any_open(canvas, {left, right},
+    for (const TileKernel* kernel : kKernels) {
+      ASSERT_EQ(kernel->any_open(screen, {left, right},
                                  {first + top, first + bottom}),
                 expected);
     }

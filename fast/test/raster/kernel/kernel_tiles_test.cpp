@@ -4,11 +4,12 @@
 #include <random>
 
 #include "camera/view.hpp"
-#include "raster/kernel/kernel.hpp"
-#include "raster/screen.hpp"
+#include "no_fallback.hpp"
+#include "raster/kernel/tile_kernel.hpp"
+#include "raster/tile_buffer.hpp"
 
 /// What tiles show of rectangles with corners between pixels, drawn one after
-/// another: so many that a tile takes more pieces than it keeps.
+/// another: so many that a tile takes more masks than it keeps.
 namespace halfspace::fast {
 namespace {
 
@@ -22,26 +23,22 @@ Rgb color_of(PolygonId id) {
   return {level, 1, 2};
 }
 
-Ink ink_of(PolygonId id) {
+PixelSource source_of(PolygonId id) {
   const Rgb color = color_of(id);
   return {id, packed_color(color.r, color.g, color.b), 1, 0};
 }
 
-/// A decider for leaves in which the lowest id is nearest.
-Decider decider_of(PolygonId& at_hand) {
-  Decider decider{};
-  decider.begin = [](void* context, std::int32_t, std::int32_t) {
-    return ink_of(*static_cast<PolygonId*>(context));
-  };
-  decider.nearer = [](void* context, std::int32_t other, std::int32_t,
-                      std::int32_t, std::uint32_t* lit) {
-    if (other < *static_cast<PolygonId*>(context)) {
-      std::fill_n(lit, kTileHeight, 0u);
-    }
-  };
-  decider.context = &at_hand;
-  return decider;
-}
+/// In leaves the lowest id is nearest.
+struct LowestIsNearest : NoFallback {
+  PixelSource begin(std::int32_t, std::int32_t) override {
+    return source_of(id);
+  }
+  void nearer(std::int32_t other, std::int32_t, std::int32_t,
+              std::uint32_t* lit) override {
+    if (other < id) std::fill_n(lit, kTileHeight, 0u);
+  }
+  PolygonId id = 0;  ///< of the polygon that is drawn
+};
 
 class Random {
  public:
@@ -63,28 +60,30 @@ class Random {
 /// The part of an image that is wanted, drawn by a kernel and pixel by pixel.
 class Both {
  public:
-  Both(const Kernel& kernel, const Rectangle& wanted, bool items)
+  Both(const TileKernel& kernel, const Rectangle& wanted, bool items)
       : kernel_(kernel),
         wanted_(wanted),
         expected_(wanted.right - wanted.left, wanted.bottom - wanted.top,
                   kBackground),
         result_(blank(expected_, items)),
-        screen_(wanted, {wanted.top, wanted.bottom}, result_, true) {}
+        buffer_(wanted, {wanted.top, wanted.bottom}, result_, true) {
+    buffer_.view().exact = &exact_;
+  }
 
-  void enter_leaf(std::int32_t most_pieces) {
-    screen_.enter_leaf();
-    screen_.canvas().most_pieces = most_pieces;
+  void enter_leaf(std::int32_t most_masks) {
+    buffer_.enter_leaf();
+    buffer_.view().most_masks = most_masks;
     before_ = expected_;
     in_leaf_ = true;
   }
 
   void leave_leaf() {
-    kernel_.leave_leaf(screen_.canvas(), decider_of(at_hand_));
+    kernel_.leave_leaf(buffer_.view());
     in_leaf_ = false;
   }
 
   void draw(const Rectangle& r, PolygonId id) {
-    at_hand_ = id;
+    exact_.id = id;
     draw_somehow(r, id);
     for (std::int32_t j = std::max(r.top, wanted_.top);
          j < std::min(r.bottom, wanted_.bottom); ++j) {
@@ -113,13 +112,12 @@ class Both {
       view.x.a = view.y.b = 1;
       view.near = -1;
       view.xy_error = 0x1p-20;
-      const BlockDrawn drawn = kernel_.draw_quadrangles(
-          screen_.canvas(), view, false, block, decider_of(at_hand_));
+      const BlockDrawn drawn =
+          kernel_.draw_quadrangles(buffer_.view(), view, false, block);
       small_ += static_cast<std::size_t>(drawn.displayed);
       if (drawn.left == 0) return;
     }
-    kernel_.draw(screen_.canvas(), {x, y, 4, 0x1p-20, 1}, ink_of(id),
-                 decider_of(at_hand_));
+    kernel_.draw(buffer_.view(), {x, y, 4, 0x1p-20, 1}, source_of(id));
   }
 
   /// Out of leaves: whether the kernel finds an unlit pixel in the rectangle
@@ -137,20 +135,21 @@ class Both {
                                             j - wanted_.top) == kBackground;
       }
     }
-    ASSERT_EQ(kernel_.any_unlit(screen_.canvas(), columns, lines), expected);
+    ASSERT_EQ(kernel_.any_unlit(buffer_.view(), columns, lines), expected);
     const Box box = {{float(r.left), float(r.top), 0},
                      {float(r.right), float(r.bottom), 0}};
     const BoxView view = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}, 0.5f};
-    const Sight sight = kernel_.see_box(screen_.canvas(), view, box);
-    if (sight != Sight::kUntold) {
-      ASSERT_EQ(sight == Sight::kShown, expected);
+    const BoxVisibility sight =
+        kernel_.box_visibility(buffer_.view(), view, box);
+    if (sight != BoxVisibility::kUnknown) {
+      ASSERT_EQ(sight == BoxVisibility::kVisible, expected);
     }
     (expected ? found_ : not_found_) += 1;
   }
 
   void expect_same() {
-    const std::int64_t unlit = kernel_.fill_rest(
-        screen_.canvas(), ink_of(kBackground), decider_of(at_hand_));
+    const std::int64_t unlit =
+        kernel_.fill_rest(buffer_.view(), source_of(kBackground));
     ASSERT_EQ(unlit, std::count(expected_.pixels.begin(),
                                 expected_.pixels.end(), kBackground));
     if (!result_.items.pixels.empty()) {
@@ -182,13 +181,13 @@ class Both {
     if (shown == kBackground || (contested && id < shown)) shown = id;
   }
 
-  const Kernel& kernel_;
+  const TileKernel& kernel_;
   Rectangle wanted_;
   ItemImage expected_;
   ItemImage before_;
   Rendering result_;
-  Screen screen_;
-  PolygonId at_hand_ = 0;
+  TileBuffer buffer_;
+  LowestIsNearest exact_;
   bool in_leaf_ = false;
   std::size_t small_ = 0;
   std::size_t contested_ = 0;
@@ -197,8 +196,8 @@ class Both {
 };
 
 TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
-  const Kernel* const kernels[] = {
-      &kPlainKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()};
+  const TileKernel* const kernels[] = {
+      &kPortableKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()};
   Random random;
   std::size_t small = 0;
   std::size_t contested = 0;
@@ -214,7 +213,7 @@ TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
       // Leaves of ten, every other time; ids mixed within them.
       const bool leaf = round % 4 < 2 && k / 10 % 2 == 1;
       if (leaf && k % 10 == 0) {
-        both.enter_leaf(round % 8 < 4 ? 1 : kMostPieces);
+        both.enter_leaf(round % 8 < 4 ? 1 : kMostMasks);
       }
       both.draw(random.rectangle(round % 3 == 0),
                 leaf ? k / 10 * 10 + k * 7 % 10 : k);
@@ -231,7 +230,7 @@ TEST(KernelTiles, TheyShowWhatWasLitFirstOrInALeafIsNearest) {
     found += both.found();
     not_found += both.not_found();
   }
-  if (&best_kernel() != &kPlainKernel) {
+  if (&best_kernel() != &kPortableKernel) {
     EXPECT_GT(small, 500u);
   }
   EXPECT_GT(contested, 1000u);

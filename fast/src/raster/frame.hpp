@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "camera/view.hpp"
+#include "halfspace/camera.hpp"
+#include "halfspace/image.hpp"
+#include "raster/kernel/tile_kernel.hpp"
+#include "tree/tree_reader.hpp"
+
+namespace halfspace::fast {
+
+/// What all threads of one frame share.
+struct Frame {
+  const TreeReader& reader;
+  const CameraData& camera;
+  const ImageOptions& image;
+  const View& view;
+  const TileKernel& kernel;
+  std::uint8_t alpha = kOpaque;  ///< below that colours are blended (S5.6)
+};
+
+}  // namespace halfspace::fast

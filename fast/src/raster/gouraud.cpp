@@ -1,0 +1,165 @@
+#include "raster/gouraud.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "exact/filter.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// a line plus `factor` times another. Bits: see edge_function(), and 8 of a
+/// colour, 2 of three summands and 2 of exact_channel(): 238 of 256.
+void add(EdgeFunction<4>& sum, const EdgeFunction<4>& line, int factor) {
+  sum.a = sum.a + multiply<4>(line.a, Int128{factor});
+  sum.b = sum.b + multiply<4>(line.b, Int128{factor});
+  sum.c = sum.c + multiply<4>(line.c, Int128{factor});
+}
+
+}  // namespace
+
+bool has_gradient(const Scene& scene, PolygonId polygon) {
+  const auto colors = scene.corner_colors(polygon);
+  return std::adjacent_find(colors.begin(), colors.end(),
+                            std::not_equal_to<>()) != colors.end();
+}
+
+void GouraudShader::prepare_exact() {
+  exact_ready_ = true;
+  const auto corners = scene_.corners(polygon_);
+  const auto colors = scene_.corner_colors(polygon_);
+  exact_sums_ = {};
+  exact_total_ = {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EdgeFunction<4> weight =
+        edge_function(scene_.point(corners[(k + 1) % 3]),
+                      scene_.point(corners[(k + 2) % 3]), camera_);
+    add(exact_total_, weight, eye_sign_);
+    const std::array<int, 3> channels = {colors[k].r, colors[k].g, colors[k].b};
+    for (std::size_t c = 0; c < 3; ++c) {
+      add(exact_sums_[c], weight, eye_sign_ * channels[c]);
+    }
+  }
+}
+
+/// The weights as edge_function() has them, in doubles.
+///
+/// Let R bound the sizes of all coordinates: of the view's reach, and of the
+/// eye; L those of the edges, so that small triangles have small errors. A
+/// difference to the eye is at most 2R, and off by 2u of each and its own
+/// rounding: 6u R; an edge is off by u L. A component of the cross product has
+/// two products of at most 2R L, off by 6u R L + 2u R L + 2u R L each, and a
+/// difference: 24u R L in all, and is at most 4 R L. Its product with the image
+/// point, at most 2R and off by 6u R: off by 48u + 24u + 8u = 80u R^2 L, three
+/// of them and their sums: 300u R^2 L. The three parts a i, b j, c are each as
+/// large at most, so a weight is off by 920u R^2 L. A total has three of them,
+/// a sum of a channel three times 255: with the sums' roundings a quotient of
+/// at most 256 is off by (256 + 255) 3 960u R^2 L over the total: 2^21 u R^2 L.
+void GouraudShader::prepare() {
+  ready_ = true;
+  using Point = std::array<double, 3>;
+  const auto minus = [](const Point& p, const Point& q) {
+    return Point{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  };
+  const auto dot = [](const Point& p, const Point& q) {
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  };
+  const auto colors = scene_.corner_colors(polygon_);
+  if (!has_corners_) read_corners();
+  Gradient& g = gradient_;
+  std::array<std::array<double, 4>, 3> across{}, down{}, at{};
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto point = [this](std::size_t c) {
+      const Vertex& v = corners_[c % 3];
+      return Point{v.x, v.y, v.z};
+    };
+    const Point from = point(k + 1);
+    const Point to = point(k + 2);
+    // The edge in place of `from` less the eye: the same product.
+    const Point u = view_.perspective ? minus(to, view_.eye) : view_.eye;
+    const Point v = view_.perspective ? minus(from, to) : minus(to, from);
+    longest =
+        std::max({longest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    const Point m = {eye_sign_ * (u[1] * v[2] - u[2] * v[1]),
+                     eye_sign_ * (u[2] * v[0] - u[0] * v[2]),
+                     eye_sign_ * (u[0] * v[1] - u[1] * v[0])};
+    const Point& origin = view_.perspective ? view_.eye : from;
+    const double a = dot(m, view_.right);
+    const double b = dot(m, view_.down);
+    const double c = dot(m, minus(view_.start, origin));
+    const std::array<double, 4> factors = {
+        static_cast<double>(colors[k].r), static_cast<double>(colors[k].g),
+        static_cast<double>(colors[k].b), 1.0};
+    for (std::size_t f = 0; f < 4; ++f) {
+      across[k][f] = factors[f] * a;
+      down[k][f] = factors[f] * b;
+      at[k][f] = factors[f] * c;
+    }
+  }
+  for (std::size_t f = 0; f < 4; ++f) {
+    g.a[f] = across[0][f] + across[1][f] + across[2][f];
+    g.b[f] = down[0][f] + down[1][f] + down[2][f];
+    g.c[f] = at[0][f] + at[1][f] + at[2][f];
+  }
+  const double reach =
+      view_.reach + std::max({std::abs(view_.eye[0]), std::abs(view_.eye[1]),
+                              std::abs(view_.eye[2])});
+  gradient_.doubt = 0x1p21 * kRounding * reach * reach * longest;
+}
+
+void GouraudShader::read_corners() {
+  const auto corners = scene_.corners(polygon_);
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners_[k] = to_vertex(scene_.point(corners[k]));
+  }
+  has_corners_ = true;
+}
+
+int GouraudShader::shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
+                         std::uint8_t* colors, std::int64_t at) {
+  const Gradient& g = gradient();
+  const double v = j;
+  int exact = 0;
+  for (; bits != 0; bits &= bits - 1) {
+    const int k = __builtin_ctz(bits);
+    const double u = x + k;
+    const double reciprocal = 1 / (g.a[3] * u + (g.b[3] * v + g.c[3]));
+    const double doubt = g.doubt * reciprocal;
+    for (std::size_t c = 0; c < 3; ++c) {
+      // Half up: the floor of the value and a half. A total too small to
+      // trust makes the doubt large, or negative, or no number.
+      const double value =
+          (g.a[c] * u + (g.b[c] * v + g.c[c])) * reciprocal + 0.5;
+      const bool usable = doubt >= 0 && doubt < 0.25;
+      auto level = static_cast<std::int32_t>(usable ? value : 128.0);
+      const double above = value - level;
+      if (!usable || !(above > doubt && above < 1 - doubt)) {
+        ++exact;
+        level = exact_channel(c, x + k, j, std::clamp(level, 0, 255));
+      }
+      colors[at + 3 * k + static_cast<int>(c)] =
+          static_cast<std::uint8_t>(level);
+    }
+  }
+  return exact;
+}
+
+std::uint8_t GouraudShader::exact_channel(std::size_t channel, std::int32_t i,
+                                          std::int32_t j, std::int32_t guess) {
+  if (!exact_ready_) prepare_exact();
+  // The greatest k with k <= sum / total + 1/2, or 2 k total <= 2 sum + total.
+  const Wide<4> total = exact_total_.at_centre(i, j);
+  const Wide<4> sum = exact_sums_[channel].at_centre(i, j);
+  const Wide<4> level = sum + sum + total;
+  const auto reaches = [&](std::int32_t k) {
+    return !(level - multiply<4>(total, Int128{2 * k})).is_negative();
+  };
+  std::int32_t k = guess;
+  while (k > 0 && !reaches(k)) --k;
+  while (k < 255 && reaches(k + 1)) ++k;
+  return static_cast<std::uint8_t>(k);
+}
+
+}  // namespace halfspace::fast
