@@ -30,7 +30,7 @@ struct BandResult {
 
 /// The eye's side of a fragment's source, from that of its node.
 int source_side(const TreeFragment& fragment, int node_sign) {
-  return fragment.turned != 0 ? -node_sign : node_sign;
+  return fragment.flipped != 0 ? -node_sign : node_sign;
 }
 
 template <int kBits>

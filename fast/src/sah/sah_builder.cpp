@@ -395,12 +395,12 @@ void SahBuilder::add_fragments(NodeId id, std::vector<Primitive>& primitives) {
       piece.corners.insert(piece.corners.end(), from, from + part.count);
     }
     const auto count = static_cast<std::uint32_t>(piece.corners.size()) - first;
-    const bool turned =
+    const bool flipped =
         node.splitter != kNoPlane && node.splitter != primitive.source &&
         opposed(plane_of(state_.scene, primitive.source), node.plane);
     piece.fragments.push_back(
         {primitive.source, first, count & kMostCornersOfFragment,
-         turned ? 1u : 0u,
+         flipped ? 1u : 0u,
          static_cast<std::int32_t>(piece.fragments.size()) + 1});
   }
   piece.fragments.back().next = kNoFragment;

@@ -137,7 +137,7 @@ class Autopartition {
     return splitter_.relation(fragment, splitter, planes_[s]);
   }
 
-  bool is_turned(PolygonId source, PolygonId splitter) const {
+  bool is_flipped(PolygonId source, PolygonId splitter) const {
     return table_.same_orientation[static_cast<std::size_t>(source)] !=
            table_.same_orientation[static_cast<std::size_t>(splitter)];
   }
@@ -198,7 +198,7 @@ class Autopartition {
       switch (relation(fragment, splitter)) {
         case Relation::kCoincident: {
           const std::int32_t added = add_fragment(
-              tree_, fragment, is_turned(fragment.source, splitter));
+              tree_, fragment, is_flipped(fragment.source, splitter));
           if (last == kNoFragment) {
             node.first_fragment = added;
           } else {

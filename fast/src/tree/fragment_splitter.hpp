@@ -21,11 +21,11 @@ struct FragmentRef {
 
 /// Adds a fragment to the tree's array, in no list yet; its index.
 inline std::int32_t add_fragment(BspTree& tree, const FragmentRef& fragment,
-                                 bool turned) {
+                                 bool flipped) {
   HALFSPACE_ASSERT(fragment.count <= kMostCornersOfFragment);
   tree.fragments.push_back({fragment.source, fragment.first,
                             fragment.count & kMostCornersOfFragment,
-                            turned ? 1u : 0u, kNoFragment});
+                            flipped ? 1u : 0u, kNoFragment});
   return static_cast<std::int32_t>(tree.fragments.size()) - 1;
 }
 
