@@ -11,7 +11,6 @@
 
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
-#include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "raster/culler.hpp"
 #include "raster/polygon_rasterizer.hpp"
