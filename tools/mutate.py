@@ -51,6 +51,7 @@ FILES = [
     "ref/src/oracle/painter.cpp", "ref/src/oracle/zbuffer.cpp",
     "ref/src/oracle/raycast.cpp",
     "fast/src/raster/dynamic_screen.cpp",
+    "fast/src/raster/kernel/generic/coverage_merge.hpp",
     "fast/src/tree/split.cpp", "fast/src/tree/scene_planes.cpp",
     "fast/src/tree/predicate.cpp", "fast/src/tree/splitter.cpp",
     "fast/src/tree/traverse.cpp", "fast/src/tree/insert.cpp", "fast/src/raster/tile_buffer.cpp",
@@ -189,6 +190,11 @@ TESTS_OF = {
     "fast/src/screen": {"vectors_test": "*Implementations*",
                         "fast_test": "KernelTiles* " + FAST_IMAGE,
                         "agree_image_test": AGREE_IMAGE},
+    **{f"fast/src/raster/{stem}": {
+        "fast_test": "DynamicScreen*:KernelTiles*",
+        "exhaustive_test": "*RandomMerges*", "agree_image_test": AGREE_IMAGE,
+        "proptest": "S4*"}
+       for stem in ("dynamic_screen", "kernel/generic/coverage_merge")},
     "io/src/triangulate": {
         "io_test": "Triangulate*:ShapeOf*-*Ends*:*Quadratic*:*ManyCorners* "
                    "Triangulate.*Ends*:*Quadratic*:*ManyCorners*:ImportScene*"},

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,6 +24,7 @@
 halfspace::Result<halfspace::Done> picture_of(const char* mesh_file,
                                               const char* png_file);
 // docs/guide.md
+halfspace::Result<std::string> drilled_plate(const char* file);
 halfspace::Result<halfspace::Scene> triangle();
 halfspace::PolygonId polygon_at(const halfspace::Scene& scene,
                                 const halfspace::Camera& camera, std::int32_t i,
@@ -62,6 +63,14 @@ TEST(Documents, TheReadmesProgramMakesAPicture) {
   EXPECT_TRUE(done) << done.error().message;
   EXPECT_GT(std::filesystem::file_size("documents.png"), 100u);
   EXPECT_FALSE(picture_of("missing.off", "documents.png"));
+}
+
+TEST(Documents, TheGuidesPlateIsDrilled) {
+  const auto volume = drilled_plate("documents_plate.off");
+  ASSERT_TRUE(volume) << volume.error().message;
+  EXPECT_GT(std::stod(*volume), 120000 - 3.15 * 64 * 20);
+  EXPECT_LT(std::stod(*volume), 120000 - 3.1 * 64 * 20);
+  EXPECT_GT(std::filesystem::file_size("documents_plate.off"), 100u);
 }
 
 TEST(Documents, TheGuidesSceneIsATriangle) {

@@ -56,9 +56,9 @@ void to_floats(const Affine3& f, float (&to)[4]) {
 
 }  // namespace
 
-/// What a float is off by is 2^29 times what a double is, so the view's bounds,
-/// 16u of the sum of sizes, are of floats: a coefficient, a product and three
-/// sums are off by 6u of it.
+/// A float's rounding is 2^29 times that of a double, so 2^29 times the view's
+/// bounds, 16u of the sum of sizes, bound floats: a coefficient, a product and
+/// three sums are off by 6u of it.
 ///
 /// With those, D for x and y and d for t, a quotient of size W at most is off
 /// by (D + W d) / t, a twentieth where t is 20 (D + W d) or more; its own

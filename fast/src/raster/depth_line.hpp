@@ -8,11 +8,12 @@
 
 namespace halfspace::fast {
 
-/// How near a fragment is: at the centre of a pixel (i, j) that it covers,
-/// larger where nearer. `farthest` bounds i and j. Where doubles cannot tell it
-/// the error is enormous, or no number.
+/// A function of the image that is larger where the fragment is nearer, at the
+/// centres of the pixels (i, j) that it covers. `farthest` bounds i and j.
+/// Where doubles do not suffice its error is enormous, or no number.
 ///
-/// Unlike its plane that comes from the vertices that it is drawn by.
+/// It comes from the vertices that the fragment is drawn by, not from its
+/// plane.
 DepthDifference depth_of(std::span<const Vertex> corners, const View& view,
                          std::int32_t farthest);
 

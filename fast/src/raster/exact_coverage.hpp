@@ -9,7 +9,7 @@
 namespace halfspace::fast {
 
 /// Decides, exactly, which samples a fragment covers (S4.5): where doubles
-/// cannot tell, and where a fragment reaches up to the eye.
+/// cannot, and where a fragment reaches up to the eye.
 template <int kBits>
 class ExactScan {
  public:

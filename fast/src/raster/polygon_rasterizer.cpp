@@ -14,8 +14,8 @@ constexpr double kMostError = 0x1p-10;
 /// enough for 32 bits.
 constexpr double kFarthest = 0x1p30;
 
-/// Of a channel the share `alpha` / 255 of `over` and the rest of `under`,
-/// rounded half up (S5.6): the quotient by 255 and a half, over 510.
+/// A channel of `alpha` / 255 parts of `over` and the rest of `under`, rounded
+/// half up (S5.6): the quotient by 255 and a half, over 510.
 constexpr std::uint8_t blended(std::uint32_t over, std::uint32_t under,
                                std::uint32_t alpha) {
   return static_cast<std::uint8_t>(
@@ -199,8 +199,7 @@ PixelSource PolygonRasterizer<kBits>::start(const TreeFragment& fragment,
       eye_sign, 0};
 }
 
-/// Of a whole triangle the block has the corners: the scene's are far from
-/// here.
+/// A whole triangle's corners are in its block: the scene's are far from here.
 template <int kBits>
 void PolygonRasterizer<kBits>::start_shader(const TreeFragment& fragment,
                                             int eye_sign) {

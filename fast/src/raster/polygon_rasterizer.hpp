@@ -81,8 +81,8 @@ class PolygonRasterizer final : private ExactFallback {
   /// Where the corners of an outline go.
   static constexpr std::int32_t kMostCorners = 32;
 
-  /// What is known of a fragment in the image: its corners, or that its lines
-  /// must be decided one by one, or that nothing of it is seen.
+  /// A fragment in the image: its corners are known, or its lines must be
+  /// decided one by one, or nothing of it is seen.
   enum class Projection { kOutline, kLines, kUnseen };
 
   /// The fragments of a leaf that are in blocks: one after another.
@@ -91,8 +91,9 @@ class PolygonRasterizer final : private ExactFallback {
     std::int32_t end;
   };
 
-  /// So many fragments ahead memory is asked for: what leads to colours, and
-  /// then those. More at a time than can be under way is asked for in vain.
+  /// How many fragments ahead memory is fetched: the lists that lead to
+  /// colours, then the colours. The processor drops fetches beyond what it can
+  /// hold.
   static constexpr std::int32_t kAhead = 32;
   static constexpr std::int32_t kColorsAhead = 16;
   void prefetch(const Run& run, std::int32_t from, std::int32_t count) const;

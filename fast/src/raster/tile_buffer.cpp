@@ -16,11 +16,11 @@ std::uint32_t bits_between(std::int32_t first, std::int32_t end,
   return from(first) & ~from(end);
 }
 
-/// More than this is given back. Units: bytes.
+/// More memory than this is given back. Units: bytes.
 constexpr std::size_t kMostSpare = std::size_t{1} << 25;
 
-/// What the last screen of this thread used: asked for anew for every frame,
-/// the system would clear its pages every time.
+/// The memory of this thread's last buffer. Memory that is new for every frame
+/// has pages that the system clears every time.
 thread_local std::unique_ptr<TileMemory> spare;
 
 }  // namespace

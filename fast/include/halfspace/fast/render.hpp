@@ -23,14 +23,14 @@ struct Rectangle {
   friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
-/// What render() does that does not change a pixel.
+/// Options of render() that do not change a pixel.
 struct RenderOptions {
   int threads = 1;  ///< at least 1
   /// The part of the image that is wanted; nothing: all of it. It must lie in
   /// the image and not be empty.
   std::optional<Rectangle> rectangle;
-  bool items = true;   ///< false: leave Rendering::items empty
-  bool colors = true;  ///< false: leave Rendering::colors empty
+  bool items = true;                  ///< false: leave Rendering::items empty
+  bool colors = true;                 ///< false: leave Rendering::colors empty
   SimdLevel simd = SimdLevel::kBest;  ///< of the innermost loops
 };
 
@@ -43,7 +43,7 @@ struct Rendering {
   std::size_t pixels_painted = 0;
   /// How many fragments were displayed; a band of lines counts its own.
   std::size_t fragments_displayed = 0;
-  /// Of splitters against the eye, and of scan lines and channels.
+  /// Decisions of splitters against the eye, of scan lines and of channels.
   FilterStats decisions;
 };
 

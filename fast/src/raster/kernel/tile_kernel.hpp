@@ -21,7 +21,7 @@ struct Outline {
   std::int32_t turn = 1;
 };
 
-/// What became of the fragments of a block.
+/// The fragments of a block that were drawn, and those that are left.
 struct BlockDrawn {
   std::int32_t displayed = 0;  ///< how many were displayed, seen or not
   std::uint32_t left = 0;      ///< the bits of those that need more than this

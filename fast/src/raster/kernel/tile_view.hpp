@@ -10,7 +10,7 @@ namespace halfspace::fast {
 constexpr std::int32_t kTileWidth = 32;
 constexpr std::int32_t kTileHeight = 8;
 
-/// What is written where a polygon lights a pixel.
+/// The id and the colours of a polygon, where it lights pixels.
 ///
 /// Whole words: bytes that are written one by one are slow to read together.
 struct PixelSource {
@@ -151,8 +151,8 @@ struct LeafState {
   /// counting a little less than the next.
   float recent_tiles = 0;
   float recent_masks = 0;
-  /// So many masks on one of them are written when the leaf ends. 1 where its
-  /// polygons are small: there are many sources, which need not be kept.
+  /// A tile with this many masks is written when the leaf ends. 1 where its
+  /// polygons are small: then there are many sources, which need not be kept.
   std::int32_t most_masks = kMostMasks;
 };
 
@@ -167,8 +167,8 @@ struct TileView : LitTiles, TileImages, MaskPool, LeafState {
 
 /// Where the colours of a tile go: its pixel (k, r) is at byte
 /// at + r stride + 3 k. `whole`: all are there; else its columns from `first`
-/// to `end`. `loose`: what is beside a polygon's pixels may be written over;
-/// `own`: it may be written again as it was, all over the tile.
+/// to `end`. `loose`: the pixels next to a polygon's may be written over;
+/// `own`: they may be written again as they were, all over the tile.
 struct Target {
   std::uint8_t* colors;
   std::int64_t at;

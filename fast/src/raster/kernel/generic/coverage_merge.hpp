@@ -6,7 +6,7 @@
 
 namespace halfspace::fast {
 
-/// What is covered merged with what is lit, tile by tile.
+/// Merges what polygons cover with what is lit, tile by tile.
 template <class Simd>
 struct CoverageMerge : TileWrite<Simd> {
   using Simd::all, Simd::and_not, Simd::any, Simd::columns_between;
@@ -24,8 +24,8 @@ struct CoverageMerge : TileWrite<Simd> {
     --screen.open_tiles;
   }
 
-  /// F2B's Merge for the 256 pixels of a tile (S4.8): what of `cover` is unlit
-  /// becomes lit, and what was unlit without it stays so.
+  /// F2B's Merge for the 256 pixels of a tile (S4.8): the unlit pixels of
+  /// `cover` become lit, the other unlit pixels stay so.
   struct MergedTile {
     Words8 lit;  ///< what becomes lit
     Words8 now;  ///< all that is lit from now on
@@ -71,7 +71,7 @@ struct CoverageMerge : TileWrite<Simd> {
     return count;
   }
 
-  /// What of `cover` this leaf has lit before.
+  /// The pixels of `cover` that this leaf has lit before.
   static Words8 contested_of(const TileView& screen, std::int64_t index,
                              Words8 cover, Words8 was) {
     if (!screen.in_leaf || screen.leaf_of[index] != screen.leaf) return none();

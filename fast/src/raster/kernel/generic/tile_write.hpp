@@ -6,7 +6,7 @@
 
 namespace halfspace::fast {
 
-/// What writes to the images, and the masks that wait for it.
+/// Writes to the images, and keeps masks until then.
 template <class Simd>
 struct TileWrite : Shade<Simd> {
   using Simd::all, Simd::and_not, Simd::any, Simd::copy_colors;
@@ -163,8 +163,8 @@ struct TileWrite : Shade<Simd> {
     masks = {};
   }
 
-  /// Of the contested pixels, which masks of this leaf have lit, those where
-  /// the polygon that is drawn is nearer.
+  /// The pixels where the polygon that is drawn is nearer, out of the contested
+  /// ones, which masks of this leaf have lit.
   static Words8 nearer_of(const TileView& screen, std::int64_t index,
                           std::int32_t x, std::int32_t y, Words8 contested) {
     alignas(32) std::uint32_t bits[kTileHeight];
@@ -213,7 +213,7 @@ struct TileWrite : Shade<Simd> {
     put_flat(to.target, to.target.loose ? 255u : rows, bits, source.color);
   }
 
-  /// Puts a tile together: what is `at_hand`, if there is an source for it, and
+  /// Puts a tile together: what is `at_hand`, if there is a source for it, and
   /// its masks; what was lit later hides the earlier. Gives the pixels that
   /// are in none, or in one that is written.
   static Words8 compose(TileView& screen, Composition to, std::int32_t place,

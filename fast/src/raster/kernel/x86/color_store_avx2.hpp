@@ -190,11 +190,10 @@ struct ColorStore : Registers {
     blend(2, byte_mask<2>(bits));
   }
 
-  /// Writes the colour from `to` on into `count` pixels, 32 at most. What lies
-  /// there is not read: that would wait for the image to come from far away.
-  /// There are few branches: small counts are guessed wrongly. So some stores
-  /// are made twice, and they overlap, each beginning with the channel due
-  /// there.
+  /// Writes the colour from `to` on into `count` pixels, 32 at most. The
+  /// image is not read: it is far away in memory. There are few branches, since
+  /// small counts are predicted badly. So stores overlap, and some are made
+  /// twice; each begins with the channel that is due there.
   static void put_run(std::uint8_t* to, int count, const FlatColor& color) {
     const int size = 3 * count;
     const auto before = [size](int k, int last) {

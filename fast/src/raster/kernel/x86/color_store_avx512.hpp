@@ -20,8 +20,8 @@ constexpr Places kThirds = [] {
   return places;
 }();
 
-/// How items and colours are stored. What a mask leaves out is
-/// neither read nor written, so that it need not be there.
+/// How items and colours are stored. Memory that a mask leaves out is neither
+/// read nor written, so that it need not exist.
 struct ColorStore : Registers {
   using Registers::store;
 

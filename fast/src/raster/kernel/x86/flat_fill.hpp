@@ -58,8 +58,7 @@ struct FlatFill : ColorStore {
     FlatColor color;
   };
 
-  /// A tile has at most so many parts here; one of more is put together part
-  /// by part.
+  /// More parts than this are put together part by part.
   static constexpr int kMostFlatParts = 6;
 
   /// The parts of a tile: what is `at_hand`, if any, and its masks; what was

@@ -34,10 +34,10 @@ struct GouraudBlocks : GouraudLines {
   /// L = 7/2 (|g| + |h|), |q| <= Q = 7/2 (|p| + |s|) <= 1/4 that is at most 4/3
   /// L Q Q. The terms in i = u + 7/2 and r = v + 7/2 are rounded to units, by
   /// half of one each: (1 + 7 + 7 + 49 + 49 + 49) / 2 = 81 of them in the sum.
-  /// What the doubles are off in levels of at most 2^12 is far below a unit; 90
-  /// leaves room for it. `doubt` counts twice, as the total may be 3/4 of T.
-  /// All that is added to a level and a half: the level is right where what is
-  /// left of it is no less than twice that.
+  /// The doubles' errors, in levels of at most 2^12, are far below a unit; 90
+  /// leaves room for them. `doubt` counts twice, as the total may be 3/4 of T.
+  /// All that is added to a level and a half: the level is right where its
+  /// fraction is no less than twice that.
   static bool start_blocks(const Gradient& g, std::int32_t x, std::int32_t y,
                            std::uint32_t needed, ShadedBlocks& blocks) {
     const auto all = [](double d) { return _mm256_set1_pd(d); };

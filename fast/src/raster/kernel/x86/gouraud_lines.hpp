@@ -83,7 +83,7 @@ struct GouraudLines : FlatFill {
     return true;
   }
 
-  /// What eight pixels of a line take, for each the same or one after another.
+  /// The terms of eight pixels of a line.
   struct Shades {
     __m256 n1[3];
     __m256 d;
@@ -144,7 +144,7 @@ struct GouraudLines : FlatFill {
     for (int c = 0; c < 3; ++c) {
       levels[c] = _mm256_cvttps_epi32(
           _mm256_mul_ps(along(n0[c], shades.n1[c]), reciprocal));
-      // Of the low halves: how far above the last step, that moved down.
+      // The low halves: how far each is above the last step, moved down.
       nearest =
           _mm256_min_epu16(nearest, _mm256_add_epi32(levels[c], shades.doubt));
     }

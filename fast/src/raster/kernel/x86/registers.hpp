@@ -58,7 +58,7 @@ inline FloatMask operator^(FloatMask a, FloatMask b) {
   return {_mm256_xor_ps(a.v, b.v)};
 }
 
-/// So many parts make eight doubles.
+/// Eight doubles are this many parts.
 constexpr int kParts = 8 / kLanes;
 
 /// One word for each of 8 lines.
