@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "boolean/engine.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "lattice.hpp"
-#include "table/geometry_table.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -18,7 +17,7 @@ Solid random_solid(std::uint64_t& state) {
   return to_solid(lattice::surface(lattice::random_cubes(1, state)));
 }
 
-TEST(BooleanTables, AreThoseUsedMoreOftenOneWay) {
+TEST(FastBadEdges, AreThoseUsedMoreOftenOneWay) {
   std::uint64_t state = 5;
   Solid solid = random_solid(state);
   EXPECT_TRUE(bad_edges(solid).empty());
@@ -64,12 +63,12 @@ Solid tetrahedron(const Solid& with) {
   return to_solid(*make_solid(*make_scene(std::move(data))), with);
 }
 
-TEST(BooleanTables, AMovedSolidComesBackAsItWas) {
+TEST(FastTable, AMovedSolidComesBackAsItWas) {
   std::uint64_t state = 7;
   const Solid cubes = random_solid(state);
   const Solid few = tetrahedron(cubes);
   const Solid both = boolean(BooleanOp::kIntersection, few, cubes);
-  const Space& from = *cubes.space;
+  const GeometryTable& from = *cubes.table;
   // Of the first, so few that they are told by name; of the second, points
   // that are not on the grid.
   EXPECT_GT(from.vertex_count(),
@@ -78,18 +77,19 @@ TEST(BooleanTables, AMovedSolidComesBackAsItWas) {
       both.edges.begin(), both.edges.end(),
       [&](const SolidEdge& e) { return !from.vertex(e.from).is_grid(); }));
   for (const Solid& solid : {few, both, cubes}) {
-    const auto space = std::make_shared<Space>(from.grid_bits());
-    const Solid moved = moved_to(solid, space);
-    EXPECT_LE(space->vertex_count(), solid.edges.size());
-    EXPECT_EQ(moved.space, space);
-    const Solid back = moved_to(moved, solid.space);
+    TableLease other = TableLease::of_new(from.grid_bits());
+    const Solid moved = moved_to(solid, other);
+    EXPECT_LE(other.table().vertex_count(), solid.edges.size());
+    EXPECT_EQ(moved.table, other.shared());
+    TableLease own = *TableLease::of(solid.table);
+    const Solid back = moved_to(moved, own);
     EXPECT_TRUE(back.edges == solid.edges);
     for (std::size_t f = 0; f < solid.faces.size(); ++f)
       EXPECT_EQ(back.faces[f].plane, solid.faces[f].plane);
   }
 }
 
-TEST(BooleanTables, AreThePartsAboveAndBelowThePlane) {
+TEST(FastHalves, AreThePartsAboveAndBelowThePlane) {
   std::uint64_t state = 9;
   const lattice::Cubes cubes = lattice::random_cubes(2, state);
   const Halves halves = split(to_solid(lattice::surface(cubes)),
