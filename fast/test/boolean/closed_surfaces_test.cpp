@@ -12,12 +12,12 @@
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "intersect/candidates.hpp"
 #include "solid/loops.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -134,7 +134,7 @@ Solid nonsense(std::uint64_t seed, const Solid* with = nullptr) {
 /// Whether both planes of every edge hold its ends.
 bool is_held(const Solid& solid) {
   const auto is_in = [&](std::int32_t v, std::int32_t plane) {
-    return plane < 0 || solid.space->side(plane, v) == 0;
+    return plane < 0 || solid.table->side(plane, v) == 0;
   };
   for (const Face& face : solid.faces) {
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
@@ -180,7 +180,7 @@ TEST(FastNonsense, EveryBooleanOfClosedSurfacesEnds) {
       chain.apply(operation, b);
       EXPECT_TRUE(is_held(chain.solid()));
     }
-    symmetric_difference(a, b);
+    boolean(BooleanOp::kSymmetricDifference, a, b);
     split(a, {GridPoint{0, 0, 1}, GridPoint{1, 0, 1}, GridPoint{0, 1, 2}});
   }
   // Most are what they are meant to be.
@@ -189,14 +189,14 @@ TEST(FastNonsense, EveryBooleanOfClosedSurfacesEnds) {
 }
 
 TEST(FastNonsense, ALoopAlongALineIsNothing) {
-  Space space(26);
-  const std::int32_t p = space.add_point({0, 0, 0});
-  const std::int32_t q = space.add_point({3, 0, 0});
-  const std::int32_t r = space.add_point({9, 0, 0});
+  GeometryTable table(26);
+  const std::int32_t p = table.add_point({0, 0, 0});
+  const std::int32_t q = table.add_point({3, 0, 0});
+  const std::int32_t r = table.add_point({9, 0, 0});
   List<Piece> pieces{{0, 0, p, r}, {0, 0, r, q}, {0, 0, q, p}};
   // Nothing turns at the others.
   straighten(
-      pieces, [p](std::int32_t v) { return v == p; }, space);
+      pieces, [p](std::int32_t v) { return v == p; }, table);
   EXPECT_TRUE(pieces.empty());
 }
 
@@ -209,13 +209,14 @@ TEST(FastNonsense, RepairKeepsWhatIsWoundRound) {
     if (!resolved.self_intersections.empty()) ++crossed;
     const Result<Done> fine = check_operand(resolved.solid);
     ASSERT_TRUE(fine) << fine.error().message;
-    const Locator before(solid, *solid.space, nullptr, nullptr);
-    const Locator after(resolved.solid, *solid.space, nullptr, nullptr);
+    TableLease lease = *TableLease::of(solid.table);
+    const Locator before(solid, *solid.table, nullptr, nullptr);
+    const Locator after(resolved.solid, *solid.table, nullptr, nullptr);
     Surface draws(seed + 9000);
     for (int i = 0; i < 20; ++i) {
       const auto coordinate = [&] { return draws.draw(kStep * kPoints); };
       const std::int32_t v =
-          solid.space->add_point({coordinate(), coordinate(), coordinate()});
+          lease.table().add_point({coordinate(), coordinate(), coordinate()});
       const bool is_inside = before.winding(v, v) > 0;
       if (is_inside) ++inside;
       ASSERT_EQ(after.winding(v, v), is_inside ? 1 : 0);

@@ -163,7 +163,7 @@ TEST(FaceIndex, FindsWhatIsThere) {
   EXPECT_GT(found_in_all, 50000u);
 }
 
-TEST(Space, PointsAddedTogetherAreThoseAddedAlone) {
+TEST(GeometryTable, PointsAddedTogetherAreThoseAddedAlone) {
   std::mt19937_64 random(10);
   for (const std::size_t count : {0u, 1u, 31u, 32u, 33u, 500u}) {
     std::vector<GridPoint> points;
@@ -172,7 +172,7 @@ TEST(Space, PointsAddedTogetherAreThoseAddedAlone) {
     };
     for (std::size_t i = 0; i < count; ++i)
       points.push_back({number(), number(), number()});
-    Space together(26), alone(26);
+    GeometryTable together(26), alone(26);
     std::vector<std::int32_t> ids, others;
     together.add_points(points, ids);
     for (const GridPoint& point : points)
@@ -190,10 +190,10 @@ GridPoint point_at(const GridPoint& origin, const GridPoint& u,
           origin.z + i * u.z + j * v.z};
 }
 
-TEST(Space, PlanesThatAreEqualAreOne) {
+TEST(GeometryTable, PlanesThatAreEqualAreOne) {
   std::mt19937_64 random(7);
   for (const int bits : {26, 40, 54}) {
-    Space space(bits);
+    GeometryTable table(bits);
     std::set<std::int32_t> known;
     for (int round = 0; round < 400; ++round) {
       // Small numbers make many planes parallel, large ones fill the grid.
@@ -210,10 +210,10 @@ TEST(Space, PlanesThatAreEqualAreOne) {
       const GridPoint o = point(), u = point(), v = point();
       if (cross<54>({u.x, u.y, u.z}, {v.x, v.y, v.z}) == Vector3<Int128>{})
         continue;
-      const OrientedPlane one = space.add_plane(
+      const OrientedPlane one = table.add_plane(
           {o, point_at(o, u, v, 1, 0), point_at(o, u, v, 0, 1)});
       known.insert(one.plane);
-      const std::size_t count = space.plane_count();
+      const std::size_t count = table.plane_count();
       ASSERT_EQ(count, known.size());
       for (int k = 0; k < 8; ++k) {
         const auto times = [&] {
@@ -222,18 +222,18 @@ TEST(Space, PlanesThatAreEqualAreOne) {
         const std::int64_t a = times(), b = times(), c = times(), d = times();
         if (a * d == b * c) continue;
         const GridPoint p = point_at(o, u, v, times(), times());
-        const OrientedPlane other = space.add_plane(
+        const OrientedPlane other = table.add_plane(
             {p, point_at(p, u, v, a, b), point_at(p, u, v, c, d)});
         ASSERT_EQ(other.plane, one.plane);
         ASSERT_EQ(other.flipped == one.flipped, a * d > b * c);
       }
-      ASSERT_EQ(space.plane_count(), count);
+      ASSERT_EQ(table.plane_count(), count);
       // What is beside it, and parallel, is another plane.
-      const auto n = space.normal(one.plane);
+      const auto n = table.normal(one.plane);
       const GridPoint beside = n.x != 0   ? GridPoint{o.x + 1, o.y, o.z}
                                : n.y != 0 ? GridPoint{o.x, o.y + 1, o.z}
                                           : GridPoint{o.x, o.y, o.z + 1};
-      const OrientedPlane parallel = space.add_plane(
+      const OrientedPlane parallel = table.add_plane(
           {beside, point_at(beside, u, v, 1, 0), point_at(beside, u, v, 0, 1)});
       ASSERT_NE(parallel.plane, one.plane);
       known.insert(parallel.plane);
@@ -243,7 +243,7 @@ TEST(Space, PlanesThatAreEqualAreOne) {
 
 /// Offsets right between two cells of the table, which doubles take to either
 /// side: with the normal (2^17, 1, 0), those that are odd.
-TEST(Space, PlanesAtTheBordersOfCellsAreOne) {
+TEST(GeometryTable, PlanesAtTheBordersOfCellsAreOne) {
   std::mt19937_64 random(12);
   const auto number = [&](std::int64_t most) {
     return static_cast<std::int64_t>(random() %
@@ -251,18 +251,18 @@ TEST(Space, PlanesAtTheBordersOfCellsAreOne) {
            most;
   };
   const GridPoint u{1, -(1 << 17), 0}, v{0, 0, 1};
-  Space space(26);
+  GeometryTable table(26);
   for (int round = 0; round < 100; ++round) {
     const GridPoint o{number(100), 2 * number(1 << 22) + 1, number(1 << 23)};
     const std::int32_t plane =
-        space.add_plane({o, point_at(o, u, v, 1, 0), point_at(o, u, v, 0, 1)})
+        table.add_plane({o, point_at(o, u, v, 1, 0), point_at(o, u, v, 0, 1)})
             .plane;
     for (int k = 0; k < 20; ++k) {
       const std::int64_t a = number(100), b = number(1 << 24), c = number(100),
                          d = number(1 << 24);
       if (a * d == b * c) continue;
       ASSERT_EQ(
-          space.add_plane({o, point_at(o, u, v, a, b), point_at(o, u, v, c, d)})
+          table.add_plane({o, point_at(o, u, v, a, b), point_at(o, u, v, c, d)})
               .plane,
           plane);
     }
