@@ -146,6 +146,13 @@ std::span<const Cover> Engine::covers_of(std::size_t o,
       .subspan(first_cover_[o][e], first_cover_[o][e + 1] - first_cover_[o][e]);
 }
 
+std::int32_t Engine::find_root(std::size_t o, std::int32_t vertex) {
+  SparseDisjointSets& sets = scratch_.sets[o];
+  if (sets.parents().get(vertex + 1, -1) < 0)
+    sets.attach(vertex + 1, is_beyond_other(o, vertex) ? 0 : vertex + 1);
+  return sets.root(vertex + 1);
+}
+
 /// Whether a triangle's vertices are known to be joined: most are, by the
 /// triangles beside it.
 bool Engine::is_joined(std::size_t o, const SolidEdge* edges) const {

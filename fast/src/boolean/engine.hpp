@@ -125,11 +125,13 @@ class Engine {
   /// The root of a vertex's set, of `vertex + 1`: 0 for vertices beyond the
   /// other operand's box, all of which are on one side of it.
   std::int32_t root(std::size_t o, std::int32_t vertex) {
-    SparseDisjointSets& sets = scratch_.sets[o];
-    if (!sets.parents().holds(vertex + 1))
-      sets.attach(vertex + 1, is_beyond_other(o, vertex) ? 0 : vertex + 1);
-    return sets.root(vertex + 1);
+    const SparseParents& parents = scratch_.sets[o].parents();
+    const std::int32_t up = parents.get(vertex + 1, -1);
+    // Nearly always, and short enough to be inlined.
+    if (up >= 0 && parents.get(up) == up) return up;
+    return find_root(o, vertex);
   }
+  std::int32_t find_root(std::size_t o, std::int32_t vertex);
   bool is_joined(std::size_t o, const SolidEdge* edges) const;
   void join(std::size_t o, std::int32_t u, std::int32_t v);
   std::int32_t join_root(std::size_t o, std::int32_t r, std::int32_t v);

@@ -38,7 +38,7 @@ enum class SolidClass : std::uint8_t {
   kOpposite,  ///< on the other's surface, normals oppose
 };
 
-/// What a boolean does with a fragment of an operand (S6.4).
+/// The deed of a boolean with a fragment of an operand (S6.4).
 enum class Keep : std::uint8_t { kDrop, kKeep, kFlip };
 
 /// An edge that keeps a surface from being closed (S6.1): its ends, in the
