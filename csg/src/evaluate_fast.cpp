@@ -9,6 +9,7 @@
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/resolve.hpp"
+#include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/io/load_scene.hpp"
@@ -132,7 +133,8 @@ std::optional<Scene> scene_of(const fast::ExportedMesh& mesh, Unit unit) {
 }
 
 /// How many edges the polygons do not use equally often in each direction.
-std::size_t bad_edges_of(const fast::ExportedMesh& mesh) {
+template <class Mesh>
+std::size_t bad_edges_of(const Mesh& mesh) {
   struct Use {
     VertexId low;
     VertexId high;
@@ -166,6 +168,46 @@ std::size_t bad_edges_of(const fast::ExportedMesh& mesh) {
   return bad;
 }
 
+bool is_on_grid(const fast::Solid& solid) {
+  return std::all_of(solid.edges.begin(), solid.edges.end(),
+                     [&](const fast::SolidEdge& edge) {
+                       return fast::vertex_at(solid, edge.from).is_grid;
+                     });
+}
+
+/// Takes what the polygons of a mesh are, whichever it is.
+template <class Mesh>
+void take_polygons(const fast::Solid& solid, const Mesh& mesh, Unit unit,
+                   Outcome& result) {
+  result.polygons = mesh.faces.size();
+  result.bad_edges = bad_edges_of(mesh);
+  result.volume = about_volume(mesh.vertices, mesh.first_corner, mesh.corners) *
+                  std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
+  result.origins.clear();
+  for (const std::int32_t f : mesh.faces) {
+    const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
+    result.origins.push_back({face.part, face.polygon});
+  }
+}
+
+/// The result as an exact scene, if a grid holds it.
+std::optional<Scene> exact_scene(fast::Solid& solid,
+                                 const EvaluateOptions& options,
+                                 Outcome& result) {
+  if (options.number == fast::FileNumber::kFloat || !is_on_grid(solid))
+    return std::nullopt;
+  const Unit unit = solid.unit;
+  // In steps, doubles hold every point of the grid.
+  solid.unit = {2, 0};
+  const fast::ExportedMesh mesh =
+      fast::to_mesh(solid, {.triangles = options.triangles,
+                            .threads = options.threads,
+                            .straight_corners = false});
+  solid.unit = unit;
+  take_polygons(solid, mesh, unit, result);
+  return scene_of(mesh, unit);
+}
+
 }  // namespace
 
 BooleanOp boolean_op(NodeKind kind) {
@@ -181,7 +223,8 @@ BooleanOp boolean_op(NodeKind kind) {
   }
 }
 
-Outcome outcome_of(fast::Solid solid, const EvaluateOptions& options) {
+Result<Outcome> outcome_of(fast::Solid solid,
+                           const EvaluateOptions& options) {
   Outcome result;
   // Only of closed faces can there be polygons.
   const auto is_closed = [&result](const fast::Solid& made) {
@@ -193,28 +236,21 @@ Outcome outcome_of(fast::Solid solid, const EvaluateOptions& options) {
   solid = merged_by(std::move(solid), options.merge);
   result.faces = solid.faces.size();
   if (!is_closed(solid)) return result;
-  const Unit unit = solid.unit;
-  // In steps, doubles hold every point of the grid.
-  solid.unit = {2, 0};
-  const fast::ExportOptions how{options.triangles, options.threads};
-  fast::ExportedMesh mesh = fast::to_mesh(solid, how);
-  result.polygons = mesh.faces.size();
-  result.bad_edges = bad_edges_of(mesh);
-  result.volume = about_volume(mesh.vertices, mesh.first_corner, mesh.corners) *
-                  std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
-  for (const std::int32_t f : mesh.faces) {
-    const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
-    result.origins.push_back({face.part, face.polygon});
-  }
-  result.scene = scene_of(mesh, unit);
+  result.scene = exact_scene(solid, options, result);
   if (result.scene) return result;
-  solid.unit = unit;
-  if (unit != Unit{2, 0}) mesh = fast::to_mesh(solid, how);
-  result.moved = mesh.moved;
-  result.max_move = mesh.max_move;
-  result.flipped = std::move(mesh.flipped);
-  result.mesh = {std::move(mesh.vertices), std::move(mesh.first_corner),
-                 std::move(mesh.corners), std::move(mesh.colors)};
+  Result<fast::RoundedMesh> mesh =
+      fast::rounded_mesh(solid, {.number = options.number,
+                                 .triangles = options.triangles,
+                                 .threads = options.threads,
+                                 .max_move = options.max_move});
+  if (!mesh) return mesh.error();
+  take_polygons(solid, *mesh, {2, 0}, result);
+  result.moved = mesh->moved;
+  result.max_move = mesh->max_move;
+  result.rounding = {mesh->spacing,    mesh->rounds,       mesh->crossings,
+                     mesh->faces_lost, mesh->parts_before, mesh->parts_after};
+  result.mesh = {std::move(mesh->vertices), std::move(mesh->first_corner),
+                 std::move(mesh->corners), std::move(mesh->colors), true};
   return result;
 }
 
@@ -232,9 +268,10 @@ Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
   Result<std::optional<fast::Solid>> solid = evaluator.result();
   if (!solid) return solid.error();
   if (!*solid) return std::optional<Outcome>();
-  Outcome result = outcome_of(**std::move(solid), options);
-  result.repairs = algebra.repairs();
-  return std::optional<Outcome>(std::move(result));
+  Result<Outcome> result = outcome_of(**std::move(solid), options);
+  if (!result) return result.error();
+  result->repairs = algebra.repairs();
+  return std::optional<Outcome>(*std::move(result));
 }
 
 }  // namespace halfspace::csg

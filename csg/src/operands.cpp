@@ -202,13 +202,15 @@ Result<Source> read_source(const std::string& path,
 
 Result<Done> Operands::choose_grid() {
   std::vector<io::Number> coordinates;
-  bool decimal = true;
+  bool decimal = true, any_kept = false;
   for (const Leaf& leaf : plan_->leaves) {
     const Scene& scene = sources_[static_cast<std::size_t>(leaf.file)]->scene;
     if (scene.polygon_count() == 0) continue;
     decimal = decimal && scene.unit().base == 10;
-    const StepMap map = step_map(
-        plan_->matrices[static_cast<std::size_t>(leaf.matrix)], scene.unit());
+    const Matrix& matrix =
+        plan_->matrices[static_cast<std::size_t>(leaf.matrix)];
+    any_kept = any_kept || keeps_grids(matrix);
+    const StepMap map = step_map(matrix, scene.unit());
     add_extent(extent_of(map, scene.data().vertices), coordinates);
   }
   for (const Plane& plane : plan_->planes) {
@@ -219,12 +221,14 @@ Result<Done> Operands::choose_grid() {
   mesh.decimal = decimal;
   Result<io::Imported> imported =
       io::import_scene(mesh, {.grid_bits = options_.grid_bits});
-  // What is moved and cannot be held by any grid goes to that of 40 bits. On
-  // the next one, faces that rounding bent are flatter than doubles can tell
-  // when the result is written.
+  // What is moved and cannot be held by any grid is rounded, to a grid that
+  // holds the others, or else with them to that of 40 bits.
   const bool is_moved = plan_->matrices.size() > 1;
-  if (imported && imported->report.moved > 0 && is_moved && !options_.grid_bits)
+  if (imported && imported->report.moved > 0 && is_moved &&
+      !options_.grid_bits) {
+    if (any_kept && choose_exact_grid(true)) return Done{};
     imported = io::import_scene(mesh, {.grid_bits = 40});
+  }
   if (!imported) return imported.error();
   report_.unit = imported->report.unit;
   report_.grid_bits = imported->report.grid_bits;

@@ -133,7 +133,13 @@ Result<Done> Solid::save(const std::filesystem::path& path,
   how.merge = rule_of(options.merge);
   how.triangles = options.triangles;
   how.threads = detail::thread_count(0);
-  return written(path, csg::outcome_of(std::move(solid), how));
+  if (io::format_of(path) == io::Format::kStl) {
+    how.triangles = true;
+    how.number = fast::FileNumber::kFloat;
+  }
+  const auto outcome = csg::outcome_of(std::move(solid), how);
+  if (!outcome) return outcome.error();
+  return written(path, *outcome);
 }
 
 Result<std::vector<Solid>> Solid::operands() const {

@@ -37,6 +37,34 @@ std::string shortest(double value) {
   return {digits, end};
 }
 
+/// All digits of a double: no more than 17 + 1074 of them.
+std::string all_digits(double value) {
+  if (value == 0) return "0";
+  // Below its last binary digit, 2^-k, there are k decimal ones.
+  int exponent = 0;
+  const double rest = std::frexp(value, &exponent);
+  auto mantissa = static_cast<std::int64_t>(std::ldexp(rest, 53));
+  for (exponent -= 53; mantissa % 2 == 0; ++exponent) mantissa /= 2;
+  char digits[1500];
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, value,
+                    std::chars_format::fixed, std::max(0, -exponent))
+          .ptr;
+  std::string text(digits, end);
+  const bool negative = text[0] == '-';
+  if (negative) text.erase(0, 1);
+  // Zeros after the point are an exponent, where they are many.
+  const std::size_t first = text.find_first_not_of("0.");
+  constexpr std::size_t kMany = 7;
+  if (text[0] == '0' && first > kMany) {
+    const std::string power = std::to_string(first - 1);
+    text = text.substr(first);
+    if (text.size() > 1) text.insert(1, ".");
+    text += "e-" + power;
+  }
+  return (negative ? "-" : "") + text;
+}
+
 /// |a - b|, to within an ulp.
 double distance(const Number& a, const Number& b) {
   const std::int32_t two = std::min(a.two, b.two);
@@ -200,10 +228,10 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
   if (format.coordinates != Coordinates::kText) {
     writer.content.doubles = mesh.vertices;
   } else {
+    const auto text = mesh.exact_decimals ? all_digits : shortest;
     for (const DoublePoint& point : mesh.vertices) {
-      writer.content.texts.push_back(shortest(point[0]) + " " +
-                                     shortest(point[1]) + " " +
-                                     shortest(point[2]));
+      writer.content.texts.push_back(text(point[0]) + " " + text(point[1]) +
+                                     " " + text(point[2]));
     }
   }
   if (format.has_triangles_only) {

@@ -356,6 +356,33 @@ TEST(WriteMesh, ErrorsAreToTheLetter) {
                         name + "vertex 0 has the coordinate inf", 0);
 }
 
+TEST(WriteMesh, WritesExactDecimalsOfDoublesWhereTheyAreAskedFor) {
+  OutputMesh mesh;
+  mesh.vertices = {{0.1, -0.5, 0x1p-60},
+                   {-0x1.fffffffffffffp+52, 1e-300, 0x1.8p+70},
+                   {std::numeric_limits<double>::denorm_min(), 3, -0.0}};
+  mesh.first_corner = {0, 3};
+  mesh.corners = {0, 1, 2};
+  for (const char* name : {"a.obj", "a.off"}) {
+    for (const bool exact : {false, true}) {
+      mesh.exact_decimals = exact;
+      const samples::TemporaryFile file(name);
+      ASSERT_TRUE(write_mesh(file.path(), mesh));
+      const Result<Mesh> back = read_mesh(file.path());
+      ASSERT_TRUE(back) << back.error().message;
+      std::size_t same = 0;
+      for (std::size_t v = 0; v < 3; ++v) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Number number = number_of(mesh.vertices[v][k]);
+          EXPECT_EQ(to_double(back->vertices[v][k]), to_double(number));
+          same += back->vertices[v][k] == number ? 1u : 0u;
+        }
+      }
+      EXPECT_EQ(same == 9, exact) << name;
+    }
+  }
+}
+
 TEST(WriteMesh, CutsFansForAnStl) {
   OutputMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}};

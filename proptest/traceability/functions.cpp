@@ -10,6 +10,7 @@
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/resolve.hpp"
+#include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
@@ -73,6 +74,7 @@ void take_all() {
   take(&fast::planes_of);  // S1.6
   take(&io::import_scene);  // S1.7
   take(&ref::rounded);  // S1.8
+  take(&fast::rounded_mesh);  // S1.8
   take(&ref::relation);  // S2.1
   take(&fast::relation);  // S2.1
   {  // S2.2
@@ -211,6 +213,7 @@ void take_all() {
   take(&fast::self_intersections);  // S6.6
   take(&ref::resolve);  // S6.7
   take(&fast::resolve);  // S6.7
+  take(&fast::rounded_mesh);  // S6.8
   take(&ref::visible_map);  // S7.1
   take(&fast::visible_map);  // S7.1
   take(&ref::visible_map);  // S7.2
@@ -229,5 +232,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 98 ? 0 : 1;
+  return halfspace::taken == 100 ? 0 : 1;
 }

@@ -37,6 +37,7 @@ struct CsgArguments {
   bool strict = false;
   bool trust = false;
   bool repair = false;
+  std::optional<double> max_move;
   std::optional<double> shadow;
   std::string shadow_file = "halfspace-shadow.txt";
   std::optional<int> grid_bits;
@@ -162,8 +163,11 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
   LongWork work(std::to_string(plan.booleans) + " booleans");
   csg::EvaluateOptions options;
   options.merge = static_cast<csg::MergeRule>(arguments_.merge);
+  const bool is_stl = io::format_of(arguments_.output) == io::Format::kStl;
   // Files of triangles would have others than their origins tell of.
-  options.triangles = io::format_of(arguments_.output) == io::Format::kStl;
+  options.triangles = is_stl;
+  if (is_stl) options.number = fast::FileNumber::kFloat;
+  options.max_move = arguments_.max_move;
   options.build = build_options(arguments_.build);
   options.threads = thread_count(arguments_.build);
   options.combine = checked_combine();
@@ -214,9 +218,8 @@ Status Job::finish(const csg::Script& script, const csg::Plan& plan,
         "result has " +
         edges + (checked ? "" : "; " + checked.error().message));
   }
-  if (!result.flipped.empty() && arguments_.strict) {
-    return fail(turned_sentence(context) + "; nothing was written");
-  }
+  if (arguments_.strict && result.rounding && result.rounding->lost_any())
+    return fail(loss_sentence(context) + "; nothing was written");
   const Result<io::ExportReport> report =
       write_result(arguments_.output, result);
   if (!report) return fail(arguments_.output, report.error());
@@ -246,6 +249,11 @@ Status Job::shadow_status() const {
   fail("--shadow: " + shadow::to_string(first) + "; this is a bug, and " +
        file + " has the operation and the two solids");
   return Status::kDiffers;
+}
+
+std::optional<double> parse_distance(std::string_view text) {
+  const std::optional<double> distance = parse_real(text);
+  return distance && *distance >= 0 ? distance : std::nullopt;
 }
 
 Status run_csg(const CsgArguments& arguments) {
@@ -313,8 +321,12 @@ void add_csg(CLI::App& program, Status& status) {
              "Which faces in one plane become one: parts of one polygon, those "
              "of one colour, all, or none");
   app->add_flag("--strict", arguments->strict,
-                "Do not write a result of which rounding may have turned "
-                "polygons over");
+                "Do not write a result of which rounding lost a face or a part "
+                "of the surface");
+  add_parsed(*app, "--max-move", "DISTANCE", arguments->max_move,
+             parse_distance,
+             "Do not write a result of which rounding moves the surface "
+             "farther, along an axis");
   app->add_flag("--repair", arguments->repair,
                 "Keep what a surface that crosses itself winds round at least "
                 "once, instead of refusing it");

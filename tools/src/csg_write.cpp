@@ -60,11 +60,6 @@ std::size_t polygons_in(const CsgContext& context) {
   return count;
 }
 
-/// Whether an origin is one of the plan's planes, which come after its leaves.
-bool is_half(const CsgContext& context, std::int32_t part) {
-  return static_cast<std::size_t>(part) >= context.plan.leaves.size();
-}
-
 /// The text with what would break a line made blanks.
 std::string one_line(std::string text) {
   for (char& c : text) {
@@ -112,24 +107,42 @@ Result<Done> write_origins(const std::string& path, const CsgContext& context) {
   return Done{};
 }
 
-std::string turned_sentence(const CsgContext& context) {
-  const auto& turned = context.result.flipped;
-  std::string sentence =
-      "rounding to doubles may have turned over or "
-      "flattened " +
-      std::to_string(turned.size()) + " of " +
-      std::to_string(context.result.polygons) + " polygons, first polygon " +
-      std::to_string(turned.front());
-  if (!context.result.origins.empty()) {
-    const csg::Origin& origin =
-        context.result.origins[static_cast<std::size_t>(turned.front())];
-    sentence += is_half(context, origin.leaf)
-                    ? " (of a half)"
-                    : " (of polygon " + std::to_string(origin.polygon) +
-                          " of " + context.operands.name_of(origin.leaf) + ")";
+std::string loss_sentence(const CsgContext& context) {
+  const csg::RoundingReport& rounding = *context.result.rounding;
+  std::string sentence = "rounding lost " +
+                         std::to_string(rounding.faces_lost) + " of " +
+                         std::to_string(context.result.faces) + " faces";
+  if (rounding.parts_before != rounding.parts_after) {
+    sentence += ", and made " + std::to_string(rounding.parts_before) +
+                (rounding.parts_before == 1 ? " part" : " parts") +
+                " of the surface " + std::to_string(rounding.parts_after);
   }
-  return sentence;
+  return sentence + ": they are thinner than the file's numbers are fine";
 }
+
+namespace {
+
+/// What is said where rounding did more than move vertices a little.
+void print_rounding(const CsgContext& context) {
+  if (!context.result.rounding) return;
+  const csg::RoundingReport& rounding = *context.result.rounding;
+  if (rounding.contacts > 0) {
+    std::printf("rounding: surfaces met in %zu places; settled in %zu rounds\n",
+                rounding.contacts, rounding.rounds);
+  }
+  if (rounding.lost_any())
+    std::printf("warning: %s\n", loss_sentence(context).c_str());
+  // Rounding and one more for what meets move less.
+  constexpr double kFar = 8;
+  if (context.result.max_move > kFar * rounding.spacing) {
+    std::printf(
+        "warning: surfaces that nearly coincide moved by up to %.3g; the "
+        "numbers there are %.3g apart\n",
+        context.result.max_move, rounding.spacing);
+  }
+}
+
+}  // namespace
 
 nlohmann::json stats_of(const CsgContext& context,
                         const io::ExportReport& report) {
@@ -156,8 +169,16 @@ nlohmann::json stats_of(const CsgContext& context,
                           {"export",
                            {{"moved", report.moved},
                             {"max_move", report.max_move},
-                            {"turned", result.flipped.size()},
                             {"triangulated", report.triangulated}}}};
+  if (result.rounding) {
+    const csg::RoundingReport& rounding = *result.rounding;
+    stats["export"]["rounding"] = {{"spacing", rounding.spacing},
+                                   {"rounds", rounding.rounds},
+                                   {"contacts", rounding.contacts},
+                                   {"faces_lost", rounding.faces_lost},
+                                   {"parts_before", rounding.parts_before},
+                                   {"parts_after", rounding.parts_after}};
+  }
   if (context.checks) {
     stats["shadow_booleans"] = context.checks->operations;
     stats["shadow_checked"] = context.checks->checked;
@@ -205,8 +226,7 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
               result.moved > 0 ? "vertices" : "coordinates", report.max_move,
               report.triangulated);
   std::printf("\n");
-  if (!result.flipped.empty())
-    std::printf("warning: %s\n", turned_sentence(context).c_str());
+  print_rounding(context);
 }
 
 }  // namespace halfspace::tools

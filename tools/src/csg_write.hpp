@@ -37,9 +37,9 @@ Result<io::ExportReport> write_result(const std::string& path,
 /// Errors: kUnwritable.
 Result<Done> write_origins(const std::string& path, const CsgContext& context);
 
-/// What is said where rounding turned polygons over: how many, and where the
-/// first comes from.
-std::string turned_sentence(const CsgContext& context);
+/// What is said where rounding lost something of the solid.
+/// Requires: result.rounding.
+std::string loss_sentence(const CsgContext& context);
 
 /// What `--stats` says.
 nlohmann::json stats_of(const CsgContext& context,

@@ -94,13 +94,31 @@ done
 sort -gr moves | cmp - moves || wrong "moves do not shrink: $(cat moves)"
 expect 0 'moved [1-9]' csg 'rotate(A, 1, 2, 3, 10)' A=a.off -o out.off
 same out.off turned-40.off
-# Faces bent by less than doubles tell: rounding the result might turn slivers
-# over. That is said, with the polygon's origin, or refused.
-expect 2 'turned over.*polygon [0-9]* of A)' csg 'A | rotate(A, 1, 2, 3, 10)' \
-  A=a.off -o none.off --grid 54 --strict
-[ ! -e none.off ] || wrong "none.off was written"
-expect 0 'warning: rounding .*turned over.* polygons, first polygon' csg \
-  'A | rotate(A, 1, 2, 3, 10)' A=a.off -o out.off --grid 54
+# What is written is a solid as it stands, on the finest grid, too, and in
+# floats: it is read again without repair.
+for grid in 40 54; do
+  for file in out.off out.stl out.ply out.obj; do
+    expect 0 'moved [1-9]' csg 'A - rotate(A, 1, 2, 3, 10) | B' A=a.off B=b.off \
+      -o $file --grid $grid
+    expect 0 'moved 0 coordinates (by at most 0), triangulated 0, dropped 0' \
+      csg F F=$file -o again.off
+  done
+done
+# A slab thinner than floats are fine vanishes, and that is said, or refused. In
+# doubles it is there.
+slab='A - translate(A, 0, 0, -1e-9)'
+expect 0 'warning: rounding lost 6 of 6 faces.*made 1 part of the surface 0' \
+  csg "$slab" A=a.off -o slab.stl
+expect 2 'rounding lost 6 of 6 faces.*nothing was written' csg "$slab" A=a.off \
+  -o none.stl --strict
+[ ! -e none.stl ] || wrong "none.stl was written"
+expect 0 'result: 6 polygons' csg "$slab" A=a.off -o slab.off --strict
+# So is a move beyond a bound.
+expect 2 'rounding moves the surface by up to .*near' csg \
+  'rotate(A, 1, 2, 3, 10)' A=a.off -o none.stl --max-move 1e-12
+[ ! -e none.stl ] || wrong "none.stl was written"
+expect 0 'moved [1-9]' csg 'rotate(A, 1, 2, 3, 10)' A=a.off -o out.stl \
+  --max-move 1e-5
 # What is too small for the grid of the others does not vanish unseen.
 expect 2 'a.off.*line 1, column 7.*nothing is left of it' csg \
   'scale(A, 1e40) | A' A=a.off -o out.off

@@ -7,6 +7,7 @@
 
 #include "base/id_map.hpp"
 #include "base/parallel.hpp"
+#include "solid/face_projection.hpp"
 #include "solid/face_triangulation.hpp"
 #include "solid/vertex_order.hpp"
 #include "table/shared_table.hpp"
@@ -61,9 +62,25 @@ bool add_triangle(const Solid& solid, std::size_t f, Polygons& polygons) {
   return true;
 }
 
+/// Whether a convex loop goes straight on at a vertex.
+bool has_straight_corner(const Solid& solid, const Face& face,
+                         std::span<const std::int32_t> loop) {
+  const FaceView view(solid, face);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (view.turn(loop[i], loop[(i + 1) % loop.size()],
+                  loop[(i + 2) % loop.size()]) == 0)
+      return true;
+  }
+  return false;
+}
+
 /// Adds the polygons of the faces from `first` to before `last`.
 void add_polygons(const Solid& solid, std::size_t first, std::size_t last,
-                  bool triangles, Polygons& polygons) {
+                  const ExportOptions& options, Polygons& polygons) {
+  const bool triangles = options.triangles;
+  const auto fits = [&](const Face& face, std::span<const std::int32_t> loop) {
+    return options.straight_corners || !has_straight_corner(solid, face, loop);
+  };
   std::vector<std::array<std::int32_t, 3>> parts;
   std::vector<std::vector<std::int32_t>> joined;
   for (std::size_t f = first; f < last; ++f) {
@@ -74,7 +91,7 @@ void add_polygons(const Solid& solid, std::size_t first, std::size_t last,
       const auto loop = convex_loop(
           solid, face,
           std::span(solid.edges).subspan(face.first_edge, face.edge_count));
-      if (!loop.empty()) {
+      if (!loop.empty() && fits(face, loop)) {
         polygons.add(loop, id);
         continue;
       }
@@ -84,8 +101,13 @@ void add_polygons(const Solid& solid, std::size_t first, std::size_t last,
     if (!triangles) {
       joined.clear();
       join_convex(solid, face, parts, joined);
-      for (const auto& part : joined) polygons.add(part, id);
-      continue;
+      const bool all_fit =
+          std::all_of(joined.begin(), joined.end(),
+                      [&](const auto& part) { return fits(face, part); });
+      if (all_fit) {
+        for (const auto& part : joined) polygons.add(part, id);
+        continue;
+      }
     }
     for (const auto& part : parts) polygons.add(part, id);
   }
@@ -98,14 +120,13 @@ Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
     all.corners.reserve(solid.edges.size());
     all.first_corner.reserve(solid.faces.size() + 1);
     all.faces.reserve(solid.faces.size());
-    add_polygons(solid, 0, solid.faces.size(), options.triangles, all);
+    add_polygons(solid, 0, solid.faces.size(), options, all);
     return all;
   }
   std::vector<Polygons> blocks((solid.faces.size() + kBlock - 1) / kBlock);
   for_blocks(options.threads, solid.faces.size(), kBlock,
              [&](std::size_t number, std::size_t first, std::size_t last) {
-               add_polygons(solid, first, last, options.triangles,
-                            blocks[number]);
+               add_polygons(solid, first, last, options, blocks[number]);
              });
   for (Polygons& block : blocks) {
     for (std::size_t p = 0; p < block.size(); ++p)

@@ -10,6 +10,7 @@
 #include "halfspace/boolean.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/csg/operands.hpp"
+#include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/io/write_mesh.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
@@ -35,6 +36,10 @@ BooleanOp boolean_op(NodeKind kind);
 struct EvaluateOptions {
   MergeRule merge = MergeRule::kOrigin;  ///< the fast library's
   bool triangles = false;                ///< the fast library's
+  /// The numbers that the result is written in (S6.8), and how far that may
+  /// move its surface. The fast library's.
+  fast::FileNumber number = fast::FileNumber::kDouble;
+  std::optional<double> max_move = std::nullopt;
   BuildOptions build;                    ///< the trees of the reference
   int threads = 1;                       ///< the fast library's
   /// Replaces fast::boolean() where neither solid is a half-space, for instance
@@ -62,21 +67,37 @@ struct Repair {
   std::size_t faces_dropped = 0;  ///< of which nothing is left
 };
 
+/// What rounding a result to the file's numbers came to (S6.8).
+struct RoundingReport {
+  double spacing = 0;            ///< of the grid; model units
+  std::size_t rounds = 0;        ///< of rounding, one after another
+  std::size_t contacts = 0;      ///< where the first one made surfaces meet
+  std::size_t faces_lost = 0;    ///< of which nothing is left
+  std::size_t parts_before = 0;  ///< of the surface; 0 where all are there yet
+  std::size_t parts_after = 0;
+
+  /// Whether something of the solid is not there any more.
+  bool lost_any() const {
+    return faces_lost > 0 || parts_before != parts_after;
+  }
+};
+
 /// The result of a plan, ready to be written.
 struct Outcome {
-  /// The result exactly, where doubles hold all its vertices in grid steps.
+  /// The result exactly, where all its vertices are points of a grid and it is
+  /// not wanted in floats.
   std::optional<Scene> scene;
-  /// Its vertices as doubles, else.
+  /// Its vertices in the file's numbers, else.
   io::OutputMesh mesh;
-  std::size_t moved = 0;        ///< vertices that the doubles do not hold
-  double max_move = 0;          ///< no coordinate moved farther; model units
+  std::size_t moved = 0;        ///< vertices that the numbers do not hold
+  double max_move = 0;          ///< no point moved farther; model units
   std::size_t faces = 0;        ///< of the exact solid
   std::size_t polygons = 0;     ///< of the scene or mesh
   std::size_t bad_edges = 0;    ///< 0: it is closed, as it must be (S6.5)
   double volume = 0;            ///< rounded; model units
   std::vector<Origin> origins;  ///< by polygon; empty: not known
-  /// The polygons that rounding may have turned over or flattened.
-  std::vector<std::int32_t> flipped;
+  /// What rounding did besides, if there was any.
+  std::optional<RoundingReport> rounding;
   std::vector<Repair> repairs;
 };
 
@@ -87,10 +108,11 @@ Result<std::optional<fast::Solid>> evaluate_solid(
     const Plan& plan, Operands& operands, const EvaluateOptions& options);
 
 /// The solid, ready to be written: its faces merged by options.merge.
-Outcome outcome_of(fast::Solid solid, const EvaluateOptions& options);
+/// Errors: those of fast::rounded_mesh().
+Result<Outcome> outcome_of(fast::Solid solid, const EvaluateOptions& options);
 
 /// The result of the plan of the operands; nothing where it was stopped.
-/// Errors: those of the operands.
+/// Errors: those of the operands, and of fast::rounded_mesh().
 Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
                                              Operands& operands,
                                              const EvaluateOptions& options);

@@ -15,6 +15,9 @@ struct ExportOptions {
   bool triangles = false;
   /// Faces are parted by so many threads at once. The mesh is the same.
   int threads = 1;
+  /// Whether convex polygons may have straight corners; else those that would
+  /// become triangles, too.
+  bool straight_corners = true;
 };
 
 /// A solid's surface in doubles (S1.8). Units: model units.

@@ -22,6 +22,10 @@ struct OutputMesh {
   std::vector<std::uint32_t> first_corner = {0};
   std::vector<VertexId> corners;
   std::vector<Rgb> colors;
+  /// Whether decimals are the doubles' exact values, however long, and not the
+  /// shortest from which they read back: then those who read decimals exactly
+  /// have the same points.
+  bool exact_decimals = false;
 };
 
 /// What writing did to a mesh (S1.8).
@@ -34,9 +38,10 @@ struct ExportReport {
 /// Writes a mesh in the format that the file's name tells (S1.8).
 ///
 /// OBJ and OFF are text of the shortest decimals from which the same doubles
-/// read back; PLY is binary, in doubles; STL is binary, in floats, and moves
-/// what those do not hold. STL has triangles only: a face of more corners is
-/// cut into a fan from its first. Colours go into PLY and OFF.
+/// read back, or of exact ones where that is asked for; PLY is binary, in
+/// doubles; STL is binary, in floats, and moves what those do not hold. STL has
+/// triangles only: a face of more corners is cut into a fan from its first.
+/// Colours go into PLY and OFF.
 ///
 /// Requires: every corner names a vertex; a face has 3 corners or more.
 /// Errors:   kUnwritable (nothing is left at the path); kUnknownFormat;

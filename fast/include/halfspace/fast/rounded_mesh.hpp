@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "halfspace/fast/solid.hpp"
+#include "halfspace/result.hpp"
+
+namespace halfspace::fast {
+
+/// The numbers that a file has for coordinates.
+enum class FileNumber : std::uint8_t { kDouble, kFloat };
+
+/// How a solid becomes a mesh of a file's numbers.
+struct RoundingOptions {
+  FileNumber number = FileNumber::kDouble;
+  /// Whether all polygons are triangles.
+  bool triangles = false;
+  int threads = 1;
+  /// No point of the surface may move farther than this along an axis. Units:
+  /// model units.
+  std::optional<double> max_move = std::nullopt;
+};
+
+/// A solid's surface in a file's numbers (S6.8). Units: model units.
+///
+/// The corners of polygon `p` are `corners[first_corner[p]]` up to but not
+/// including `corners[first_corner[p + 1]]`.
+struct RoundedMesh {
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::uint32_t> first_corner = {0};
+  std::vector<VertexId> corners;
+  std::vector<std::int32_t> faces;  ///< by polygon: which face it is a part of
+  std::vector<Rgb> colors;          ///< by polygon
+  std::size_t moved = 0;  ///< vertices of the solid that numbers do not hold
+  /// No point of this surface is farther from the solid's along an axis.
+  double max_move = 0;
+  double spacing = 0;          ///< of the grid that vertices were rounded to
+  std::size_t rounds = 0;      ///< roundings of vertices, one after another
+  std::size_t crossings = 0;   ///< places where the first rounding made contact
+  std::size_t faces_lost = 0;  ///< faces of the solid of which nothing is left
+  std::size_t parts_before = 0;  ///< of the surface, connected along edges
+  std::size_t parts_after = 0;
+};
+
+/// The solid as strictly convex polygons, or as triangles, whose vertices are
+/// numbers of the file, and which are a solid's surface again (S6.8): read as
+/// they are they are closed, do not cross themselves, wind round points once or
+/// not at all; no two vertices are in one place, and no polygon is without area
+/// or has a straight corner.
+///
+/// Grid: what must be rounded goes to multiples of one power of two, which
+///       is the spacing of the file's numbers at the greatest coordinate.
+///       Vertices of the solid that are numbers of the file stay.
+/// Shape: polygons with a moved vertex are triangles. Vertices are in the order
+///        of their coordinates, polygons in that of their corners.
+/// Keeps: colours, and where polygons came from.
+/// Errors: kOutOfRange (a coordinate is beyond the numbers; the surface moves
+///         farther than it may; no grid was found on which it crosses nothing:
+///         the message names places).
+/// Cost:   n log n where rounding makes no contact; else of resolve(), for each
+///         round.
+/// Source: VL25, with a uniform grid and a coarser one only where triangles
+///         meet that did so before.
+Result<RoundedMesh> rounded_mesh(const Solid& solid,
+                                 const RoundingOptions& options = {});
+
+}  // namespace halfspace::fast

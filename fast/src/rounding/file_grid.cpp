@@ -1,0 +1,94 @@
+#include "rounding/file_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "table/geometry_table.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+struct NumberRange {
+  int digits;        ///< binary ones
+  int low_exponent;  ///< that of the least positive number
+  int end_exponent;  ///< 2 to this is beyond all of them
+};
+
+NumberRange range_of(FileNumber number) {
+  return number == FileNumber::kFloat ? NumberRange{24, -149, 128}
+                                      : NumberRange{53, -1074, 1024};
+}
+
+}  // namespace
+
+bool FileGrid::choose(double greatest, Unit unit, FileNumber number) {
+  number_ = number;
+  const NumberRange range = range_of(number);
+  if (!(greatest > 0) || !std::isfinite(greatest)) return false;
+  int end = 0;
+  std::frexp(greatest, &end);  // greatest < 2^end
+  if (end > range.end_exponent || end <= range.low_exponent) return false;
+  const int spacing = std::max(end - range.digits, range.low_exponent);
+  step_exponent_ = spacing;
+  if (unit.base == 2)
+    step_exponent_ =
+        std::max(std::min(spacing, unit.exponent), range.low_exponent);
+  spacing_ = std::int64_t{1} << (spacing - step_exponent_);
+  end_ = std::ldexp(1.0, end - step_exponent_);
+  return true;
+}
+
+double FileGrid::steps(double coordinate) const {
+  return std::ldexp(coordinate, -step_exponent_);
+}
+
+double FileGrid::coordinate(std::int64_t steps) const {
+  return std::ldexp(static_cast<double>(steps), step_exponent_);
+}
+
+double FileGrid::step() const { return std::ldexp(1.0, step_exponent_); }
+
+bool FileGrid::holds(std::int64_t steps) const {
+  // Doubles have all grid points: coordinates of solids have no more bits.
+  if (number_ == FileNumber::kDouble) return true;
+  const auto value = static_cast<double>(steps);
+  return double{static_cast<float>(value)} == value;
+}
+
+bool FileGrid::holds(const GridPoint& point) const {
+  return holds(point.x) && holds(point.y) && holds(point.z);
+}
+
+GridPoint FileGrid::rounded(const StepPoint& at, std::int64_t width) const {
+  const auto round = [this, width](double value) {
+    const auto spacing = static_cast<double>(width);
+    double result = std::nearbyint(value / spacing) * spacing;
+    // At the power of two itself the numbers' range may end.
+    if (std::abs(result) >= end_) result -= std::copysign(spacing, result);
+    return static_cast<std::int64_t>(result);
+  };
+  return {round(at[0]), round(at[1]), round(at[2])};
+}
+
+double distance(const StepPoint& from, const GridPoint& to) {
+  return std::max({std::abs(static_cast<double>(to.x) - from[0]),
+                   std::abs(static_cast<double>(to.y) - from[1]),
+                   std::abs(static_cast<double>(to.z) - from[2])});
+}
+
+bool is_exact(const Solid& solid, std::int32_t vertex) {
+  const SpaceVertex& v = solid.space->vertex(vertex);
+  if (!v.is_grid()) return false;
+  const Unit& unit = solid.unit;
+  // Below, coordinates of the file are rounded already.
+  if (unit.base == 2) return unit.exponent >= -1074;
+  // 5^23 is greater than every coordinate, 10^22 a double.
+  if (unit.exponent < -22 || unit.exponent > 0) return false;
+  std::int64_t divisor = 1;
+  for (int i = 0; i < -unit.exponent; ++i) divisor *= 5;
+  const GridPoint p = v.point();
+  return p.x % divisor == 0 && p.y % divisor == 0 && p.z % divisor == 0;
+}
+
+}  // namespace halfspace::fast

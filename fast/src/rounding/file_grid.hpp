@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/fast/rounded_mesh.hpp"
+#include "halfspace/fast/solid.hpp"
+#include "halfspace/polygon.hpp"
+
+namespace halfspace::fast {
+
+/// A point in steps of a file grid, off it if need be.
+using StepPoint = std::array<double, 3>;
+
+/// The grid on which a mesh is rounded, and the numbers of the file on it.
+///
+/// A step is the unit of the solid, if that is a power of two, so that its
+/// vertices are points of the grid; or that to which the others are rounded, if
+/// it is less. The file's numbers are multiples of neither.
+class FileGrid {
+ public:
+  /// The grid for coordinates of up to `greatest`, more than 0, in size.
+  /// False: numbers do not reach so far, or are all farther apart.
+  bool choose(double greatest, Unit unit, FileNumber number);
+
+  /// A coordinate of the file as steps. Exact if it is a multiple of one.
+  double steps(double coordinate) const;
+  /// Steps as a coordinate of the file.
+  /// Exact: of what holds() says.
+  double coordinate(std::int64_t steps) const;
+  /// Whether the file has numbers for a grid point.
+  bool holds(const GridPoint& point) const;
+  /// The point rounded to multiples of `width`, a power of two times the grid's
+  /// spacing: numbers of the file. Ties to even.
+  GridPoint rounded(const StepPoint& at, std::int64_t width) const;
+  std::int64_t spacing() const { return spacing_; }
+  /// So many spacings that numbers which are multiples of them have 12 binary
+  /// digits left.
+  std::int64_t widest() const {
+    return number_ == FileNumber::kFloat ? std::int64_t{1} << 12
+                                         : std::int64_t{1} << 41;
+  }
+  /// The length of a step in the file's unit.
+  double step() const;
+
+ private:
+  bool holds(std::int64_t steps) const;
+
+  int step_exponent_ = 0;
+  std::int64_t spacing_ = 1;  ///< in steps; a power of two
+  double end_ = 0;            ///< no coordinate is as large as this; in steps
+  FileNumber number_ = FileNumber::kDouble;
+};
+
+/// The largest difference of coordinates.
+double distance(const StepPoint& from, const GridPoint& to);
+
+/// Whether rounding to doubles left a coordinate of a solid's vertex as it is.
+bool is_exact(const Solid& solid, std::int32_t vertex);
+
+}  // namespace halfspace::fast
