@@ -55,6 +55,10 @@ class Rounding {
                    "the solid's coordinates go up to " + text(greatest) +
                        ", which the file's numbers do not hold"};
     }
+    // Loose points are known to half a unit in their last place, and with a
+    // power of ten to a few.
+    error_ =
+        grid_.steps(greatest) * (solid_.unit.base == 2 ? 0x1p-53 : 0x1p-50);
     begin();
     for (const Way way : {Way::kNear, Way::kMerge}) {
       if (round(way)) return finished();
@@ -116,6 +120,7 @@ class Rounding {
   GridMesh mesh_;
   GridPoint contact_;    ///< where the last surface crossed itself
   double max_move_ = 0;  ///< in steps
+  double error_ = 0;     ///< of loose points; in steps
   GridPoint farthest_;   ///< what was moved farthest, in one round
   double farthest_move_ = 0;
   std::size_t rounds_ = 0;
@@ -216,6 +221,7 @@ bool Rounding::round(Way way) {
   std::size_t in_vain = 0;
   while (true) {
     ++rounds_;
+    if (!loose.empty()) max_move_ += error_;
     note_move(snap(mesh_, loose, grid_));
     clean_mesh();
     const MeshContacts contacts = contacts_of(mesh_, options_.threads);
@@ -230,7 +236,10 @@ bool Rounding::round(Way way) {
       is_open_ = !is_closed(exact_);
       if (is_open_) return false;
     }
-    if (fewest < kFewer * contacts.size() && !go_on(way, contacts, ++in_vain))
+    const bool too_many =
+        contacts.size() > std::max(kMany, 2 * mesh_.triangles.size());
+    if ((too_many || fewest < kFewer * contacts.size()) &&
+        !go_on(way, contacts, ++in_vain))
       return false;
     fewest = std::min(fewest, contacts.size());
     loose = resolve_mesh(mesh_, grid_, options_.threads);

@@ -97,6 +97,7 @@ TEST(FastRounding, ASlabThinnerThanItsNumbersVanishes) {
   const auto fine = rounded_mesh(slab);
   ASSERT_TRUE(fine.has_value());
   EXPECT_EQ(fine->moved, 0u);
+  EXPECT_EQ(fine->max_move, 0);
   EXPECT_EQ(fine->faces_lost, 0u);
 }
 

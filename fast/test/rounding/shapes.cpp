@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "halfspace/boolean.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 
 namespace halfspace::fast::shapes {
 namespace {
