@@ -8,6 +8,8 @@
   tools/mutate.py --tests vectors_test --report quick.md    by these tests only
   tools/mutate.py --again quick.md         what survived those, by all tests
   tools/mutate.py --new                    what nobody has argued away
+  tools/mutate.py --stale                  arguments whose lines are gone
+  tools/mutate.py --mend                   the same, after moves and renamings
 
 Mutant schemata: every mutant of a file is compiled into it at once, and the
 environment variable HALFSPACE_MUTANT tells which one is alive; so there is one
@@ -36,64 +38,26 @@ import resource
 import subprocess
 import sys
 
-from clang import cindex
-from clang.cindex import CursorKind as Kind
+from file_lists import sources_of
+
+try:
+    from clang import cindex
+    from clang.cindex import CursorKind as Kind
+except ImportError:  # what checks mutants.txt needs none
+    cindex = None
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIBCLANG = "/usr/lib/llvm-14/lib/libclang-14.so.1"
 
-FILES = [
-    "spec/include/halfspace/span.hpp", "ref/src/screen.cpp", "ref/src/split.cpp", "ref/src/predicate.cpp",
-    "ref/src/splitter.cpp", "ref/src/build.cpp", "ref/src/traverse.cpp",
-    "ref/src/projection.cpp", "ref/src/scan.cpp", "ref/src/render.cpp",
-    "ref/src/shade.cpp", "ref/src/classify.cpp", "ref/src/boolean.cpp",
-    "ref/src/big_rational.cpp", "ref/src/small_rational.cpp",
-    "ref/src/oracle/painter.cpp", "ref/src/oracle/zbuffer.cpp",
-    "ref/src/oracle/raycast.cpp",
-    "fast/src/raster/dynamic_screen.cpp",
-    "fast/src/raster/kernel/generic/coverage_merge.hpp",
-    "fast/src/tree/split.cpp", "fast/src/tree/scene_planes.cpp",
-    "fast/src/tree/predicate.cpp", "fast/src/tree/splitter.cpp",
-    "fast/src/tree/traverse.cpp", "fast/src/tree/insert.cpp", "fast/src/raster/tile_buffer.cpp",
-    "fast/src/raster/scan_convert.cpp", "fast/src/intersect/self_intersections.cpp", "fast/src/camera/view.cpp",
-    "fast/src/raster/culler.cpp", "fast/src/raster/gouraud.cpp", "fast/src/raster/polygon_rasterizer.cpp",
-    "fast/src/sah/sah_builder.cpp", "fast/src/sah/axis_split.cpp",
-    "fast/src/sah/polygon_split.cpp",
-    "fast/src/sah/build_display_tree.cpp",
-    "fast/src/raster/render.cpp", "fast/src/raster/depth_line.cpp", "fast/src/tree/build.cpp",
-    "fast/src/tree/tree_file.cpp", "fast/src/tree/fragment_splitter.cpp",
-    "fast/src/tree/leaf_packets.cpp",
-    "fast/src/solid/grid_prefilter.cpp",
-    "fast/src/intersect/candidates.cpp", "fast/src/boolean/emit.cpp",
-    "fast/src/boolean/assemble.cpp", "fast/src/intersect/edge_plane_crossings.cpp",
-    "fast/src/boolean/boolean.cpp", "fast/src/intersect/face_intersection.cpp",
-    "fast/src/boolean/classify.cpp", "fast/src/solid/loops.cpp",
-    "fast/src/intersect/radial_order.cpp", "fast/src/box/bvh.cpp",
-    "fast/src/boolean/chain.cpp", "fast/src/solid/convex_merge.cpp",
-    "fast/src/solid/edge_packets.cpp", "fast/src/solid/to_mesh.cpp",
-    "fast/src/solid/merge_groups.cpp", "fast/src/solid/dynamic_bvh.cpp",
-    "fast/src/base/huge_page_pool.cpp", "fast/src/intersect/point_location.cpp", "fast/src/solid/merge_faces.cpp",
-    "fast/src/solid/vertex_order.cpp", "fast/src/boolean/conform.cpp",
-    "fast/src/boolean/check_operand.cpp",
-    "fast/src/tree/plane_ids.cpp", "fast/src/boolean/resolve.cpp",
-    "fast/src/intersect/line_section.cpp", "fast/src/intersect/self_radial_order.cpp", "fast/src/solid/solid.cpp", "fast/src/table/geometry_table.cpp",
-    "fast/src/table/planes.cpp", "fast/src/table/points.cpp",
-    "fast/src/table/rounding.cpp", "fast/src/solid/face_triangulation.cpp",
-    "spec/src/boolean.cpp", "spec/src/camera.cpp", "spec/src/int128.cpp",
-    "spec/src/message.cpp", "spec/src/polygon.cpp", "spec/src/scene.cpp",
-    "spec/src/scene_file.cpp", "spec/src/scene_file_write.cpp",
-    "spec/src/token_lines.cpp",
-    "io/src/automatic_view.cpp", "io/src/encode.cpp", "io/src/file.cpp",
-    "io/src/format.cpp", "io/src/grid.cpp", "io/src/import.cpp", "io/src/join.cpp",
-    "io/src/mesh_builder.cpp", "io/src/npy.cpp", "io/src/number.cpp",
-    "io/src/ply_header.cpp", "io/src/png_rows.cpp", "io/src/read_mesh.cpp",
-    "io/src/read_obj.cpp", "io/src/read_off.cpp", "io/src/read_ply.cpp",
-    "io/src/read_stl.cpp", "io/src/shade.cpp", "io/src/text.cpp",
-    "io/src/triangulate.cpp", "io/src/view.cpp", "io/src/write_mesh.cpp",
-]
+# Sources that are listed in any CMakeLists.txt of these folders.
+FILES = [path for library in ("ref", "fast", "spec", "io")
+         for path in sources_of(ROOT, library)]
 
 # The source by which a header with functions of its own is compiled.
-HOSTS = {"spec/include/halfspace/span.hpp": "ref/src/screen.cpp"}
+HOSTS = {"spec/include/halfspace/span.hpp": "ref/src/screen.cpp",
+         "fast/src/raster/kernel/generic/coverage_merge.hpp":
+             "fast/src/raster/kernel/portable.cpp"}
+FILES += HOSTS
 
 OTHERS = {
     "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"],
@@ -112,26 +76,52 @@ LAWS = [("exhaustive_test", "*Word*"), ("agree_tree_test", "*"),
         ("agree_image_test", "*"), ("agree_boolean_test", "*"),
         ("proptest", "S*/*")]
 
-REF_BOOLEAN = "Faces*:Keep*:Classify*:Boolean*:BadEdges*:Rounded*"
 
-# Those of faces take least, so they come first.
-FAST_BOOLEAN = ("FastBooleanFaces*:FastOperand*:FastBadEdges*:FastTable*:"
-                "FastHalves* "
-                "FastChain*:FastResolve*:FastThreads*:FastBoolean.* "
-                "FastNonsense*")
-FAST_SPACE = "Space*:BoxTree*:FaceIndex*:MergeFaces*:Digits* " + FAST_BOOLEAN
+SUITE = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),", re.M)
+
+
+def suites_in(paths):
+    """A filter for the tests of some files."""
+    return ":".join(sorted({
+        f"{suite}.*" for path in paths
+        for suite in SUITE.findall(path.read_text())}))
+
+
+def suites_of(*rooms):
+    """A filter for the tests of rooms of fast/."""
+    return suites_in(path for room in rooms
+                     for path in (ROOT / "fast/test" / room).glob("*_test.cpp"))
+
+
+def named_for(path):
+    """A filter for the tests of a source: FILE_test.cpp, FILE_SUBJECT_test.cpp
+    where its room has its tests, or anywhere in those of its library."""
+    path = pathlib.Path(path)
+    library, stem = path.parts[0], path.stem
+    room = ROOT / library / "test" / pathlib.Path(*path.parts[2:-1])
+    folder = room if room.is_dir() else ROOT / library / "test"
+    return suites_in(sorted(folder.rglob(f"{stem}_test.cpp")) +
+                     sorted(folder.rglob(f"{stem}_*_test.cpp")))
+
+
+REF_BOOLEAN = "Faces*:Keep*:Classify*:Boolean*:BadEdges*:Rounded*"
 
 # The slow ones stand apart, and come last.
 REF_RENDER = ("RefScan*:RefPainter*:RefRaycast*:RefRender*-*Algorithms* "
               "RefRender*Limits* RefRender*Hurts*")
 REF_TREE = "Build*:Insert*:ChooseRoot*:Split*:Predicate*-*DeepTree*:*Chain*"
 
-FAST_TREE = "Build*:Insert*:Heur*:TreeFile* DisplayTree*-*Threads*"
-FAST_IMAGE = "ViewBounds*:Near*:FastRender* DisplayTree*-*Threads*"
-AGREE_IMAGE = ("*Words*:*Fragments* *ManyTiles* *Hurt* *Leaves*")
+SOLIDS = suites_of("table", "solid", "intersect", "boolean")
+TREES = suites_of("tree") + " " + suites_of("sah") + "-*Threads*"
+IMAGES = suites_of("camera", "raster") + " " + suites_of("sah") + "-*Threads*"
+AGREE_IMAGE = "*Words*:*Fragments* *ManyTiles* *Hurt* *Leaves*"
+FAST_SOLID = {"fast_test": SOLIDS, "agree_boolean_test": "*"}
+FAST_IMAGE = {"vectors_test": "*Implementations*", "fast_test": IMAGES,
+              "agree_image_test": AGREE_IMAGE, "agree_blend_test": "*",
+              "proptest": ""}
 
-# The tests that look at these files, where not all do. Filters apart are tried
-# in turn.
+# The tests that look at these files after those of its name, where not all do.
+# Filters apart are tried in turn. The longest beginning of a path counts.
 TESTS_OF = {
     "ref/src/classify": {"vectors_test": "*Implementations*",
                          "ref_test": REF_BOOLEAN, "proptest": ""},
@@ -139,81 +129,35 @@ TESTS_OF = {
                         "ref_test": REF_BOOLEAN, "proptest": ""},
     **{f"ref/src/{stem}": {"vectors_test": "*Implementations*",
                            "ref_test": REF_RENDER, "proptest": ""}
-       for stem in ("scan", "projection", "shade", "render", "painter",
-                    "zbuffer", "raycast")},
-    "ref/src/small_rational": {"ref_test": "Rational*", "proptest": "S1*"},
+       for stem in ("scan", "projection", "shade", "render", "oracle/")},
+    **{f"ref/src/{stem}": {"ref_test": "Rational*", "proptest": "S1*"}
+       for stem in ("small_rational", "big_rational")},
     **{f"ref/src/{stem}": {"vectors_test": "*Implementations*",
                            "ref_test": REF_TREE, "proptest": ""}
        for stem in ("build", "splitter")},
-    **{f"fast/src/{stem}": {"vectors_test": "*Implementations*",
-                            "fast_test": FAST_TREE, "agree_tree_test": "*",
-                            "agree_blend_test": "*", "proptest": ""}
-       for stem in ("build", "insert", "plane_table", "tree_builder",
-                    "tree_file", "splitter")},
-    "fast/src/display_": {"vectors_test": "*Implementations*",
-                          "fast_test": "DisplayTree*-*Threads*",
-                          "agree_display_tree_test": "*"},
-    "fast/src/fragment_blocks": {
-        "fast_test": "FragmentBlocks* Near*:DisplayTree*-*Threads*",
-        "agree_image_test": "*Leaves*"},
-    "fast/src/predicate": {"agree_tree_test": "*Planes*:*Sides*:*Split*",
-                           "proptest": "S1*"},
-    "fast/src/scan": {"agree_image_test": "*Cover*", "proptest": ""},
-    "fast/src/self_intersections": {"fast_test": "FastResolve*"},
-    **{f"fast/src/{stem}": {"vectors_test": "*Implementations*",
-                            "fast_test": FAST_IMAGE,
-                            "agree_image_test": AGREE_IMAGE,
-                            "agree_blend_test": "*", "proptest": ""}
-       for stem in ("view", "drawer", "render", "depth")},
-    "fast/src/culler": {"fast_test": "Culler*", "agree_image_test": "*",
-                        "proptest": ""},
-    "fast/src/shader": {"vectors_test": "*Implementations*",
-                        "fast_test": "ShadeBounds*",
-                        "agree_image_test": AGREE_IMAGE,
-                        "agree_blend_test": "*", "proptest": ""},
-    "fast/src/boolean": {"agree_boolean_test": "*",
-                         "fast_test": FAST_BOOLEAN},
-    "fast/src/edge_blocks": {"agree_boolean_test": "*",
-                             "fast_test": FAST_BOOLEAN},
-    "fast/src/locator": {"agree_boolean_test": "*",
-                         "fast_test": FAST_BOOLEAN},
-    "fast/src/section": {"fast_test": "Section*"},
-    "fast/src/mesh_order": {"fast_test": "MeshOrder*"},
-    "fast/src/conform": {"agree_boolean_test": "*",
-                        "fast_test": "FastConform* FastNonsense*"},
-    "fast/src/base/huge_page_pool": {"fast_test": "HugePagePool*:List* " + FAST_BOOLEAN},
-    **{f"fast/src/{stem}": {"agree_boolean_test": "*",
-                            "fast_test": FAST_SPACE} for stem in (
-        "box_tree", "chain", "convex_parts", "to_mesh", "face_groups",
-        "face_index", "merge_faces", "near_cells", "operand", "resolve", "self_wings",
-        "solid", "space", "triangulate")},
-    "fast/src/screen": {"vectors_test": "*Implementations*",
-                        "fast_test": "KernelTiles* " + FAST_IMAGE,
-                        "agree_image_test": AGREE_IMAGE},
+    "fast/src/base/": {"fast_test": suites_of("base") + " " + SOLIDS},
+    "fast/src/box/": FAST_SOLID,
+    "fast/src/camera/": FAST_IMAGE,
+    "fast/src/tree/": {"vectors_test": "*Implementations*",
+                       "fast_test": TREES, "agree_tree_test": "*",
+                       "agree_blend_test": "*", "proptest": ""},
+    "fast/src/tree/leaf_packets": {"fast_test": TREES,
+                                   "agree_image_test": "*Leaves*"},
+    "fast/src/tree/predicate": {"agree_tree_test": "*Planes*:*Sides*:*Split*",
+                                "proptest": "S1*"},
+    "fast/src/sah/": {"vectors_test": "*Implementations*",
+                      "fast_test": TREES, "agree_display_tree_test": "*"},
+    "fast/src/raster/": FAST_IMAGE,
     **{f"fast/src/raster/{stem}": {
         "fast_test": "DynamicScreen*:KernelTiles*",
         "exhaustive_test": "*RandomMerges*", "agree_image_test": AGREE_IMAGE,
         "proptest": "S4*"}
        for stem in ("dynamic_screen", "kernel/generic/coverage_merge")},
-    "io/src/triangulate": {
-        "io_test": "Triangulate*:ShapeOf*-*Ends*:*Quadratic*:*ManyCorners* "
-                   "Triangulate.*Ends*:*Quadratic*:*ManyCorners*:ImportScene*"},
-    "io/src/number": {"io_test": "ParseNumber*:NumberOf*:ToDouble*:Import*"},
-    "io/src/view": {"io_test": "LookAt*:AutomaticView*"},
-    "io/src/automatic_view": {"io_test": "LookAt*:AutomaticView*"},
-    "io/src/grid": {"io_test": "ImportScene* ToGrid*:ChooseGrid*"},
-    "io/src/import": {"io_test": "ImportScene*"},
-    "io/src/join": {"io_test": "*Parts*"},
-    "io/src/encode": {"io_test": "Encode* WriteMesh*:WriteScene*"},
-    "io/src/file": {"io_test": "WriteFile*"},
-    "io/src/npy": {"io_test": "Npy*"},
-    "io/src/png": {"io_test": "WritePng*:PngParts*"},
-    "io/src/shade": {"io_test": "Shade*"},
-    "io/src/text": {"io_test": "Text* Read*"},
-    "io/src/read": {"io_test": "Read*"},
-    "io/src/ply": {"io_test": "Read*"},
-    "io/src/write": {"io_test": "Encode*:Write*"},
-    "io/": {"io_test": "-Triangulate*:LookAt*:ImportScene*"},
+    "fast/src/raster/scan_convert": {"agree_image_test": "*Cover*", "proptest": ""},
+    "fast/src/raster/culler": {"agree_image_test": "*", "proptest": ""},
+    **{f"fast/src/{room}/": FAST_SOLID
+       for room in ("table", "solid", "intersect", "boolean")},
+    "io/src/": {"io_test": "*-Triangulate*"},
     "spec/src/boolean": {"spec_test": "BadEdges*:MakeSolid*"},
     "spec/src/camera": {"spec_test": "MakeCamera*"},
     "spec/src/scene_file": {"spec_test": "SceneFile*"},
@@ -467,7 +411,8 @@ class Build:
         stem = source.path.replace("/", "_")
         if source.path not in HOSTS:
             return self.scratch / stem, None
-        file = self.scratch / stem / source.path.split("/include/")[1]
+        # Where its folder of headers begins.
+        file = self.scratch / stem / re.split("/include/|/src/", source.path)[1]
         file.parent.mkdir(parents=True, exist_ok=True)
         return file, self.scratch / stem
 
@@ -554,16 +499,19 @@ def plan_for(path, programs):
     """The tests for mutants of a file, quickest first."""
     room = path.split("/")[0]
     steps = []
+    own, named = f"{room}_test", named_for(path)
+    if own in programs and named:
+        steps.append((programs[own], named))
+    chosen = TESTS_OF.get(max((start for start in TESTS_OF
+                               if path.startswith(start)), key=len, default=""))
     for target, filter_ in QUICK + LAWS:
         if target not in programs:
             continue
-        chosen = next((tests for start, tests in TESTS_OF.items()
-                       if path.startswith(start)), None)
         if chosen is not None:
             if target not in chosen:
                 continue
             filter_ = chosen[target]
-        elif target in CHOSEN or f"{room}_test" != target in ROOMS:
+        elif target in CHOSEN or own != target in ROOMS:
             continue
         if target == "proptest":
             laws = (chosen or {}).get("proptest") or LAWS_OF.get(
@@ -571,7 +519,110 @@ def plan_for(path, programs):
             number = 0 if room == "ref" else 1
             filter_ = ":".join(f"{law}/{number}.*" for law in laws.split(":"))
         steps += [(programs[target], part) for part in filter_.split()]
-    return steps
+    return list(dict.fromkeys(steps))
+
+
+class Reason:
+    """An entry of tools/mutants.txt, and what says that it is stale."""
+
+    def __init__(self, key):
+        self.key = key
+        self.path, rest = key.split(": ", 1)
+        self.before, rest = rest.split(" => ", 1)
+        # The line of the source comes last; " in " may stand before it, too.
+        parts = rest.split(" in ")
+        at = next((n for n in range(1, len(parts))
+                   if self.begins_in(" in ".join(parts[n:]))), 1)
+        self.after, self.text = " in ".join(parts[:at]), " in ".join(parts[at:])
+
+    def begins_in(self, line):
+        words = TOKEN.findall(self.before)
+        return any(TOKEN.findall(line)[at:at + len(words)] ==
+                   words[:len(TOKEN.findall(line)) - at]
+                   for at in range(len(TOKEN.findall(line))))
+
+    def is_stale(self, lines):
+        return self.text not in lines.get(self.path, ())
+
+    def renamed(self, words):
+        """The key with other names, on another line of the same shape."""
+        mine = TOKEN.findall(self.text)
+        if len(mine) != len(words):
+            return None
+        names = {}
+        for old, new in zip(mine, words):
+            is_name = re.fullmatch(r"[A-Za-z_]\w*", old) and \
+                re.fullmatch(r"[A-Za-z_]\w*", new)
+            if old != new and not is_name or names.setdefault(old, new) != new:
+                return None
+        return names
+
+
+TOKEN = re.compile(r"\w+|<<=?|>>=?|<=|>=|==|!=|&&|\|\||->|::|[-+*/]=|[^\w\s]")
+
+
+def lines_of_files():
+    return {path: [line.strip() for line in
+                   (ROOT / path).read_text().splitlines()] for path in FILES}
+
+
+def with_names(text, names):
+    return re.sub(r"[A-Za-z_]\w*", lambda m: names.get(m[0], m[0]), text)
+
+
+def mended(reason, lines):
+    """The key where the line has moved, or has had names changed."""
+    library, stem = reason.path.split("/")[0], pathlib.Path(reason.path).stem
+    places = [path for path in lines if reason.text in lines[path] and
+              path.split("/")[0] == library]
+    same_name = [path for path in places if pathlib.Path(path).stem == stem]
+    # A short line is found in files that have nothing to do with it.
+    for found in (same_name, places if len(reason.text) >= 30 else []):
+        if len(found) == 1:
+            return f"{found[0]}: {reason.key.split(': ', 1)[1]}"
+    # The same line of its own file with the fewest names changed.
+    best = []
+    for line in set(lines.get(reason.path, ())):
+        names = reason.renamed(TOKEN.findall(line))
+        changed = sum(old != new for old, new in (names or {}).items())
+        if names and changed <= max(2, len(names) // 3):
+            best.append((changed, line, names))
+    best.sort(key=lambda entry: entry[:2])
+    if not best or len(best) > 1 and best[0][0] == best[1][0]:
+        return None
+    _, line, names = best[0]
+    return (f"{reason.path}: {with_names(reason.before, names)} => "
+            f"{with_names(reason.after, names)} in {line}")
+
+
+def check_reasons(mend):
+    """Finds what is stale in tools/mutants.txt, and mends or drops it."""
+    lines = lines_of_files()
+    path = ROOT / "tools/mutants.txt"
+    kept, is_kept, stale, dropped = [], True, 0, 0
+    for line in path.read_text().splitlines():
+        if line and not line.startswith(("#", " ")):
+            reason, is_kept = Reason(line), True
+            if reason.is_stale(lines):
+                stale += 1
+                other = mended(reason, lines)
+                is_kept = other is not None
+                dropped += not is_kept
+                if not mend:
+                    print(f"stale: {line}")
+                line = other
+        if is_kept:
+            kept.append(line)
+    wrong = [start for start in TESTS_OF
+             if not any(file.startswith(start) for file in FILES)]
+    for start in wrong:
+        print(f"mutate.py: no source begins with {start}")
+    if mend:
+        path.write_text("\n".join(kept) + "\n")
+        print(f"{stale} stale, {stale - dropped} mended, {dropped} dropped")
+        return 1 if wrong else 0
+    print(f"{stale} stale")
+    return 1 if stale or wrong else 0
 
 
 def reasons():
@@ -634,11 +685,17 @@ def parse():
     parser.add_argument("--new", action="store_true",
                         help="not those that tools/mutants.txt explains")
     parser.add_argument("--list", action="store_true")
+    parser.add_argument("--stale", action="store_true",
+                        help="what of tools/mutants.txt is no longer there")
+    parser.add_argument("--mend", action="store_true",
+                        help="and mend it, or drop what is gone")
     return parser.parse_args()
 
 
 def main():
     arguments = parse()
+    if arguments.stale or arguments.mend:
+        return check_reasons(arguments.mend)
     cindex.Config.set_library_file(LIBCLANG)
     build = Build(arguments.build.resolve(), arguments.scratch.resolve())
     words = arguments.only.split(",")

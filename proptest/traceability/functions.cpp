@@ -17,6 +17,7 @@
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/splitter.hpp"
 #include "halfspace/fast/traverse.hpp"
+#include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
@@ -33,6 +34,7 @@
 #include "halfspace/ref/split.hpp"
 #include "halfspace/ref/splitter.hpp"
 #include "halfspace/ref/traverse.hpp"
+#include "halfspace/ref/visible_map.hpp"
 #include "halfspace/ref/winding.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/scene_file.hpp"
@@ -209,6 +211,16 @@ void take_all() {
   take(&fast::self_intersections);  // S6.6
   take(&ref::resolve);  // S6.7
   take(&fast::resolve);  // S6.7
+  take(&ref::visible_map);  // S7.1
+  take(&fast::visible_map);  // S7.1
+  take(&ref::visible_map);  // S7.2
+  take(&fast::visible_map);  // S7.2
+  take(&ref::visible_map);  // S7.3
+  take(&fast::visible_map);  // S7.3
+  take(&ref::visible_map);  // S7.4
+  take(&fast::visible_map);  // S7.4
+  take(&ref::area_of_key);  // S7.5
+  take(&fast::visible_map);  // S7.5
 }
 
 }  // namespace
@@ -217,5 +229,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 88 ? 0 : 1;
+  return halfspace::taken == 98 ? 0 : 1;
 }

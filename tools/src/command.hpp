@@ -40,5 +40,6 @@ void add_csg(CLI::App& program, Status& status);
 void add_compare(CLI::App& program, Status& status);
 void add_join(CLI::App& program, Status& status);
 void add_scene(CLI::App& program, Status& status);
+void add_draw(CLI::App& program, Status& status);
 
 }  // namespace halfspace::tools

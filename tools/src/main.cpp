@@ -36,6 +36,7 @@ void add_commands(CLI::App& program, Status& status) {
   halfspace::tools::add_compare(program, status);
   halfspace::tools::add_join(program, status);
   halfspace::tools::add_scene(program, status);
+  halfspace::tools::add_draw(program, status);
 }
 
 /// What is wrong with the command line.

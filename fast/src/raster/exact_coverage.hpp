@@ -58,7 +58,7 @@ class ExactScan {
         const PlaneId splitter = splitter_of(corner.edge);
         add(meet_function<kBits>(
                 support, projected(planes.exact<kBits>(splitter), camera_)),
-            eye_sign_ * side_of(splitter));
+            eye_sign_ * reader_.side_of(*fragment_, splitter));
       }
     }
     if (camera_.near) {
@@ -66,25 +66,6 @@ class ExactScan {
                                        camera_.perspective)),
           eye_sign_);
     }
-  }
-
-  /// The side of a splitter that made one of its edges on which it lies.
-  int side_of(PlaneId splitter) const {
-    const ScenePlanes& planes = reader_.planes();
-    const FilterPlane plane = filter_plane(planes.plane(splitter));
-    const auto corners = reader_.corners(*fragment_);
-    for (const Corner& corner : corners) {
-      const int known = filtered_sign(
-          value_at(plane, reader_.vertex(corner.vertex), planes.rounding()));
-      if (known != 0) return known;
-    }
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Corner& before = corners[k == 0 ? corners.size() - 1 : k - 1];
-      const int sign = planes.exact_sign(fragment_->source, before.edge,
-                                         corners[k].edge, splitter);
-      if (sign != 0) return sign;
-    }
-    return 0;
   }
 
   const TreeReader& reader_;

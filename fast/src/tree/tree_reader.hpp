@@ -85,6 +85,24 @@ class TreeReader {
     return tree_.cut_vertices[static_cast<std::size_t>(index - vertex_count_)];
   }
 
+  /// The side of a splitter on which a fragment lies that has an edge by it.
+  int side_of(const TreeFragment& fragment, PlaneId splitter) const {
+    const FilterPlane plane = filter_plane(planes_.plane(splitter));
+    const auto edges = corners(fragment);
+    for (const Corner& corner : edges) {
+      const int known = filtered_sign(
+          value_at(plane, vertex(corner.vertex), planes_.rounding()));
+      if (known != 0) return known;
+    }
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const Corner& before = edges[k == 0 ? edges.size() - 1 : k - 1];
+      const int sign = planes_.exact_sign(fragment.source, before.edge,
+                                          edges[k].edge, splitter);
+      if (sign != 0) return sign;
+    }
+    return 0;
+  }
+
  private:
   ScenePlanes planes_;
   const BspTree& tree_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "halfspace/splitmix.hpp"
 #include "solid/loops.hpp"
 
 namespace halfspace::fast {
@@ -55,7 +56,7 @@ Loops random_loops(std::uint64_t& state) {
   return result;
 }
 
-TEST(FastBooleanFaces, HaveTheirFarEdgesInRows) {
+TEST(FarRows, OfAFaceAreAsLongAsCanBe) {
   std::uint64_t state = 7;
   int parts = 0, wholes = 0;
   for (int i = 0; i < 4000; ++i) {

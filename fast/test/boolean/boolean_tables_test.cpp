@@ -18,7 +18,7 @@ Solid random_solid(std::uint64_t& state) {
   return to_solid(lattice::surface(lattice::random_cubes(1, state)));
 }
 
-TEST(FastBadEdges, AreThoseUsedMoreOftenOneWay) {
+TEST(BooleanTables, AreThoseUsedMoreOftenOneWay) {
   std::uint64_t state = 5;
   Solid solid = random_solid(state);
   EXPECT_TRUE(bad_edges(solid).empty());
@@ -64,7 +64,7 @@ Solid tetrahedron(const Solid& with) {
   return to_solid(*make_solid(*make_scene(std::move(data))), with);
 }
 
-TEST(FastTable, AMovedSolidComesBackAsItWas) {
+TEST(BooleanTables, AMovedSolidComesBackAsItWas) {
   std::uint64_t state = 7;
   const Solid cubes = random_solid(state);
   const Solid few = tetrahedron(cubes);
@@ -89,7 +89,7 @@ TEST(FastTable, AMovedSolidComesBackAsItWas) {
   }
 }
 
-TEST(FastHalves, AreThePartsAboveAndBelowThePlane) {
+TEST(BooleanTables, AreThePartsAboveAndBelowThePlane) {
   std::uint64_t state = 9;
   const lattice::Cubes cubes = lattice::random_cubes(2, state);
   const Halves halves = split(to_solid(lattice::surface(cubes)),

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/fast/build.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/visible_map.hpp"
+
+namespace halfspace::fast {
+
+/// A line of the image, exactly: `a x + b y + c = 0` in twice the image's
+/// coordinates. Two's complement, least word first.
+struct MapLine {
+  using Integer = std::array<std::uint64_t, 8>;
+  Integer a{};
+  Integer b{};
+  Integer c{};
+};
+
+/// A vertex of the map: where two of its lines meet. Units: pixels.
+struct MapVertex {
+  double x = 0;  ///< the nearest double to the exact coordinate
+  double y = 0;
+  std::array<std::int32_t, 2> lines{};  ///< which meet there, not parallel
+};
+
+/// An arc of the map (S7.4), by the numbers of its vertices and of the regions
+/// on its sides; -1 for the outside of the image.
+struct MapArc {
+  std::int32_t from = 0;
+  std::int32_t to = 0;
+  std::int32_t left = 0;
+  std::int32_t right = 0;
+  friend bool operator==(const MapArc&, const MapArc&) = default;
+};
+
+/// A region of the map (S7.3).
+struct MapRegion {
+  std::int32_t key = kBackgroundKey;
+  /// The lowest polygon that is seen in it, or kBackground.
+  PolygonId item = kBackground;
+  /// Its loops are `loops[first_loop]` and the `loop_count - 1` after it: the
+  /// outer one first, then its holes.
+  std::int32_t first_loop = 0;
+  std::int32_t loop_count = 0;
+  friend bool operator==(const MapRegion&, const MapRegion&) = default;
+};
+
+/// The visible map (S7.4, S7.5).
+///
+/// Shape: vertices in the order of x, then y; arcs in that of their ends;
+///        regions in that of the first vertices of their outer loops. A loop is
+///        a closed chain of vertices, `corners[first_corner[l]]` up to but not
+///        including `corners[first_corner[l + 1]]`, with its region on the
+///        right of every step on a screen whose y grows downwards; it begins at
+///        its first vertex.
+struct VisibleMap {
+  std::vector<MapLine> lines;  ///< those of vertices
+  std::vector<MapVertex> vertices;
+  std::vector<MapArc> arcs;
+  std::vector<MapRegion> regions;
+  std::vector<std::uint32_t> first_corner = {0};  ///< by loop
+  std::vector<std::int32_t> corners;
+  /// How many cells the tree over the image had (S7.2), before they were
+  /// merged to regions.
+  std::size_t cells = 0;
+  FilterStats decisions;
+};
+
+/// Limits of a map, so that a map that is too large is an error in time.
+struct MapLimits {
+  std::size_t most_cells = 50'000'000;
+};
+
+/// The visible map of a scene whose tree is `tree` (S7.4).
+///
+/// From front to back every fragment is cut out of what is still unlit of the
+/// image, which is kept as a 2-D BSP tree whose lines are the images of the
+/// fragments' edges; what is hidden ends at lit cells (FAQ, "two dimensional
+/// BSP tree"; Naylor 1992). Cells with one key are then merged.
+/// Requires: a tree of this scene without leaves (divide_leaves()); keys for
+/// all
+///           polygons or none.
+/// Exact:    yes: filters in doubles, integers of fixed width behind them.
+/// Errors:   kOutOfRange: more cells than the limit; says how many.
+/// Cost:     what is seen, and the way to it.
+Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
+                               const Camera& camera,
+                               const MapOptions& options = {},
+                               const MapLimits& limits = {});
+
+}  // namespace halfspace::fast

@@ -1,0 +1,434 @@
+#include "map/assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "base/disjoint_sets.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// The outside of the image, as a cell or a region.
+constexpr std::int32_t kOutside = -1;
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+/// A corner of a cell: where the edges before and after it meet.
+struct CellCorner {
+  LineId before = 0;
+  LineId after = 0;
+  MapPoint point;
+};
+
+/// An edge of a cell on the line of a node, from its lower to its upper end
+/// along the direction (b, -a) of the line.
+struct Part {
+  std::int32_t cell = 0;
+  std::int32_t low = 0;  ///< corners
+  std::int32_t high = 0;
+  LineId low_line = 0;  ///< the other line there, of the same cell
+  LineId high_line = 0;
+};
+
+/// A piece of the boundary before points are numbered, by corners: from the
+/// lower to the upper end along the line.
+struct Piece {
+  LineId line = 0;
+  std::int32_t low = 0;
+  std::int32_t high = 0;
+  std::int32_t positive = 0;  ///< the cell on the line's positive side
+  std::int32_t negative = 0;
+};
+
+/// A piece between two points, seen from one of its ends.
+struct HalfPiece {
+  LineId line = 0;
+  std::int32_t direction = 1;  ///< 1: along (b, -a); -1: against it
+  std::int32_t to = 0;         ///< a point
+  std::int32_t twin = 0;
+  std::int32_t region = 0;  ///< on the positive side of a turn from it
+  std::int32_t next = -1;   ///< round that region
+};
+
+class Assembly {
+ public:
+  Assembly(const CellTree& cells, LineTable& lines,
+           const std::function<std::int32_t(PolygonId)>& key_of)
+      : lines_(lines), tree_(cells), key_of_(key_of) {}
+
+  VisibleMap run() {
+    collect_cells();
+    cut_along_nodes();
+    number_points();
+    link();
+    VisibleMap map;
+    map.cells = items_.size();
+    write(map);
+    return map;
+  }
+
+ private:
+  struct NodePart {
+    CellNodeId node;
+    std::int32_t side;
+    Part part;
+  };
+
+  void collect_cells() {
+    tree_.for_cells([&](const Cell& cell, std::span<const CellEdge> edges) {
+      const auto id = static_cast<std::int32_t>(items_.size());
+      items_.push_back(cell.item);
+      keys_.push_back(key_of_(cell.item));
+      const auto first = static_cast<std::int32_t>(corners_.size());
+      const auto n = static_cast<std::int32_t>(edges.size());
+      for (std::int32_t k = 0; k < n; ++k) {
+        const CellEdge& edge = edges[at(k)];
+        const CellEdge& before = edges[at(k == 0 ? n - 1 : k - 1)];
+        const CellEdge& after = edges[at(k + 1 == n ? 0 : k + 1)];
+        corners_.push_back({before.line, edge.line, edge.start});
+        Part part = {id, first + k, first + (k + 1 == n ? 0 : k + 1),
+                     before.line, after.line};
+        // Edges go round with the interior on the positive side of a turn from
+        // x to y: along (b, -a) if that is the line's positive side.
+        if (edge.side < 0) {
+          std::swap(part.low, part.high);
+          std::swap(part.low_line, part.high_line);
+        }
+        parts_.push_back({edge.node, edge.side, part});
+      }
+    });
+  }
+
+  /// The order of two corners on a line along (b, -a); `p` and `q` are the
+  /// other lines through them.
+  ///
+  /// Along (b, -a) of line l the form p grows by p.a l.b - p.b l.a, which is
+  /// -turn(l, p); at q's corner it is the growth from its own corner to there.
+  int order(LineId line, LineId p, std::int32_t p_corner, LineId q,
+            std::int32_t q_corner) {
+    if (p_corner == q_corner) return 0;
+    const MapPoint& f = corners_[at(p_corner)].point;
+    const MapPoint& g = corners_[at(q_corner)].point;
+    const double a = lines_.slope_x(line);
+    const double b = lines_.slope_y(line);
+    const double x = b * (g.x - f.x);
+    const double y = a * (g.y - f.y);
+    const double bound = (std::abs(a) + std::abs(b)) * (f.error + g.error) +
+                         8 * kRounding * (std::abs(x) + std::abs(y)) +
+                         kRounding * 4 *
+                             (std::abs(b) * (std::abs(f.x) + std::abs(g.x)) +
+                              std::abs(a) * (std::abs(f.y) + std::abs(g.y)));
+    if (x - y > bound) return 1;
+    if (x - y < -bound) return -1;
+    return -lines_.turn(line, p) *
+           lines_.side_of(p, line, q, lines_.point(line, q));
+  }
+
+  void cut_along_nodes() {
+    std::stable_sort(
+        parts_.begin(), parts_.end(), [](const NodePart& f, const NodePart& g) {
+          return f.node != g.node ? f.node < g.node : f.side > g.side;
+        });
+    corner_sets_ = DisjointSets(corners_.size());
+    cell_sets_ = DisjointSets(items_.size());
+    for (std::size_t first = 0; first < parts_.size();) {
+      std::size_t end = first;
+      std::size_t middle = first;
+      const CellNodeId node = parts_[first].node;
+      while (end < parts_.size() && parts_[end].node == node) {
+        if (parts_[end].side > 0) middle = end + 1;
+        ++end;
+      }
+      const LineId line = node < 0 ? node + 4 : tree_.line_of(node);
+      merge(line, sorted(line, first, middle), sorted(line, middle, end));
+      first = end;
+    }
+  }
+
+  /// Parts of one side of a node, in their order along its line.
+  std::vector<Part> sorted(LineId line, std::size_t first, std::size_t end) {
+    std::vector<Part> parts;
+    for (std::size_t k = first; k < end; ++k) parts.push_back(parts_[k].part);
+    std::sort(parts.begin(), parts.end(), [&](const Part& f, const Part& g) {
+      return order(line, f.low_line, f.low, g.low_line, g.low) > 0;
+    });
+    for (std::size_t k = 1; k < parts.size(); ++k)
+      corner_sets_.unite(parts[k - 1].high, parts[k].low);
+    return parts;
+  }
+
+  void add(const Piece& piece) {
+    if (piece.positive != kOutside && piece.negative != kOutside &&
+        keys_[at(piece.positive)] == keys_[at(piece.negative)]) {
+      cell_sets_.unite(piece.positive, piece.negative);
+      return;
+    }
+    pieces_.push_back(piece);
+  }
+
+  /// Either side covers the same segment of the line, but a side of the image,
+  /// which has nothing beyond it.
+  void merge(LineId line, const std::vector<Part>& positive,
+             const std::vector<Part>& negative) {
+    for (const auto* only : {&positive, &negative}) {
+      const bool is_positive = only == &positive;
+      if (!(is_positive ? negative : positive).empty()) continue;
+      for (const Part& part : *only) {
+        add({line, part.low, part.high, is_positive ? part.cell : kOutside,
+             is_positive ? kOutside : part.cell});
+      }
+      return;
+    }
+    std::size_t p = 0;
+    std::size_t q = 0;
+    std::int32_t low = positive[0].low;
+    corner_sets_.unite(low, negative[0].low);
+    while (p < positive.size() && q < negative.size()) {
+      const Part& f = positive[p];
+      const Part& g = negative[q];
+      const int ends = order(line, f.high_line, f.high, g.high_line, g.high);
+      const std::int32_t high = ends >= 0 ? f.high : g.high;
+      add({line, low, high, f.cell, g.cell});
+      if (ends == 0) corner_sets_.unite(f.high, g.high);
+      p += ends >= 0 ? 1 : 0;
+      q += ends <= 0 ? 1 : 0;
+      low = high;
+    }
+  }
+
+  /// The points of the boundary, and the pieces seen from both of their ends.
+  void number_points() {
+    std::unordered_map<std::int32_t, std::int32_t> numbers;
+    const auto point_of = [&](std::int32_t corner) {
+      const std::int32_t set = corner_sets_.root(corner);
+      const auto [found, is_new] = numbers.try_emplace(
+          set, static_cast<std::int32_t>(point_corner_.size()));
+      if (is_new) point_corner_.push_back(set);
+      return found->second;
+    };
+    const auto region_of = [&](std::int32_t cell) {
+      return cell == kOutside ? kOutside : cell_sets_.root(cell);
+    };
+    for (const Piece& piece : pieces_) {
+      const std::int32_t low = point_of(piece.low);
+      const std::int32_t high = point_of(piece.high);
+      const auto h = static_cast<std::int32_t>(halves_.size());
+      halves_.push_back(
+          {piece.line, 1, high, h + 1, region_of(piece.positive)});
+      halves_.push_back({piece.line, -1, low, h, region_of(piece.negative)});
+    }
+    leaving_.resize(point_corner_.size());
+    for (std::size_t h = 0; h < halves_.size(); ++h)
+      leaving_[at(halves_[at(halves_[h].twin)].to)].push_back(
+          static_cast<std::int32_t>(h));
+  }
+
+  /// Whether the direction of a half is in the lower half-turn: y grows, or it
+  /// is 0 and x grows.
+  bool is_first_half(const HalfPiece& half) const {
+    const double a = lines_.slope_x(half.line) * half.direction;
+    const double b = lines_.slope_y(half.line) * half.direction;
+    return -a > 0 || (a == 0 && b > 0);
+  }
+  bool turns_before(std::int32_t f, std::int32_t g) {
+    const HalfPiece& p = halves_[at(f)];
+    const HalfPiece& q = halves_[at(g)];
+    const bool first = is_first_half(p);
+    if (first != is_first_half(q)) return first;
+    return lines_.turn(p.line, q.line) * p.direction * q.direction > 0;
+  }
+
+  /// Round every point, each half goes on along the next one of its region: of
+  /// those leaving its end the one before its twin, by angle.
+  void link() {
+    for (auto& halves : leaving_) {
+      std::sort(
+          halves.begin(), halves.end(),
+          [&](std::int32_t f, std::int32_t g) { return turns_before(f, g); });
+      for (std::size_t k = 0; k < halves.size(); ++k) {
+        const std::int32_t after = halves[k];
+        const std::int32_t before = halves[k == 0 ? halves.size() - 1 : k - 1];
+        halves_[at(halves_[at(after)].twin)].next = before;
+      }
+    }
+  }
+
+  /// Whether the boundary passes straight through a point (S7.4).
+  bool is_straight(std::int32_t point) {
+    const auto& halves = leaving_[at(point)];
+    return halves.size() == 2 && lines_.turn(halves_[at(halves[0])].line,
+                                             halves_[at(halves[1])].line) == 0;
+  }
+
+  void write(VisibleMap& map);
+  void number_vertices(VisibleMap& map);
+  void write_arcs(VisibleMap& map);
+  void write_regions(VisibleMap& map);
+  /// From a half that leaves a vertex, the one that ends at the next vertex.
+  std::int32_t last_of(std::int32_t half) const {
+    while (vertex_of_[at(halves_[at(half)].to)] < 0)
+      half = halves_[at(half)].next;
+    return half;
+  }
+  std::int32_t start_of(std::int32_t half) const {
+    return vertex_of_[at(halves_[at(halves_[at(half)].twin)].to)];
+  }
+
+  LineTable& lines_;
+  const CellTree& tree_;
+  const std::function<std::int32_t(PolygonId)>& key_of_;
+  std::vector<PolygonId> items_;  ///< by cell
+  std::vector<std::int32_t> keys_;
+  std::vector<CellCorner> corners_;
+  std::vector<NodePart> parts_;
+  DisjointSets corner_sets_{0};
+  DisjointSets cell_sets_{0};
+  std::vector<Piece> pieces_;
+  std::vector<std::int32_t> point_corner_;  ///< by point: one of its corners
+  std::vector<HalfPiece> halves_;
+  std::vector<std::vector<std::int32_t>> leaving_;  ///< by point
+  std::vector<std::int32_t> vertex_of_;             ///< by point; -1: straight
+  std::unordered_map<std::int32_t, std::int32_t> region_of_cell_;
+};
+
+void Assembly::number_vertices(VisibleMap& map) {
+  std::vector<std::int32_t> points;
+  std::vector<MapVertex> vertices;
+  for (std::int32_t p = 0; p < std::ssize(point_corner_); ++p) {
+    if (is_straight(p)) continue;
+    const CellCorner& corner = corners_[at(point_corner_[at(p)])];
+    points.push_back(p);
+    vertices.push_back(lines_.vertex(corner.before, corner.after));
+  }
+  std::vector<std::int32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::int32_t f, std::int32_t g) {
+    const MapVertex& p = vertices[at(f)];
+    const MapVertex& q = vertices[at(g)];
+    // Nearest doubles are in the order of what they are nearest to, or equal.
+    if (p.x != q.x) return p.x < q.x;
+    return f != g && lines_.compare(p.lines, q.lines) < 0;
+  });
+  vertex_of_.assign(point_corner_.size(), -1);
+  std::unordered_map<LineId, std::int32_t> used;
+  for (const std::int32_t k : order) {
+    vertex_of_[at(points[at(k)])] =
+        static_cast<std::int32_t>(map.vertices.size());
+    MapVertex vertex = vertices[at(k)];
+    for (std::int32_t& line : vertex.lines) {
+      const auto [found, is_new] =
+          used.try_emplace(line, static_cast<std::int32_t>(map.lines.size()));
+      if (is_new) map.lines.push_back(lines_.exact(line));
+      line = found->second;
+    }
+    map.vertices.push_back(vertex);
+  }
+}
+
+void Assembly::write_arcs(VisibleMap& map) {
+  const auto region_of = [&](std::int32_t cell) {
+    return cell == kOutside ? kOutside : region_of_cell_.at(cell);
+  };
+  for (std::int32_t h = 0; h < std::ssize(halves_); ++h) {
+    const std::int32_t from = start_of(h);
+    if (from < 0) continue;
+    const HalfPiece& last = halves_[at(last_of(h))];
+    const std::int32_t to = vertex_of_[at(last.to)];
+    if (to < from) continue;
+    // What a positive turn leads to is on the right where y grows downwards.
+    map.arcs.push_back({from, to, region_of(halves_[at(last.twin)].region),
+                        region_of(last.region)});
+  }
+  std::sort(map.arcs.begin(), map.arcs.end(),
+            [](const MapArc& f, const MapArc& g) {
+              return f.from != g.from ? f.from < g.from : f.to < g.to;
+            });
+}
+
+void Assembly::write_regions(VisibleMap& map) {
+  // A loop for every half that leaves the loop's first vertex.
+  struct Loop {
+    std::int32_t cell = 0;
+    bool is_hole = false;
+    std::vector<std::int32_t> corners;
+  };
+  std::vector<Loop> loops;
+  std::vector<bool> seen(halves_.size());
+  for (std::int32_t h = 0; h < std::ssize(halves_); ++h) {
+    if (seen[at(h)]) continue;
+    std::int32_t first = -1;
+    for (std::int32_t k = h; !seen[at(k)]; k = halves_[at(k)].next) {
+      seen[at(k)] = true;
+      const std::int32_t vertex = start_of(k);
+      if (vertex >= 0 && (first < 0 || vertex < start_of(first))) first = k;
+    }
+    if (halves_[at(h)].region == kOutside) continue;
+    Loop loop;
+    loop.cell = halves_[at(h)].region;
+    // The first vertex is an extreme one: the turn there is the loop's.
+    std::int32_t before = h;
+    std::int32_t k = first;
+    do {
+      if (start_of(k) >= 0) loop.corners.push_back(start_of(k));
+      before = k;
+      k = halves_[at(k)].next;
+    } while (k != first);
+    const HalfPiece& into = halves_[at(before)];
+    const HalfPiece& out = halves_[at(first)];
+    loop.is_hole =
+        lines_.turn(into.line, out.line) * into.direction * out.direction < 0;
+    loops.push_back(std::move(loop));
+  }
+  // Outer loops first, by their first vertices; holes follow their regions.
+  std::sort(loops.begin(), loops.end(), [](const Loop& f, const Loop& g) {
+    if (f.is_hole != g.is_hole) return g.is_hole;
+    return f.corners < g.corners;
+  });
+  std::vector<std::vector<const Loop*>> of_region;
+  for (const Loop& loop : loops) {
+    if (!loop.is_hole) {
+      region_of_cell_.emplace(loop.cell,
+                              static_cast<std::int32_t>(of_region.size()));
+      of_region.push_back({&loop});
+    } else {
+      of_region[at(region_of_cell_.at(loop.cell))].push_back(&loop);
+    }
+  }
+  map.regions.resize(of_region.size());
+  for (std::size_t cell = 0; cell < items_.size(); ++cell) {
+    const std::int32_t set = cell_sets_.root(static_cast<std::int32_t>(cell));
+    MapRegion& region = map.regions[at(region_of_cell_.at(set))];
+    region.key = keys_[cell];
+    if (items_[cell] != kBackground &&
+        (region.item == kBackground || items_[cell] < region.item))
+      region.item = items_[cell];
+  }
+  for (std::size_t r = 0; r < of_region.size(); ++r) {
+    map.regions[r].first_loop =
+        static_cast<std::int32_t>(map.first_corner.size() - 1);
+    map.regions[r].loop_count = static_cast<std::int32_t>(of_region[r].size());
+    for (const Loop* loop : of_region[r]) {
+      map.corners.insert(map.corners.end(), loop->corners.begin(),
+                         loop->corners.end());
+      map.first_corner.push_back(
+          static_cast<std::uint32_t>(map.corners.size()));
+    }
+  }
+}
+
+void Assembly::write(VisibleMap& map) {
+  number_vertices(map);
+  write_regions(map);
+  write_arcs(map);
+}
+
+}  // namespace
+
+VisibleMap assemble(const CellTree& cells, LineTable& lines,
+                    const std::function<std::int32_t(PolygonId)>& key_of) {
+  return Assembly(cells, lines, key_of).run();
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,271 @@
+#include "map/cell_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "halfspace/assert.hpp"
+
+namespace halfspace::fast {
+
+namespace {
+
+constexpr int kSomeNegative = 1;
+constexpr int kSomePositive = 2;
+
+}  // namespace
+
+CellTree::CellTree(LineTable& lines, std::int32_t width, std::int32_t height,
+                   int depth)
+    : lines_(lines) {
+  // Positive turns, from x to y: the top side first.
+  const auto side = [&](LineId line, LineId before, std::int32_t inside,
+                        CellNodeId node) {
+    polygon_.push_back({line, inside, node, lines.point(before, line)});
+  };
+  side(kTopSide, kLeftSide, 1, -3);
+  side(kRightSide, kTopSide, -1, -2);
+  side(kBottomSide, kRightSide, -1, -1);
+  side(kLeftSide, kBottomSide, 1, -4);
+  add_cell(add_node(-1), polygon_, kBackground);
+  grid(width, height, depth);
+}
+
+int CellTree::classify(std::span<const CellEdge> polygon, LineId line) {
+  signs_.resize(polygon.size());
+  int found = 0;
+  LineId before = polygon.back().line;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const CellEdge& edge = polygon[k];
+    const int side = lines_.side_of(line, before, edge.line, edge.start);
+    signs_[k] = static_cast<std::int8_t>(side);
+    found |= side < 0 ? kSomeNegative : side > 0 ? kSomePositive : 0;
+    before = edge.line;
+  }
+  return found;
+}
+
+void CellTree::cut(std::span<const CellEdge> polygon, LineId line,
+                   CellNodeId node, std::vector<CellEdge>& positive,
+                   std::vector<CellEdge>& negative) {
+  const std::size_t n = polygon.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const CellEdge& edge = polygon[k];
+    const int here = signs_[k];
+    const int next = signs_[k + 1 == n ? 0 : k + 1];
+    auto& own = here > 0 || (here == 0 && next > 0) ? positive : negative;
+    if (here == 0) {
+      // The new edge of the side that is left begins here.
+      auto& other = next > 0 ? negative : positive;
+      other.push_back({line, next > 0 ? -1 : 1, node, edge.start});
+      own.push_back(edge);
+      continue;
+    }
+    own.push_back(edge);
+    if (here * next < 0) {
+      const MapPoint point = lines_.point(edge.line, line);
+      auto& other = here > 0 ? negative : positive;
+      own.push_back({line, here, node, point});
+      CellEdge rest = edge;
+      rest.start = point;
+      other.push_back(rest);
+    }
+  }
+}
+
+CellNodeId CellTree::add_node(CellNodeId parent) {
+  Node node;
+  node.parent = parent;
+  nodes_.push_back(node);
+  return static_cast<CellNodeId>(nodes_.size() - 1);
+}
+
+void CellTree::add_cell(CellNodeId node, std::span<const CellEdge> polygon,
+                        PolygonId item) {
+  Cell cell;
+  cell.item = item;
+  cell.first_edge = edges_.size();
+  cell.edge_count = static_cast<std::uint32_t>(polygon.size());
+  edges_.insert(edges_.end(), polygon.begin(), polygon.end());
+  nodes_[at(node)].cell = static_cast<std::int32_t>(cells_.size());
+  cells_.push_back(cell);
+  ++cell_count_;
+}
+
+void CellTree::divide(CellNodeId node, LineId line) {
+  const CellNodeId positive = add_node(node);
+  const CellNodeId negative = add_node(node);
+  Node& divided = nodes_[at(node)];
+  divided.line = line;
+  divided.positive = positive;
+  divided.negative = negative;
+}
+
+void CellTree::drop_cell(CellNodeId node) {
+  nodes_[at(node)].cell = -1;
+  --cell_count_;
+}
+
+void CellTree::grid(std::int32_t width, std::int32_t height, int depth) {
+  struct Block {
+    CellNodeId leaf;
+    std::int32_t left, top, right, bottom;
+    int depth;
+  };
+  std::vector<Block> blocks = {{0, 0, 0, width, height, depth}};
+  while (!blocks.empty()) {
+    const Block block = blocks.back();
+    blocks.pop_back();
+    const std::int32_t across = block.right - block.left;
+    const std::int32_t down = block.bottom - block.top;
+    if (block.depth == 0 || std::max(across, down) < 2) continue;
+    const bool is_column = across >= down;
+    const std::int32_t middle = is_column ? (block.left + block.right) / 2
+                                          : (block.top + block.bottom) / 2;
+    const LineId line =
+        is_column ? lines_.upright(middle) : lines_.level(middle);
+    polygon_ = polygon_of(block.leaf);
+    classify(polygon_, line);
+    positive_.clear();
+    negative_.clear();
+    cut(polygon_, line, block.leaf, positive_, negative_);
+    drop_cell(block.leaf);
+    divide(block.leaf, line);
+    add_cell(nodes_[at(block.leaf)].positive, positive_, kBackground);
+    add_cell(nodes_[at(block.leaf)].negative, negative_, kBackground);
+    Block high = block;
+    Block low = block;
+    high.leaf = nodes_[at(block.leaf)].positive;
+    low.leaf = nodes_[at(block.leaf)].negative;
+    (is_column ? high.left : high.top) = middle;
+    (is_column ? low.right : low.bottom) = middle;
+    high.depth = low.depth = block.depth - 1;
+    blocks.push_back(high);
+    blocks.push_back(low);
+  }
+}
+
+void CellTree::light(std::span<const HalfPlane> sides, PolygonId item) {
+  // Step 1: the fragment as a polygon: the rectangle, clipped.
+  const auto side_edge = [&](LineId line, LineId before, std::int32_t inside) {
+    return CellEdge{line, inside, -1, lines_.point(before, line)};
+  };
+  polygon_ = {side_edge(kTopSide, kLeftSide, 1),
+              side_edge(kRightSide, kTopSide, -1),
+              side_edge(kBottomSide, kRightSide, -1),
+              side_edge(kLeftSide, kBottomSide, 1)};
+  for (const HalfPlane& side : sides) {
+    const int found = classify(polygon_, side.line);
+    const int inside = side.side > 0 ? kSomePositive : kSomeNegative;
+    if ((found & inside) == 0) return;
+    if (found == inside) continue;
+    positive_.clear();
+    negative_.clear();
+    cut(polygon_, side.line, kOwnEdge, positive_, negative_);
+    polygon_.swap(side.side > 0 ? positive_ : negative_);
+  }
+  // Step 2: down the tree, cut where it divides.
+  work_.assign(polygon_.begin(), polygon_.end());
+  steps_.assign(1, {0, 0, work_.size()});
+  while (!steps_.empty()) {
+    const Step step = steps_.back();
+    steps_.pop_back();
+    work_.resize(step.first + step.count);
+    if (nodes_[at(step.node)].full) continue;
+    polygon_.assign(work_.begin() + static_cast<std::ptrdiff_t>(step.first),
+                    work_.end());
+    const Node node = nodes_[at(step.node)];
+    if (node.cell >= 0) {
+      light_leaf(step.node, polygon_, item);
+      continue;
+    }
+    const int found = classify(polygon_, node.line);
+    if (found == kSomePositive) {
+      steps_.push_back({node.positive, step.first, step.count});
+    } else if (found == kSomeNegative) {
+      steps_.push_back({node.negative, step.first, step.count});
+    } else {
+      positive_.clear();
+      negative_.clear();
+      cut(polygon_, node.line, -1, positive_, negative_);
+      work_.resize(step.first);
+      work_.insert(work_.end(), positive_.begin(), positive_.end());
+      work_.insert(work_.end(), negative_.begin(), negative_.end());
+      steps_.push_back({node.positive, step.first, positive_.size()});
+      steps_.push_back(
+          {node.negative, step.first + positive_.size(), negative_.size()});
+    }
+  }
+}
+
+std::vector<CellEdge> CellTree::polygon_of(CellNodeId leaf) const {
+  const Cell& cell = cells_[at(nodes_[at(leaf)].cell)];
+  const CellEdge* first = edges_.data() + cell.first_edge;
+  return {first, first + cell.edge_count};
+}
+
+void CellTree::light_leaf(CellNodeId leaf, std::span<const CellEdge> part,
+                          PolygonId item) {
+  std::vector<CellEdge> inside = polygon_of(leaf);
+  CellNodeId node = leaf;
+  for (const CellEdge& edge : part) {
+    if (edge.node != kOwnEdge) continue;
+    if (classify(inside, edge.line) != (kSomeNegative | kSomePositive))
+      continue;
+    positive_.clear();
+    negative_.clear();
+    cut(inside, edge.line, node, positive_, negative_);
+    if (node == leaf) drop_cell(leaf);
+    divide(node, edge.line);
+    const Node& divided = nodes_[at(node)];
+    const bool is_positive = edge.side > 0;
+    const CellNodeId outside =
+        is_positive ? divided.negative : divided.positive;
+    node = is_positive ? divided.positive : divided.negative;
+    add_cell(outside, is_positive ? negative_ : positive_, kBackground);
+    inside.swap(is_positive ? positive_ : negative_);
+  }
+  if (node == leaf) {
+    cells_[at(nodes_[at(leaf)].cell)].item = item;
+  } else {
+    add_cell(node, inside, item);
+  }
+  mark_full(node);
+}
+
+void CellTree::mark_full(CellNodeId node) {
+  nodes_[at(node)].full = true;
+  for (CellNodeId up = nodes_[at(node)].parent; up >= 0;
+       up = nodes_[at(up)].parent) {
+    Node& parent = nodes_[at(up)];
+    if (!nodes_[at(parent.positive)].full || !nodes_[at(parent.negative)].full)
+      return;
+    parent.full = true;
+  }
+}
+
+bool CellTree::any_unlit(const CellBox& box) {
+  visits_.assign(1, 0);
+  const double x = (box.left + box.right) / 2;
+  const double y = (box.top + box.bottom) / 2;
+  const double across = (box.right - box.left) / 2;
+  const double down = (box.bottom - box.top) / 2;
+  while (!visits_.empty()) {
+    const Node& node = nodes_[at(visits_.back())];
+    visits_.pop_back();
+    if (node.full) continue;
+    if (node.cell >= 0) return true;
+    const double a = lines_.slope_x(node.line);
+    const double b = lines_.slope_y(node.line);
+    const double c = lines_.offset(node.line);
+    const double value = a * x + b * y + c;
+    // What rounding adds is far below the margin of 2^-30.
+    const double reach =
+        std::abs(a) * across + std::abs(b) * down +
+        0x1p-30 * (std::abs(a * x) + std::abs(b * y) + std::abs(c));
+    if (value >= -reach) visits_.push_back(node.positive);
+    if (value <= reach) visits_.push_back(node.negative);
+  }
+  return false;
+}
+
+}  // namespace halfspace::fast

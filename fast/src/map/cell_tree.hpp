@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "camera/view.hpp"
+#include "map/line_table.hpp"
+
+namespace halfspace::fast {
+
+/// A node of the cell tree; from -4 to -1 the sides of the image rectangle.
+using CellNodeId = std::int32_t;
+
+/// An edge of a convex polygon of the image. The polygon's edges go round it
+/// with the interior on the side of `side`.
+struct CellEdge {
+  LineId line = 0;
+  std::int32_t side = 1;  ///< the sign of the line inside
+  CellNodeId node = 0;    ///< the node whose line it is a part of
+  MapPoint start;         ///< where the edge before it meets this one
+};
+
+/// A side of a fragment in the image: where the line has the sign `side`.
+struct HalfPlane {
+  LineId line = 0;
+  std::int32_t side = 1;
+};
+
+/// A cell: `edges[first_edge]` and the `edge_count - 1` after it.
+struct Cell {
+  PolygonId item = kBackground;
+  std::size_t first_edge = 0;
+  std::uint32_t edge_count = 0;
+};
+
+/// A rectangle in twice the image's coordinates.
+struct CellBox {
+  double left = 0;
+  double top = 0;
+  double right = 0;
+  double bottom = 0;
+};
+
+/// The image rectangle, divided by a 2-D BSP tree into convex cells, each lit
+/// by one polygon or unlit (S7.2; FAQ, "two dimensional BSP tree").
+class CellTree {
+ public:
+  /// `depth`: how often the rectangle is halved beforehand, across x and y in
+  /// turn, so that the tree stays shallow.
+  CellTree(LineTable& lines, std::int32_t width, std::int32_t height,
+           int depth);
+
+  /// Lights the unlit parts of the intersection of the half-planes.
+  void light(std::span<const HalfPlane> sides, PolygonId item);
+
+  /// Whether a cell that may meet the box is unlit.
+  bool any_unlit(const CellBox& box);
+  bool full() const { return nodes_[0].full; }
+
+  std::size_t cell_count() const { return cell_count_; }
+  CellNodeId node_count() const {
+    return static_cast<CellNodeId>(nodes_.size());
+  }
+  LineId line_of(CellNodeId node) const { return nodes_[at(node)].line; }
+  /// Calls visit(cell, edges) for every cell.
+  template <class Visit>
+  void for_cells(Visit&& visit) const {
+    for (const Node& node : nodes_) {
+      if (node.cell < 0) continue;
+      const Cell& cell = cells_[at(node.cell)];
+      visit(cell, std::span<const CellEdge>(edges_.data() + cell.first_edge,
+                                            cell.edge_count));
+    }
+  }
+
+ private:
+  struct Node {
+    LineId line = -1;
+    std::int32_t positive = -1;
+    std::int32_t negative = -1;
+    std::int32_t parent = -1;
+    std::int32_t cell = -1;  ///< of a leaf, else -1
+    bool full = false;       ///< no cell in it is unlit
+  };
+  /// What is left of a fragment at a node, in `work_`.
+  struct Step {
+    CellNodeId node = 0;
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+
+  static std::size_t at(std::int32_t index) {
+    return static_cast<std::size_t>(index);
+  }
+  /// The signs of a line at the starts of the edges, into `signs_`. Returns
+  /// whether some are negative (1) and some positive (2), added up.
+  int classify(std::span<const CellEdge> polygon, LineId line);
+  /// The parts of a polygon on the two sides of a line, by `signs_`: appended.
+  void cut(std::span<const CellEdge> polygon, LineId line, CellNodeId node,
+           std::vector<CellEdge>& positive, std::vector<CellEdge>& negative);
+  CellNodeId add_node(CellNodeId parent);
+  void add_cell(CellNodeId node, std::span<const CellEdge> polygon,
+                PolygonId item);
+  void drop_cell(CellNodeId node);
+  /// Gives a node without a cell two children without cells.
+  void divide(CellNodeId node, LineId line);
+  std::vector<CellEdge> polygon_of(CellNodeId leaf) const;
+  void grid(std::int32_t width, std::int32_t height, int depth);
+  /// Lights a part of an unlit leaf's cell, which is bounded by the cell's own
+  /// lines and those of `part` that are marked as the fragment's.
+  void light_leaf(CellNodeId leaf, std::span<const CellEdge> part,
+                  PolygonId item);
+  void mark_full(CellNodeId node);
+
+  LineTable& lines_;
+  std::vector<Node> nodes_;
+  std::vector<Cell> cells_;
+  std::vector<CellEdge> edges_;
+  std::size_t cell_count_ = 0;
+  // Scratch.
+  std::vector<std::int8_t> signs_;
+  std::vector<CellEdge> work_;
+  std::vector<CellEdge> positive_;
+  std::vector<CellEdge> negative_;
+  std::vector<CellEdge> polygon_;
+  std::vector<Step> steps_;
+  std::vector<CellNodeId> visits_;
+};
+
+/// The node of the edges of a fragment that are not on a node's line yet.
+constexpr CellNodeId kOwnEdge = -5;
+
+}  // namespace halfspace::fast

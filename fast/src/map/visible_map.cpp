@@ -1,0 +1,160 @@
+#include "halfspace/fast/visible_map.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "halfspace/assert.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "map/assembly.hpp"
+#include "map/cell_tree.hpp"
+#include "map/line_table.hpp"
+#include "tree/traversal.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// The sides of fragments in the image (S4.5), by their lines.
+class FragmentSides {
+ public:
+  FragmentSides(const TreeReader& reader, const CameraData& camera,
+                LineTable& lines)
+      : reader_(reader), camera_(camera), lines_(lines) {}
+
+  /// Requires: the eye is on side `eye_sign` of the fragment's source.
+  std::span<const HalfPlane> of(const TreeFragment& fragment, int eye_sign) {
+    sides_.clear();
+    const auto source = reader_.scene().corners(fragment.source);
+    for (const Corner& corner : reader_.corners(fragment)) {
+      if (is_source(corner.edge)) {
+        const auto k = static_cast<std::size_t>(corner.edge);
+        const VertexId p = source[k];
+        const VertexId q = source[k + 1 == source.size() ? 0 : k + 1];
+        sides_.push_back(p < q ? HalfPlane{lines_.edge(p, q), eye_sign}
+                               : HalfPlane{lines_.edge(q, p), -eye_sign});
+      } else {
+        const PlaneId splitter = splitter_of(corner.edge);
+        sides_.push_back({lines_.meet(fragment.source, splitter),
+                          eye_sign * reader_.side_of(fragment, splitter)});
+      }
+    }
+    if (camera_.near)
+      sides_.push_back({lines_.near(fragment.source), eye_sign});
+    return sides_;
+  }
+
+ private:
+  const TreeReader& reader_;
+  const CameraData& camera_;
+  LineTable& lines_;
+  std::vector<HalfPlane> sides_;
+};
+
+/// Where a box may be seen, or nothing if it cannot be.
+///
+/// Requires: what rounding adds is far below a sixteenth of a pixel, or else
+///           the box is taken to be seen everywhere.
+bool image_of(const Box& box, const View& view, CellBox& image) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  image = {infinite, infinite, -infinite, -infinite};
+  bool any_in_front = false;
+  bool reaches_eye = false;
+  for (int k = 0; k < 8; ++k) {
+    const double x = double{(k & 1) != 0 ? box.high[0] : box.low[0]};
+    const double y = double{(k & 2) != 0 ? box.high[1] : box.low[1]};
+    const double z = double{(k & 4) != 0 ? box.high[2] : box.low[2]};
+    const double t = view.t.at(x, y, z);
+    any_in_front |= t > view.near - view.t_error;
+    if (view.perspective && !(t > view.t_error * 0x1p20)) {
+      reaches_eye = true;
+      continue;
+    }
+    const double w = view.perspective ? t : 1;
+    const double u = 2 * view.x.at(x, y, z) / w;
+    const double v = 2 * view.y.at(x, y, z) / w;
+    image = {std::min(image.left, u), std::min(image.top, v),
+             std::max(image.right, u), std::max(image.bottom, v)};
+  }
+  if (reaches_eye) image = {-infinite, -infinite, infinite, infinite};
+  return any_in_front;
+}
+
+/// How often the image is halved beforehand, so that a cell meets few
+/// fragments if they are small.
+int grid_depth(std::size_t fragments) {
+  constexpr int kMostHalvings = 14;
+  return std::clamp(static_cast<int>(std::bit_width(fragments)) - 4, 0,
+                    kMostHalvings);
+}
+
+/// The rectangle, with a margin for rounding, within the image.
+CellBox clamped(const CellBox& box, const CameraData& camera) {
+  constexpr double kMargin = 0.125;
+  const auto within = [](double value, std::int32_t size) {
+    return std::clamp(value, 0.0, 2.0 * size);
+  };
+  return {within(box.left - kMargin, camera.width_px),
+          within(box.top - kMargin, camera.height_px),
+          within(box.right + kMargin, camera.width_px),
+          within(box.bottom + kMargin, camera.height_px)};
+}
+
+bool is_empty(const CellBox& box) {
+  return !(box.left < box.right) || !(box.top < box.bottom);
+}
+
+}  // namespace
+
+Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
+                               const Camera& camera, const MapOptions& options,
+                               const MapLimits& limits) {
+  HALFSPACE_ASSERT(options.keys.empty() ||
+                   options.keys.size() == scene.polygon_count());
+  HALFSPACE_ASSERT(!has_leaves(tree));
+  const CameraData& data = camera.data();
+  const TreeReader reader(scene, tree);
+  const View view = make_view(camera, scene.grid_bits());
+  FilterStats stats;
+  const EyeClassifier eye_side(reader, view, data, stats);
+  LineTable lines(reader, data);
+  CellTree cells(lines, data.width_px, data.height_px,
+                 grid_depth(tree.fragments.size()));
+  FragmentSides sides(reader, data, lines);
+  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
+  const auto enter = [&](NodeId id) {
+    if (!has_boxes) return true;
+    CellBox image;
+    if (!image_of(tree.boxes[static_cast<std::size_t>(id)], view, image))
+      return false;
+    image = clamped(image, data);
+    return !is_empty(image) && cells.any_unlit(image);
+  };
+  bool too_many = false;
+  const auto show = [&](const Node& node, int sign) {
+    return for_fragments(tree, node, [&](const TreeFragment& fragment) {
+      const int eye_sign = fragment.turned != 0 ? -sign : sign;
+      if (options.cull && eye_sign < 0) return true;
+      cells.light(sides.of(fragment, eye_sign), fragment.source);
+      too_many = cells.cell_count() > limits.most_cells;
+      return !too_many && !cells.full();
+    });
+  };
+  walk_front_to_back(tree, eye_side, enter, show);
+  if (too_many) {
+    return Error{ErrorCode::kOutOfRange, "the visible map has more than " +
+                                             std::to_string(limits.most_cells) +
+                                             " cells, which is the limit"};
+  }
+  const auto key_of = [&](PolygonId item) {
+    if (item == kBackground) return kBackgroundKey;
+    return options.keys.empty() ? item
+                                : options.keys[static_cast<std::size_t>(item)];
+  };
+  VisibleMap map = assemble(cells, lines, key_of);
+  map.decisions = lines.stats();
+  map.decisions.add(stats);
+  return map;
+}
+
+}  // namespace halfspace::fast

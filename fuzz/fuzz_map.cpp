@@ -1,0 +1,67 @@
+#include "fuzz.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/visible_map.hpp"
+#include "halfspace/ref/visible_map.hpp"
+#include "views.hpp"
+
+namespace halfspace {
+namespace {
+
+/// The reference cuts all lines by all lines: beyond so many polygons that
+/// takes too long, and two trees of the fast library are compared alone.
+constexpr std::size_t kMostPolygonsOfRef = 9;
+
+void expect_same(const fast::VisibleMap& map,
+                 const std::vector<ref::MapArc>& arcs,
+                 const std::string& text) {
+  HALFSPACE_FUZZ_EXPECT(map.arcs.size() == arcs.size(), text);
+  const auto key_of = [&](std::int32_t region) {
+    return region < 0 ? kOutsideKey
+                      : map.regions[static_cast<std::size_t>(region)].key;
+  };
+  for (std::size_t k = 0; k < arcs.size(); ++k) {
+    const auto is_at = [&](std::int32_t v, const ref::ImagePoint& p) {
+      const fast::MapVertex& vertex = map.vertices[static_cast<std::size_t>(v)];
+      return vertex.x == nearest_double(p.x) && vertex.y == nearest_double(p.y);
+    };
+    HALFSPACE_FUZZ_EXPECT(is_at(map.arcs[k].from, arcs[k].from), text);
+    HALFSPACE_FUZZ_EXPECT(is_at(map.arcs[k].to, arcs[k].to), text);
+    HALFSPACE_FUZZ_EXPECT(key_of(map.arcs[k].left) == arcs[k].left, text);
+    HALFSPACE_FUZZ_EXPECT(key_of(map.arcs[k].right) == arcs[k].right, text);
+  }
+}
+
+}  // namespace
+}  // namespace halfspace
+
+/// The visible map is the same by the reference and over trees of two kinds:
+/// arcs, keys and the nearest doubles to its vertices.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  using namespace halfspace;
+  fuzz::Bytes bytes(data, size);
+  const BuildOptions build = fuzz::build_options_of(bytes);
+  const SceneFile view = fuzz::view_of(bytes);
+  const std::string text = write_scene(view);
+  const MapOptions options = {view.options.cull, {}};
+  const auto map = fast::visible_map(view.scene, fast::build(view.scene, build),
+                                     *view.camera, options);
+  HALFSPACE_FUZZ_EXPECT(map.has_value(), text);
+  fast::DisplayTreeOptions display;
+  display.leaf_size = build.candidates;
+  display.threads = 1;
+  fast::BspTree divided = fast::build_display_tree(view.scene, display);
+  fast::divide_leaves(divided, view.scene);
+  const auto other =
+      fast::visible_map(view.scene, divided, *view.camera, options);
+  HALFSPACE_FUZZ_EXPECT(other.has_value(), text);
+  HALFSPACE_FUZZ_EXPECT(map->arcs == other->arcs, text);
+  HALFSPACE_FUZZ_EXPECT(map->regions == other->regions, text);
+  HALFSPACE_FUZZ_EXPECT(map->corners == other->corners, text);
+  if (view.scene.polygon_count() <= kMostPolygonsOfRef) {
+    expect_same(*map, ref::visible_map(view.scene, *view.camera, options),
+                text);
+  }
+  return 0;
+}

@@ -1,0 +1,352 @@
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "adapters/both.hpp"
+#include "adapters/scenes.hpp"
+#include "definition/definition.hpp"
+#include "halfspace/fast/visible_map.hpp"
+#include "halfspace/ref/visible_map.hpp"
+#include "laws/law.hpp"
+
+/// Laws of the visible map (S7). Maps of both implementations are compared as
+/// lists of arcs between exact points.
+namespace halfspace {
+namespace {
+
+using definition::Fraction;
+using definition::Integer;
+
+constexpr int kMaps = 150;
+
+struct Place {
+  Fraction x, y;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+bool operator<(const Place& p, const Place& q) {
+  return p.x == q.x ? p.y < q.y : p.x < q.x;
+}
+
+struct Arc {
+  Place from, to;
+  std::int32_t left, right;
+  friend bool operator==(const Arc&, const Arc&) = default;
+};
+using Arcs = std::vector<Arc>;
+
+Integer to_integer(const fast::MapLine::Integer& words) {
+  Integer value = 0;
+  for (std::size_t k = words.size(); k-- > 0;) value = (value << 64) + words[k];
+  if (words.back() >> 63 != 0) value -= Integer(1) << 512;
+  return value;
+}
+
+struct RefMap {
+  static Arcs arcs_of(const SceneFile& view, const MapOptions& options,
+                      const BuildOptions&) {
+    const auto fraction = [](const ref::Rational& value) {
+      const auto big = value.big();
+      return Fraction(Integer(numerator(big).str()),
+                      Integer(denominator(big).str()));
+    };
+    const auto place = [&](const ref::ImagePoint& p) {
+      return Place{fraction(p.x), fraction(p.y)};
+    };
+    Arcs arcs;
+    for (const ref::MapArc& arc :
+         ref::visible_map(view.scene, *view.camera, options)) {
+      arcs.push_back({place(arc.from), place(arc.to), arc.left, arc.right});
+    }
+    return arcs;
+  }
+};
+
+/// What a map says of itself beside its arcs: loops, regions, order.
+void expect_consistent(const fast::VisibleMap& map,
+                       const std::vector<Place>& places) {
+  HALFSPACE_LAW(std::is_sorted(places.begin(), places.end()));
+  HALFSPACE_LAW(std::adjacent_find(places.begin(), places.end()) ==
+                places.end());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    HALFSPACE_LAW(map.vertices[v].x == places[v].x.convert_to<double>());
+    HALFSPACE_LAW(map.vertices[v].y == places[v].y.convert_to<double>());
+  }
+  // Every side of an arc that is a region's is a step of one of its loops.
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> region_of_step;
+  std::size_t loops = 0;
+  for (std::size_t r = 0; r < map.regions.size(); ++r) {
+    const fast::MapRegion& region = map.regions[r];
+    HALFSPACE_LAW(region.loop_count >= 1);
+    HALFSPACE_LAW(region.first_loop == static_cast<std::int32_t>(loops));
+    for (std::int32_t l = 0; l < region.loop_count; ++l, ++loops) {
+      const std::size_t first = map.first_corner[loops];
+      const std::size_t end = map.first_corner[loops + 1];
+      Fraction twice = 0;
+      for (std::size_t k = first; k < end; ++k) {
+        const std::int32_t p = map.corners[k];
+        const std::int32_t q = map.corners[k + 1 == end ? first : k + 1];
+        HALFSPACE_LAW(map.corners[first] <= p);
+        const Place& f = places[static_cast<std::size_t>(p)];
+        const Place& g = places[static_cast<std::size_t>(q)];
+        twice += f.x * g.y - f.y * g.x;
+        HALFSPACE_LAW(
+            region_of_step.emplace(std::pair{p, q}, static_cast<int>(r))
+                .second);
+      }
+      // The first loop is the outer one.
+      HALFSPACE_LAW(l == 0 ? twice > 0 : twice < 0);
+    }
+  }
+  std::size_t sides = 0;
+  const auto side = [&](std::int32_t p, std::int32_t q, std::int32_t region) {
+    const auto found = region_of_step.find({p, q});
+    HALFSPACE_LAW((found == region_of_step.end()) == (region < 0));
+    if (region < 0) return;
+    ++sides;
+    HALFSPACE_LAW(found->second == region);
+  };
+  for (const fast::MapArc& arc : map.arcs) {
+    side(arc.from, arc.to, arc.right);
+    side(arc.to, arc.from, arc.left);
+  }
+  HALFSPACE_LAW(sides == region_of_step.size());
+}
+
+struct FastMap {
+  static Arcs arcs_of(const SceneFile& view, const MapOptions& options,
+                      const BuildOptions& build) {
+    const auto tree = fast::build(view.scene, build);
+    const auto map = fast::visible_map(view.scene, tree, *view.camera, options);
+    HALFSPACE_LAW(map.has_value());
+    std::vector<Place> places;
+    for (const fast::MapVertex& vertex : map->vertices) {
+      const auto line = [&](std::size_t k) -> const fast::MapLine& {
+        return map->lines[static_cast<std::size_t>(vertex.lines[k])];
+      };
+      const auto [a, b, c] = std::tuple{
+          to_integer(line(0).a), to_integer(line(0).b), to_integer(line(0).c)};
+      const auto [d, e, f] = std::tuple{
+          to_integer(line(1).a), to_integer(line(1).b), to_integer(line(1).c)};
+      const Integer w = 2 * (a * e - b * d);
+      places.push_back({Fraction(b * f - c * e) / Fraction(w),
+                        Fraction(c * d - a * f) / Fraction(w)});
+    }
+    expect_consistent(*map, places);
+    const auto key_of = [&](std::int32_t region) {
+      return region < 0 ? kOutsideKey
+                        : map->regions[static_cast<std::size_t>(region)].key;
+    };
+    Arcs arcs;
+    for (const fast::MapArc& arc : map->arcs) {
+      arcs.push_back({places[static_cast<std::size_t>(arc.from)],
+                      places[static_cast<std::size_t>(arc.to)],
+                      key_of(arc.left), key_of(arc.right)});
+    }
+    return arcs;
+  }
+};
+
+template <class Impl>
+class S7Map : public ::testing::Test {};
+using MapImplementations = ::testing::Types<RefMap, FastMap>;
+TYPED_TEST_SUITE(S7Map, MapImplementations);
+
+MapOptions options_of(const SceneFile& view) { return {view.options.cull, {}}; }
+
+template <class Impl>
+Arcs map_of(const SceneFile& view) {
+  return Impl::arcs_of(view, options_of(view), {});
+}
+
+/// The key at the sample of pixel (i, j): that to the right of the last arc
+/// before it on its line, which is the height j + 1/2 and an infinitely small
+/// step further down.
+std::int32_t key_at(const Arcs& arcs, std::int32_t i, std::int32_t j) {
+  const Fraction x = Fraction(2 * i + 1) / 2;
+  const Fraction y = Fraction(2 * j + 1) / 2;
+  std::int32_t key = kOutsideKey;
+  std::pair<Fraction, Fraction> last;
+  for (const Arc& arc : arcs) {
+    const bool down = arc.from.y < arc.to.y;
+    const Place& high = down ? arc.from : arc.to;
+    const Place& low = down ? arc.to : arc.from;
+    if (!(high.y <= y && y < low.y)) continue;
+    const Fraction slope = (low.x - high.x) / (low.y - high.y);
+    const std::pair<Fraction, Fraction> place = {high.x + slope * (y - high.y),
+                                                 slope};
+    if (place.first > x) continue;
+    if (key != kOutsideKey && place < last) continue;
+    last = place;
+    key = down ? arc.left : arc.right;
+  }
+  return key;
+}
+
+Fraction area_of(const Arcs& arcs, std::int32_t key) {
+  Fraction twice = 0;
+  for (const Arc& arc : arcs) {
+    const Fraction part = arc.from.x * arc.to.y - arc.from.y * arc.to.x;
+    if (arc.right == key) twice += part;
+    if (arc.left == key) twice -= part;
+  }
+  return twice / 2;
+}
+
+std::map<std::int32_t, Fraction> areas_of(const Arcs& arcs) {
+  std::map<std::int32_t, Fraction> areas;
+  for (const Arc& arc : arcs) {
+    for (const std::int32_t key : {arc.left, arc.right})
+      areas.try_emplace(key, 0);
+  }
+  for (auto& [key, area] : areas) area = area_of(arcs, key);
+  return areas;
+}
+
+TYPED_TEST(S7Map, L1SamplesLieInTheRegionOfTheirItem) {
+  std::size_t several = 0;
+  law::for_all_views(
+      [&](const SceneFile& view) {
+        const Arcs arcs = map_of<TypeParam>(view);
+        const Image image =
+            oracle::zbuffer(view.scene, *view.camera, view.options);
+        for (std::int32_t j = 0; j < image.items.height_px; ++j) {
+          for (std::int32_t i = 0; i < image.items.width_px; ++i)
+            HALFSPACE_LAW(key_at(arcs, i, j) == image.items.at(i, j));
+        }
+        if (arcs.size() > 12) ++several;
+      },
+      kMaps);
+  EXPECT_GT(several, 20u);
+}
+
+int turn(const Place& p, const Place& q, const Place& r) {
+  const Fraction area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  return area > 0 ? 1 : area < 0 ? -1 : 0;
+}
+
+/// Whether a point of an arc, not one of its ends, is on another arc.
+bool meet_within(const Arc& f, const Arc& g) {
+  const int from = turn(f.from, f.to, g.from);
+  const int to = turn(f.from, f.to, g.to);
+  if (from == 0 && to == 0) {
+    const auto within = [](const Arc& a, const Place& p) {
+      return a.from < p && p < a.to;
+    };
+    return f == g || within(f, g.from) || within(f, g.to) ||
+           within(g, f.from) || within(g, f.to);
+  }
+  if (from * to > 0) return false;
+  const int first = turn(g.from, g.to, f.from);
+  const int second = turn(g.from, g.to, f.to);
+  if (first * second > 0) return false;
+  // They meet in a point: an end of both, or not.
+  return !(f.from == g.from || f.from == g.to || f.to == g.from ||
+           f.to == g.to);
+}
+
+TYPED_TEST(S7Map, L2ArcsMeetInVerticesAlone) {
+  law::for_all_views(
+      [](const SceneFile& view) {
+        const Arcs arcs = map_of<TypeParam>(view);
+        for (std::size_t f = 0; f < arcs.size(); ++f) {
+          HALFSPACE_LAW(arcs[f].from < arcs[f].to);
+          for (std::size_t g = 0; g < f; ++g)
+            HALFSPACE_LAW(!meet_within(arcs[f], arcs[g]));
+        }
+      },
+      kMaps);
+}
+
+TYPED_TEST(S7Map, L3NothingIsThereForNothing) {
+  law::for_all_views(
+      [](const SceneFile& view) {
+        const Arcs arcs = map_of<TypeParam>(view);
+        std::map<Place, std::vector<const Arc*>> ending;
+        for (const Arc& arc : arcs) {
+          HALFSPACE_LAW(arc.left != arc.right);
+          ending[arc.from].push_back(&arc);
+          ending[arc.to].push_back(&arc);
+        }
+        for (const auto& [place, ends] : ending) {
+          HALFSPACE_LAW(ends.size() >= 2);
+          if (ends.size() > 2) continue;
+          const auto other = [&place = place](const Arc& arc) {
+            return arc.from == place ? arc.to : arc.from;
+          };
+          HALFSPACE_LAW(turn(other(*ends[0]), place, other(*ends[1])) != 0);
+        }
+      },
+      kMaps);
+}
+
+TYPED_TEST(S7Map, L4AreasAddUpToTheImage) {
+  law::for_all_views(
+      [](const SceneFile& view) {
+        const Fraction all = Fraction((*view.camera)->width_px) *
+                             Fraction((*view.camera)->height_px);
+        Fraction sum = 0;
+        for (const auto& [key, area] : areas_of(map_of<TypeParam>(view))) {
+          if (key == kOutsideKey) {
+            HALFSPACE_LAW(area == -all);
+            continue;
+          }
+          HALFSPACE_LAW(area > 0);
+          sum += area;
+        }
+        HALFSPACE_LAW(sum == all);
+      },
+      kMaps);
+}
+
+TYPED_TEST(S7Map, L5TheMapDependsOnNeitherTreeNorFirstCorner) {
+  law::for_all_views(
+      [](const SceneFile& view) {
+        const Arcs arcs = map_of<TypeParam>(view);
+        BuildOptions build;
+        build.rule = RootRule::kFirst;
+        HALFSPACE_LAW(TypeParam::arcs_of(view, options_of(view), build) ==
+                      arcs);
+        SceneData data = view.scene.data();
+        for (std::size_t p = 0; p < view.scene.polygon_count(); ++p) {
+          std::rotate(data.corners.begin() + data.first_corner[p],
+                      data.corners.begin() + data.first_corner[p] + 1,
+                      data.corners.begin() + data.first_corner[p + 1]);
+        }
+        data.corner_colors.clear();
+        SceneFile turned = view;
+        turned.scene = *make_scene(std::move(data));
+        HALFSPACE_LAW(map_of<TypeParam>(turned) == arcs);
+      },
+      kMaps);
+}
+
+TYPED_TEST(S7Map, L6JoinedKeysHaveTheSumOfTheAreas) {
+  law::for_all_views(
+      [](const SceneFile& view) {
+        MapOptions joined = options_of(view);
+        for (std::size_t p = 0; p < view.scene.polygon_count(); ++p)
+          joined.keys.push_back(static_cast<std::int32_t>(p % 2));
+        std::map<std::int32_t, Fraction> sums;
+        for (const auto& [key, area] : areas_of(map_of<TypeParam>(view)))
+          sums[key < 0 ? key : key % 2] += area;
+        HALFSPACE_LAW(areas_of(TypeParam::arcs_of(view, joined, {})) == sums);
+      },
+      kMaps);
+}
+
+TEST(S7MapAgree, RefAndFastGiveTheSameMap) {
+  law::for_all_views(
+      [](const SceneFile& view) {
+        MapOptions options = options_of(view);
+        HALFSPACE_LAW(FastMap::arcs_of(view, options, {}) ==
+                      RefMap::arcs_of(view, options, {}));
+        options.keys.assign(view.scene.polygon_count(), 0);
+        HALFSPACE_LAW(FastMap::arcs_of(view, options, {}) ==
+                      RefMap::arcs_of(view, options, {}));
+      },
+      kMaps);
+}
+
+}  // namespace
+}  // namespace halfspace

@@ -1,0 +1,267 @@
+#include "halfspace/ref/visible_map.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "vector.hpp"
+
+namespace halfspace::ref {
+namespace {
+
+/// A function value + x dx + y dy of the image point (x, y).
+struct Affine {
+  Rational value, dx, dy;
+};
+Affine operator*(const Rational& scale, const Affine& f) {
+  return {scale * f.value, scale * f.dx, scale * f.dy};
+}
+Affine operator+(const Affine& f, const Affine& g) {
+  return {f.value + g.value, f.dx + g.dx, f.dy + g.dy};
+}
+Affine operator-(const Affine& f, const Affine& g) {
+  return f + Rational(-1) * g;
+}
+
+/// What decides about a polygon at an image point.
+struct Covering {
+  std::vector<Affine> insides;  ///< all positive: it is covered (S4.5)
+  Affine nearness;              ///< the greater, the nearer (S5.3)
+};
+
+/// A plane's value at the eye, P(e), and at the image point s, P(s) (S4.2).
+/// Units: grid steps, times 2^8.
+struct Seen {
+  Rational eye;
+  Affine image;
+};
+Seen seen(const Plane& plane, const Camera& camera) {
+  const auto along = [&plane](const LatticeVector& v) {
+    return dot(normal_of(plane), to_point(v));
+  };
+  const Rational offset = Rational(1 << kLatticeBits) * plane.d;
+  return {
+      camera->perspective ? along(camera->eye) + offset : along(camera->eye),
+      {along(camera->s0) + offset, along(camera->sx), along(camera->sy)}};
+}
+
+/// The forms of a polygon; nothing if its plane holds the eye or it is culled.
+std::optional<Covering> covering_of(const Fragment& polygon,
+                                    const Camera& camera, bool cull) {
+  const Plane plane = plane_of(polygon.vertices);
+  const Seen support = seen(plane, camera);
+  const int g = sign(support.eye);
+  if (g == 0 || (cull && g < 0)) return std::nullopt;
+  Covering covering;
+  for (std::size_t k = 0; k < polygon.vertices.size(); ++k) {
+    const Point& p = polygon.vertices[k];
+    const Point& q = polygon.vertices[(k + 1) % polygon.vertices.size()];
+    const Seen edge = seen(
+        plane_through(cross(normal_of(plane), difference(q, p)), p), camera);
+    covering.insides.push_back(
+        Rational(g) * (support.eye * edge.image - edge.eye * support.image));
+  }
+  if (camera->near) {
+    const Rational k = *camera->near;
+    const Rational unit = 1 << kNearBits;
+    const Affine at_eye = {support.eye, 0, 0};
+    covering.insides.push_back(Rational(g) *
+                               (camera->perspective
+                                    ? (unit - k) * at_eye + k * support.image
+                                    : unit * support.image - k * at_eye));
+  }
+  // 1/t - 1 = -P(s) / P(e) in perspective, else -t = -P(s) / P(e).
+  covering.nearness = Rational(-1) / support.eye * support.image;
+  return covering;
+}
+
+bool are_equal(const ImagePoint& p, const ImagePoint& q) {
+  return p.x == q.x && p.y == q.y;
+}
+bool before(const ImagePoint& p, const ImagePoint& q) {
+  return p.x == q.x ? p.y < q.y : p.x < q.x;
+}
+
+/// The line c + a x + b y = 0, scaled so that a, or else b, is 1: equal lines
+/// are equal numbers.
+struct Line {
+  Rational a, b, c;
+  friend bool operator==(const Line&, const Line&) = default;
+};
+
+std::optional<Line> line_of(const Affine& f) {
+  const Rational& scale = sign(f.dx) != 0 ? f.dx : f.dy;
+  if (sign(scale) == 0) return std::nullopt;
+  return Line{f.dx / scale, f.dy / scale, f.value / scale};
+}
+
+std::optional<ImagePoint> meet(const Line& l, const Line& m) {
+  const Rational w = l.a * m.b - l.b * m.a;
+  if (sign(w) == 0) return std::nullopt;
+  return ImagePoint{(l.b * m.c - l.c * m.b) / w, (l.c * m.a - l.a * m.c) / w};
+}
+
+/// The sign of a form right beside a point, in direction (dx, dy) from it.
+int sign_beside(const Affine& f, const ImagePoint& p, const Rational& dx,
+                const Rational& dy) {
+  if (const int s = sign(f.value + p.x * f.dx + p.y * f.dy)) return s;
+  return sign(dx * f.dx + dy * f.dy);
+}
+
+/// What the map is decided by (S7.1).
+class Forms {
+ public:
+  Forms(const Scene& scene, const Camera& camera, const MapOptions& options)
+      : width_(camera->width_px), height_(camera->height_px) {
+    for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
+         ++id) {
+      polygons_.push_back(covering_of(whole(scene, id), camera, options.cull));
+      const auto index = static_cast<std::size_t>(id);
+      keys_.push_back(options.keys.empty() ? id : options.keys[index]);
+    }
+  }
+
+  /// All lines that meet the image rectangle, each once.
+  std::vector<Line> lines() const {
+    std::vector<Line> lines = {
+        {1, 0, 0}, {1, 0, -width_}, {0, 1, 0}, {0, 1, -height_}};
+    const auto add = [&lines](const Affine& f) {
+      const auto line = line_of(f);
+      if (line && std::find(lines.begin(), lines.end(), *line) == lines.end())
+        lines.push_back(*line);
+    };
+    for (std::size_t p = 0; p < polygons_.size(); ++p) {
+      if (!polygons_[p]) continue;
+      for (const Affine& inside : polygons_[p]->insides) add(inside);
+      for (std::size_t q = 0; q < p; ++q) {
+        if (polygons_[q]) add(polygons_[p]->nearness - polygons_[q]->nearness);
+      }
+    }
+    return lines;
+  }
+
+  /// The key of what is seen right beside a point, in a direction from it: no
+  /// line runs through the point in that direction.
+  std::int32_t key_beside(const ImagePoint& p, const Rational& dx,
+                          const Rational& dy) const {
+    const auto is_inside = [](const Rational& at, const Rational& d,
+                              std::int32_t size) {
+      if (sign(at) == 0) return sign(d) > 0;
+      if (at == Rational(size)) return sign(d) < 0;
+      return sign(at) > 0 && at < Rational(size);
+    };
+    if (!is_inside(p.x, dx, width_) || !is_inside(p.y, dy, height_))
+      return kOutsideKey;
+    const Affine* nearest = nullptr;
+    std::int32_t key = kBackgroundKey;
+    for (std::size_t q = 0; q < polygons_.size(); ++q) {
+      if (!polygons_[q]) continue;
+      const Covering& polygon = *polygons_[q];
+      const auto covers = [&](const Affine& f) {
+        return sign_beside(f, p, dx, dy) > 0;
+      };
+      if (!std::all_of(polygon.insides.begin(), polygon.insides.end(), covers))
+        continue;
+      // Of polygons in one plane the first stays in front.
+      if (nearest != nullptr &&
+          sign_beside(polygon.nearness - *nearest, p, dx, dy) <= 0)
+        continue;
+      nearest = &polygon.nearness;
+      key = keys_[q];
+    }
+    return key;
+  }
+
+  bool holds(const ImagePoint& p) const {
+    return sign(p.x) >= 0 && p.x <= Rational(width_) && sign(p.y) >= 0 &&
+           p.y <= Rational(height_);
+  }
+
+ private:
+  std::int32_t width_, height_;
+  std::vector<std::optional<Covering>> polygons_;
+  std::vector<std::int32_t> keys_;
+};
+
+/// The parts of one line at which keys differ, neighbours with the same keys
+/// not yet joined.
+std::vector<MapArc> parts_of(const Line& line, const std::vector<Line>& lines,
+                             const Forms& forms) {
+  std::vector<ImagePoint> points;
+  for (const Line& other : lines) {
+    const auto point = meet(line, other);
+    if (point && forms.holds(*point)) points.push_back(*point);
+  }
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end(), are_equal),
+               points.end());
+  std::vector<MapArc> parts;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const ImagePoint& from = points[k - 1];
+    const ImagePoint& to = points[k];
+    const Rational half = Rational(1) / Rational(2);
+    const ImagePoint middle = {half * (from.x + to.x), half * (from.y + to.y)};
+    const Rational dx = to.x - from.x;
+    const Rational dy = to.y - from.y;
+    MapArc arc = {from, to, forms.key_beside(middle, dy, -dx),
+                  forms.key_beside(middle, -dy, dx)};
+    if (arc.left != arc.right) parts.push_back(std::move(arc));
+  }
+  return parts;
+}
+
+struct Before {
+  bool operator()(const ImagePoint& p, const ImagePoint& q) const {
+    return before(p, q);
+  }
+};
+
+}  // namespace
+
+std::vector<MapArc> visible_map(const Scene& scene, const Camera& camera,
+                                const MapOptions& options) {
+  const Forms forms(scene, camera, options);
+  const std::vector<Line> lines = forms.lines();
+  // Step 1: cut every line where another one meets it; keep what has different
+  // keys on its two sides.
+  std::vector<std::vector<MapArc>> parts;
+  std::map<ImagePoint, int, Before> ends;
+  for (const Line& line : lines) {
+    parts.push_back(parts_of(line, lines, forms));
+    for (const MapArc& arc : parts.back()) {
+      ++ends[arc.from];
+      ++ends[arc.to];
+    }
+  }
+  // Step 2: join two parts of one line where nothing else ends (S7.4).
+  std::vector<MapArc> map;
+  for (const std::vector<MapArc>& along : parts) {
+    for (std::size_t k = 0; k < along.size(); ++k) {
+      const bool goes_on = k > 0 && are_equal(along[k - 1].to, along[k].from) &&
+                           ends[along[k].from] == 2;
+      if (goes_on) {
+        map.back().to = along[k].to;
+      } else {
+        map.push_back(along[k]);
+      }
+    }
+  }
+  std::sort(map.begin(), map.end(), [](const MapArc& f, const MapArc& g) {
+    return are_equal(f.from, g.from) ? before(f.to, g.to)
+                                     : before(f.from, g.from);
+  });
+  return map;
+}
+
+Rational area_of_key(const std::vector<MapArc>& map, std::int32_t key) {
+  Rational twice = 0;
+  for (const MapArc& arc : map) {
+    const Rational part = arc.from.x * arc.to.y - arc.from.y * arc.to.x;
+    if (arc.right == key) twice += part;
+    if (arc.left == key) twice -= part;
+  }
+  return twice / Rational(2);
+}
+
+}  // namespace halfspace::ref
