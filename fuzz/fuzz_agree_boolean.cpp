@@ -6,7 +6,7 @@
 #include "definition/definition.hpp"
 #include "fuzz.hpp"
 #include "generate/shapes.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/winding.hpp"
@@ -112,6 +112,9 @@ void expect_volumes(const Pair& a, const Pair& b, const BuildOptions& options) {
                         a.volume + b.volume);
   HALFSPACE_FUZZ_EXPECT(closed(kDifference, a, b, options).volume + both ==
                         a.volume);
+  HALFSPACE_FUZZ_EXPECT(closed(kSymmetricDifference, a, b, options).volume +
+                            both + both ==
+                        a.volume + b.volume);
   HALFSPACE_FUZZ_EXPECT(closed(kDifference, b, a, options).volume + both ==
                         b.volume);
 }
@@ -150,7 +153,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   options.rule = static_cast<RootRule>(bytes.below(9));
   options.candidates = 1 + static_cast<std::uint32_t>(bytes.below(6));
   options.seed = bytes.next();
-  const auto operation = static_cast<BooleanOp>(bytes.below(3));
+  const auto operation = kBooleanOps[static_cast<std::size_t>(bytes.below(4))];
   const auto first = solid_of(bytes);
   const auto second = solid_of(bytes);
   const auto a = pair_of(made(first));

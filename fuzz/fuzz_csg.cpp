@@ -128,7 +128,7 @@ struct FastAlgebra {
       case NodeKind::kDifference:
         return fast::boolean(BooleanOp::kDifference, a, b);
       case NodeKind::kSymmetricDifference:
-        return fast::symmetric_difference(a, b);
+        return fast::boolean(BooleanOp::kSymmetricDifference, a, b);
       default:
         return fast::boolean(BooleanOp::kUnion, a, b);
     }

@@ -30,6 +30,7 @@ ALONE = {
         "keep": "fast decides by memberships round an edge, not by classes",
         "close_junctions": "fast's results are made so; no step of its own",
         "volume6": "a rational; fast has none",
+        "bad_edges": "fast has it in a header of its own",
         "rounded": "fast has to_mesh(), of triangles",
     },
     ("fast", "build"): {

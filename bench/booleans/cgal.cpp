@@ -14,9 +14,11 @@ bool carry_out(BooleanOp operation, CgalMesh& a, CgalMesh& b) {
     case BooleanOp::kIntersection:
       return pmp::corefine_and_compute_intersection(a, b, a);
     case BooleanOp::kDifference:
+      return pmp::corefine_and_compute_difference(a, b, a);
+    case BooleanOp::kSymmetricDifference:
       break;
   }
-  return pmp::corefine_and_compute_difference(a, b, a);
+  return false;  // it has no such operation
 }
 
 std::optional<Outcome> run(const BooleanCase& task) {

@@ -20,6 +20,9 @@ void carry_out(BooleanOp operation, Nef& a, const Nef& b) {
     case BooleanOp::kDifference:
       a -= b;
       return;
+    case BooleanOp::kSymmetricDifference:
+      a ^= b;
+      return;
   }
 }
 

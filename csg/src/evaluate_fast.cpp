@@ -7,7 +7,7 @@
 #include "halfspace/csg/volume.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/to_mesh.hpp"
@@ -63,9 +63,7 @@ class FastAlgebra {
 
   Value combine(NodeKind kind, const Value& a, const Value& b) {
     if (combine_ && !is_half_space(a) && !is_half_space(b))
-      return combine_(kind, a, b);
-    if (kind == NodeKind::kSymmetricDifference)
-      return fast::symmetric_difference(a, b, threads_);
+      return combine_(boolean_op(kind), a, b);
     return fast::boolean(boolean_op(kind), a, b, threads_);
   }
 
@@ -171,9 +169,16 @@ std::size_t bad_edges_of(const fast::ExportedMesh& mesh) {
 }  // namespace
 
 BooleanOp boolean_op(NodeKind kind) {
-  return kind == NodeKind::kIntersection ? BooleanOp::kIntersection
-         : kind == NodeKind::kDifference ? BooleanOp::kDifference
-                                         : BooleanOp::kUnion;
+  switch (kind) {
+    case NodeKind::kIntersection:
+      return BooleanOp::kIntersection;
+    case NodeKind::kDifference:
+      return BooleanOp::kDifference;
+    case NodeKind::kSymmetricDifference:
+      return BooleanOp::kSymmetricDifference;
+    default:
+      return BooleanOp::kUnion;
+  }
 }
 
 Outcome outcome_of(fast::Solid solid, const EvaluateOptions& options) {

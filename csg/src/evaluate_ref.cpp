@@ -71,8 +71,9 @@ class RefAlgebra {
         if (a.is_all) return complement(b);
         return of(BooleanOp::kDifference, a, b);
       case NodeKind::kSymmetricDifference:
-        return combine(NodeKind::kUnion, combine(NodeKind::kDifference, a, b),
-                       combine(NodeKind::kDifference, b, a));
+        if (a.is_all) return complement(b);
+        if (b.is_all) return complement(a);
+        return of(BooleanOp::kSymmetricDifference, a, b);
       default:
         if (a.is_all || b.is_all) return {{}, true};
         return of(BooleanOp::kUnion, a, b);

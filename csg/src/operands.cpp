@@ -11,7 +11,7 @@
 #include "halfspace/csg/closing.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/csg/volume.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "step_map.hpp"
 

@@ -78,17 +78,17 @@ TEST_F(CsgEvaluate, ProgressStopsTheWork) {
 
 TEST_F(CsgEvaluate, CombineGetsEveryBooleanOfTwoSolidsWithoutHalves) {
   EvaluateOptions options;
-  std::vector<NodeKind> kinds;
-  options.combine = [&kinds](NodeKind kind, const fast::Solid& a,
-                             const fast::Solid& b) {
-    kinds.push_back(kind);
-    return fast::boolean(boolean_op(kind), a, b);
+  std::vector<BooleanOp> operations;
+  options.combine = [&operations](BooleanOp operation, const fast::Solid& a,
+                                  const fast::Solid& b) {
+    operations.push_back(operation);
+    return fast::boolean(operation, a, b);
   };
   const auto outcome =
       evaluated(std::string("(") + kDrilled + ") & half(x < 1)", options);
   ASSERT_TRUE(outcome) << outcome.error().message;
   EXPECT_EQ((*outcome)->volume, 4);
-  EXPECT_EQ(kinds, std::vector{NodeKind::kDifference});
+  EXPECT_EQ(operations, std::vector{BooleanOp::kDifference});
 }
 
 TEST_F(CsgEvaluate, OriginsNameLeafAndPolygon) {

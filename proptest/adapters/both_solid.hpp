@@ -6,7 +6,7 @@
 #include "definition/definition.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/scene.hpp"

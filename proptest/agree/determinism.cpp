@@ -251,7 +251,7 @@ void hash_fast_booleans(bool with_inner, std::ostream& out) {
       for (const std::uint32_t first : mesh.first_corner) polygons.add(first);
     };
     const fast::Solid b = fast::to_solid(field(2, true), a);
-    add(fast::symmetric_difference(a, b, threads));
+    add(fast::boolean(BooleanOp::kSymmetricDifference, a, b, threads));
     for (const BooleanOp operation :
          {BooleanOp::kUnion, BooleanOp::kIntersection,
           BooleanOp::kDifference}) {

@@ -79,7 +79,7 @@ void expect_held(const fast::BspTree& tree, const fast::Node& node,
       const ref::Plane p = plane_of(tree, planes, node.splitter);
       const ref::Plane& q = planes[static_cast<std::size_t>(found.source)];
       const ref::Rational along = p.a * q.a + p.b * q.b + p.c * q.c;
-      ASSERT_EQ(found.turned != 0, along < ref::Rational(0));
+      ASSERT_EQ(found.flipped != 0, along < ref::Rational(0));
     }
     f = found.next;
   }

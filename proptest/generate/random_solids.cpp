@@ -5,7 +5,7 @@
 #include <map>
 
 #include "halfspace/assert.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/solid.hpp"
 
 namespace halfspace::agree {

@@ -9,7 +9,7 @@
 #include "box/bvh.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "identities.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::identities {
 namespace {
@@ -19,7 +19,7 @@ using fast::Solid;
 using fast::SolidEdge;
 
 std::string place(const Solid& solid, std::int32_t v) {
-  const fast::Vertex& at = solid.space->vertex(v).approximate;
+  const fast::Vertex& at = solid.table->vertex(v).approximate;
   return " near " + std::to_string(at.x) + ", " + std::to_string(at.y) + ", " +
          std::to_string(at.z);
 }
@@ -33,7 +33,7 @@ void find_open_faces(const Solid& solid, std::vector<std::string>& faults) {
       const SolidEdge& edge = solid.edges[face.first_edge + i];
       ++excess[edge.from];
       --excess[edge.to];
-      if (solid.space->side(face.plane, edge.from) != 0) {
+      if (solid.table->side(face.plane, edge.from) != 0) {
         faults.push_back("face " + std::to_string(f) + " is not flat" +
                          place(solid, edge.from));
         return;
@@ -54,14 +54,14 @@ void find_open_faces(const Solid& solid, std::vector<std::string>& faults) {
 
 /// A vertex that lies within an edge.
 void find_vertex_in_edge(const Solid& solid, std::vector<std::string>& faults) {
-  const fast::Space& space = *solid.space;
+  const fast::GeometryTable& table = *solid.table;
   std::set<std::int32_t> vertices;
   for (const SolidEdge& edge : solid.edges) vertices.insert(edge.from);
   const std::vector<std::int32_t> items(vertices.begin(), vertices.end());
   const fast::BoxTree tree(
       [&](std::int32_t v) {
         fast::Box box = fast::kEmptyBox;
-        fast::extend(box, space.vertex(v).approximate);
+        fast::extend(box, table.vertex(v).approximate);
         return box;
       },
       items);
@@ -69,17 +69,17 @@ void find_vertex_in_edge(const Solid& solid, std::vector<std::string>& faults) {
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const SolidEdge& edge = solid.edges[face.first_edge + i];
       fast::Box box = fast::kEmptyBox;
-      fast::extend(box, space.vertex(edge.from).approximate);
-      fast::extend(box, space.vertex(edge.to).approximate);
-      const int axis = space.edge_axis(edge.from, edge.to);
+      fast::extend(box, table.vertex(edge.from).approximate);
+      fast::extend(box, table.vertex(edge.to).approximate);
+      const int axis = table.edge_axis(edge.from, edge.to);
       bool found = false;
       tree.find(box, [&](std::int32_t v) {
         if (found || v == edge.from || v == edge.to) return;
-        if (space.compare(axis, v, edge.from) ==
-            space.compare(axis, v, edge.to))
+        if (table.compare(axis, v, edge.from) ==
+            table.compare(axis, v, edge.to))
           return;
         for (int k = 0; k < 3; ++k) {
-          if (space.turn(k, edge.from, edge.to, v) != 0) return;
+          if (table.turn(k, edge.from, edge.to, v) != 0) return;
         }
         found = true;
         faults.push_back("a vertex within an edge" + place(solid, v));

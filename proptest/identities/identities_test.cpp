@@ -9,7 +9,7 @@
 
 #include "generate/random_solids.hpp"
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "placing.hpp"
 #include "troubled_pairs.hpp"

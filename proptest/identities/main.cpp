@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "identities.hpp"
 #include "placing.hpp"
 #include "troubled_pairs.hpp"

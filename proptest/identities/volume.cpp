@@ -47,7 +47,7 @@ Vector point_at(const Solid& solid, std::int32_t v) {
 }  // namespace
 
 void VolumeSum::add(const Solid& solid, int factor) {
-  any_.space = solid.space;
+  any_.table = solid.table;
   for (const fast::Face& face : solid.faces) {
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
       const fast::SolidEdge& edge = solid.edges[face.first_edge + i];

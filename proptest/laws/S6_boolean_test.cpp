@@ -36,6 +36,8 @@ bool apply(BooleanOp operation, bool a, bool b) {
       return a && b;
     case kDifference:
       return a && !b;
+    case kSymmetricDifference:
+      return a != b;
   }
   return false;
 }
@@ -91,7 +93,7 @@ TYPED_TEST(S6Boolean, L1AClosedSurfaceHasNoBadEdgeAndAnyOtherDoes) {
 TYPED_TEST(S6Boolean, L2TheResultOfEveryBooleanIsClosed) {
   int faces = 0;
   for_all_operands<TypeParam>([&](const Operands<TypeParam>& of) {
-    for (const BooleanOp operation : kOperations) {
+    for (const BooleanOp operation : kBooleanOps) {
       const auto result = TypeParam::boolean(operation, of.a, of.b);
       const auto polygons = TypeParam::polygons_of(result);
       HALFSPACE_LAW(definition::is_closed(polygons));
@@ -117,6 +119,7 @@ TYPED_TEST(S6Boolean, L3VolumesAddUp) {
     HALFSPACE_LAW(both <= a && both <= b);
     HALFSPACE_LAW(of_result(kUnion) + both == a + b);
     HALFSPACE_LAW(of_result(kDifference) == a - both);
+    HALFSPACE_LAW(of_result(kSymmetricDifference) + both + both == a + b);
     overlapping += both > 0 ? 1 : 0;
   });
   EXPECT_GT(overlapping, 20);
@@ -127,7 +130,7 @@ TYPED_TEST(S6Boolean, L4MembershipIsTheBooleanOfMemberships) {
   for_all_operands<TypeParam>([&](const Operands<TypeParam>& of) {
     const auto a = facets_of<TypeParam>(of.a);
     const auto b = facets_of<TypeParam>(of.b);
-    for (const BooleanOp operation : kOperations) {
+    for (const BooleanOp operation : kBooleanOps) {
       const auto result =
           facets_of<TypeParam>(TypeParam::boolean(operation, of.a, of.b));
       for (const Point& point : some_points()) {
@@ -146,9 +149,10 @@ TYPED_TEST(S6Boolean, L4MembershipIsTheBooleanOfMemberships) {
   }
 }
 
-TYPED_TEST(S6Boolean, L5UnionAndIntersectionAreCommutative) {
+TYPED_TEST(S6Boolean, L5AllButTheDifferenceAreCommutative) {
   for_all_operands<TypeParam>([](const Operands<TypeParam>& of) {
-    for (const BooleanOp operation : {kUnion, kIntersection}) {
+    for (const BooleanOp operation :
+         {kUnion, kIntersection, kSymmetricDifference}) {
       HALFSPACE_LAW(
           same_points<TypeParam>(TypeParam::boolean(operation, of.a, of.b),
                                  TypeParam::boolean(operation, of.b, of.a)));
@@ -162,21 +166,27 @@ TYPED_TEST(S6Boolean, L6ASolidWithItselfIsItself) {
         same_points<TypeParam>(TypeParam::boolean(kUnion, of.a, of.a), of.a));
     HALFSPACE_LAW(same_points<TypeParam>(
         TypeParam::boolean(kIntersection, of.a, of.a), of.a));
-    HALFSPACE_LAW(
-        is_empty<TypeParam>(TypeParam::boolean(kDifference, of.a, of.a)));
+    for (const BooleanOp operation : {kDifference, kSymmetricDifference}) {
+      HALFSPACE_LAW(
+          is_empty<TypeParam>(TypeParam::boolean(operation, of.a, of.a)));
+    }
   });
 }
 
 TYPED_TEST(S6Boolean, L7AgainstTheEmptySolid) {
   const auto empty = TypeParam::to_solid(*make_solid(Scene()));
   for_all_operands<TypeParam>([&](const Operands<TypeParam>& of) {
-    for (const BooleanOp operation : {kUnion, kDifference}) {
+    for (const BooleanOp operation :
+         {kUnion, kDifference, kSymmetricDifference}) {
       const auto result = TypeParam::boolean(operation, of.a, empty);
       HALFSPACE_LAW(TypeParam::polygons_of(result) ==
                     TypeParam::polygons_of(of.a));
     }
-    HALFSPACE_LAW(TypeParam::polygons_of(TypeParam::boolean(
-                      kUnion, empty, of.a)) == TypeParam::polygons_of(of.a));
+    for (const BooleanOp operation : {kUnion, kSymmetricDifference}) {
+      const auto result = TypeParam::boolean(operation, empty, of.a);
+      HALFSPACE_LAW(TypeParam::polygons_of(result) ==
+                    TypeParam::polygons_of(of.a));
+    }
     HALFSPACE_LAW(
         is_empty<TypeParam>(TypeParam::boolean(kIntersection, of.a, empty)));
     HALFSPACE_LAW(
@@ -217,11 +227,11 @@ TYPED_TEST(S6Boolean, L9AChainHasTheVolumeAndMembersOfItsSets) {
         const auto in_a = facets_of<TypeParam>(a);
         const auto in_b = facets_of<TypeParam>(b);
         const auto in_c = facets_of<TypeParam>(c);
-        for (const BooleanOp first : kOperations) {
+        for (const BooleanOp first : kBooleanOps) {
           const auto ab = TypeParam::boolean(first, a, b);
           const Fraction both =
               volume<TypeParam>(TypeParam::boolean(kIntersection, ab, c));
-          for (const BooleanOp second : kOperations) {
+          for (const BooleanOp second : kBooleanOps) {
             const auto result = TypeParam::boolean(second, ab, c);
             HALFSPACE_LAW(
                 definition::is_closed(TypeParam::polygons_of(result)));
@@ -229,7 +239,10 @@ TYPED_TEST(S6Boolean, L9AChainHasTheVolumeAndMembersOfItsSets) {
                 second == kUnion
                     ? volume<TypeParam>(ab) + volume<TypeParam>(c) - both
                 : second == kIntersection ? both
-                                          : volume<TypeParam>(ab) - both;
+                : second == kDifference
+                    ? volume<TypeParam>(ab) - both
+                    : volume<TypeParam>(ab) + volume<TypeParam>(c) - both -
+                          both;
             HALFSPACE_LAW(volume<TypeParam>(result) == expected);
             const auto in_result = facets_of<TypeParam>(result);
             for (const Point& point : some_points()) {
@@ -254,7 +267,7 @@ TYPED_TEST(S6Boolean, L11NoTwoFragmentsOfAResultOverlap) {
   int pairs = 0;
   for_all_operands<TypeParam>(
       [&](const Operands<TypeParam>& of) {
-        for (const BooleanOp operation : kOperations) {
+        for (const BooleanOp operation : kBooleanOps) {
           const auto polygons =
               TypeParam::polygons_of(TypeParam::boolean(operation, of.a, of.b));
           for (std::size_t p = 0; p < polygons.size(); ++p) {

@@ -85,7 +85,7 @@ TYPED_TEST(S6Classify, L10ClassifiedPartsMakeUpThePolygonAndHaveItsClasses) {
 TYPED_TEST(S6Classify, L12ThePointSetDoesNotDependOnTheTrees) {
   for_all_operands<TypeParam>(
       [](const Operands<TypeParam>& of) {
-        for (const BooleanOp operation : kOperations) {
+        for (const BooleanOp operation : kBooleanOps) {
           const auto result = TypeParam::boolean(operation, of.a, of.b);
           for (const BuildOptions& options :
                {BuildOptions{RootRule::kFirst}, BuildOptions{RootRule::kH2},

@@ -199,7 +199,7 @@ TYPED_TEST(S6Touch, L15BooleansOfTouchingPartsHaveTheirMembers) {
         const std::vector<Part> first(parts.begin(), parts.end() - 1);
         const std::vector<Part> second(parts.end() - 1, parts.end());
         touching += parts.size() > 2 ? 1 : 0;
-        for (const BooleanOp operation : kOperations) {
+        for (const BooleanOp operation : kBooleanOps) {
           const auto result = TypeParam::boolean(operation, a, b);
           const auto polygons = TypeParam::polygons_of(result);
           HALFSPACE_LAW(definition::is_closed(polygons));
@@ -209,10 +209,7 @@ TYPED_TEST(S6Touch, L15BooleansOfTouchingPartsHaveTheirMembers) {
             const int in_a = count_at(first, point);
             const int in_b = count_at(second, point);
             if (in_a < 0 || in_b < 0) continue;
-            const bool is_in = operation == BooleanOp::kUnion ? in_a + in_b > 0
-                               : operation == BooleanOp::kIntersection
-                                   ? in_a * in_b > 0
-                                   : in_a > 0 && in_b == 0;
+            const bool is_in = is_member(operation, in_a > 0, in_b > 0);
             HALFSPACE_LAW(definition::winding(facets, point) ==
                           (is_in ? 1 : 0));
           }

@@ -15,8 +15,6 @@
 namespace halfspace {
 
 inline constexpr int kPairs = 400;
-inline constexpr BooleanOp kOperations[] = {
-    BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference};
 
 inline std::vector<definition::Facet> facets_of(
     const std::vector<std::vector<definition::Point>>& polygons) {

@@ -161,14 +161,14 @@ void ask_classes_of(Inquiry& inquiry, const GridSolid& other, bool along) {
 
 void ask_table(Inquiry& inquiry) {
   const GridSolid block = solid_of({{{0, 0, 0}, {4, 4, 4}}});
-  for (const BooleanOp operation :
-       {BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference}) {
+  for (std::size_t o = 0; o < kBooleanOps.size(); ++o) {
+    const BooleanOp operation = kBooleanOps[o];
     for (const SolidClass solid_class :
          {SolidClass::kInside, SolidClass::kOutside, SolidClass::kSame,
           SolidClass::kOpposite}) {
       for (const bool first : {false, true}) {
         Line question = line_of(3);
-        question.add(static_cast<int>(operation));
+        question.add(static_cast<int>(o));
         question.add(static_cast<int>(solid_class));
         question.add(first ? 1 : 0);
         const Keep by_ref = ref::keep(operation, solid_class, first);

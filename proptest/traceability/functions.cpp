@@ -5,7 +5,7 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/render.hpp"

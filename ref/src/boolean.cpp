@@ -86,16 +86,16 @@ Keep keep(BooleanOp operation, SolidClass solid_class, bool first_operand) {
   constexpr Keep F = Keep::kFlip;
   constexpr Keep o = Keep::kDrop;
   struct Row {
-    Keep and_a, and_b, or_a, or_b, minus_a, minus_b;
+    Keep and_a, and_b, or_a, or_b, minus_a, minus_b, xor_a, xor_b;
   };
   // clang-format off
   constexpr Row kTable[] = {
-      // AND   OR    A - B
-      // A  B  A  B  A  B
-        {X, X, o, o, o, F},  // SolidClass::kInside
-        {o, o, X, X, X, o},  // SolidClass::kOutside
-        {X, o, X, o, o, o},  // SolidClass::kSame
-        {o, o, o, o, X, o},  // SolidClass::kOpposite
+      // AND   OR    A - B XOR
+      // A  B  A  B  A  B  A  B
+        {X, X, o, o, o, F, F, F},  // SolidClass::kInside
+        {o, o, X, X, X, o, X, X},  // SolidClass::kOutside
+        {X, o, X, o, o, o, o, o},  // SolidClass::kSame
+        {o, o, o, o, X, o, o, o},  // SolidClass::kOpposite
   };
   // clang-format on
   const Row& row = kTable[static_cast<std::size_t>(solid_class)];
@@ -106,6 +106,8 @@ Keep keep(BooleanOp operation, SolidClass solid_class, bool first_operand) {
       return first_operand ? row.or_a : row.or_b;
     case BooleanOp::kDifference:
       return first_operand ? row.minus_a : row.minus_b;
+    case BooleanOp::kSymmetricDifference:
+      return first_operand ? row.xor_a : row.xor_b;
   }
   HALFSPACE_ASSERT(false && "an operation of S6.4");
   return o;

@@ -9,8 +9,8 @@
 namespace halfspace::ref {
 namespace {
 
-/// What the rules know of a polygon: its degrees in HEUR's graph G(I), whose
-/// edges lead from a plane to what it cuts, and how it divides the others.
+/// A polygon's degrees in HEUR's graph G(I), whose edges lead from a plane to
+/// the polygons that it cuts, and how its plane divides the others.
 struct Counts {
   std::uint64_t out_degree = 0;  ///< polygons that its plane cuts
   std::uint64_t in_degree = 0;   ///< polygons whose planes cut it

@@ -17,8 +17,6 @@ namespace {
 using enum BooleanOp;
 using enum SolidClass;
 
-constexpr BooleanOp kOperations[] = {kUnion, kIntersection, kDifference};
-
 /// The six faces of a box, facing outwards.
 Polygons box(GridPoint p, GridPoint q) {
   return {{{p.x, p.y, p.z}, {p.x, p.y, q.z}, {p.x, q.y, q.z}, {p.x, q.y, p.z}},
@@ -89,12 +87,14 @@ std::vector<BuildOptions> many_trees() {
 }
 
 TEST(Keep, IsTheTableOfThePaper) {
-  // Per class: what AND, OR and A - B take of A and of B.
-  const std::pair<SolidClass, std::string_view> rows[] = {{kInside, "XX...F"},
-                                                          {kOutside, "..XXX."},
-                                                          {kOpposite, "....X."},
-                                                          {kSame, "X.X..."}};
-  const BooleanOp columns[] = {kIntersection, kUnion, kDifference};
+  // Per class: what AND, OR, A - B and XOR take of A and of B.
+  const std::pair<SolidClass, std::string_view> rows[] = {
+      {kInside, "XX...FFF"},
+      {kOutside, "..XXX.XX"},
+      {kOpposite, "....X..."},
+      {kSame, "X.X....."}};
+  const BooleanOp columns[] = {kIntersection, kUnion, kDifference,
+                               kSymmetricDifference};
   for (const auto& [solid_class, row] : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const Keep expected = row[i] == 'X'   ? Keep::kKeep
@@ -175,7 +175,7 @@ void expect_volumes(const Solid& a, const Solid& b, const Volumes& expected) {
                          expected.of_difference};
   for (const BuildOptions& options : many_trees()) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const Solid result = boolean(kOperations[i], a, b, options);
+      const Solid result = boolean(kBooleanOps[i], a, b, options);
       EXPECT_EQ(volume6(result).to_int64(), 6 * volumes[i]) << i;
       EXPECT_TRUE(bad_edges(result).empty()) << i;
       EXPECT_EQ(result.faces.empty(), volumes[i] == 0) << i;

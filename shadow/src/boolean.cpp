@@ -154,9 +154,11 @@ const char* name_of(BooleanOp operation) {
     case BooleanOp::kIntersection:
       return "intersection";
     case BooleanOp::kDifference:
+      return "difference";
+    case BooleanOp::kSymmetricDifference:
       break;
   }
-  return "difference";
+  return "symmetric difference";
 }
 
 /// Writes the solid, one face a line: the vertices of each edge, as fractions.
@@ -176,18 +178,6 @@ void describe(Exact& exact, std::ostream& out) {
     }
     out << '\n';
   }
-}
-
-bool holds(BooleanOp operation, bool a, bool b) {
-  switch (operation) {
-    case BooleanOp::kUnion:
-      return a || b;
-    case BooleanOp::kIntersection:
-      return a && b;
-    case BooleanOp::kDifference:
-      break;
-  }
-  return a && !b;
 }
 
 }  // namespace
@@ -211,7 +201,7 @@ void check(BooleanOp operation, const fast::Solid& a, const fast::Solid& b,
     const bool are_solids = std::all_of(
         in.begin(), in.end(), [](const auto& w) { return *w == 0 || *w == 1; });
     if (are_solids &&
-        (*in[2] == 1) == holds(operation, *in[0] == 1, *in[1] == 1))
+        (*in[2] == 1) == is_member(operation, *in[0] == 1, *in[1] == 1))
       continue;
     ++report.mismatches;
     if (report.first.size() >= how.kept) continue;
@@ -245,18 +235,6 @@ fast::Solid boolean(BooleanOp operation, const fast::Solid& a,
                     BooleanReport& report) {
   fast::Solid result = fast::boolean(operation, a, b, how.threads);
   if (is_chosen(how, report)) check(operation, a, b, result, how, report);
-  ++report.operations;
-  return result;
-}
-
-fast::Solid symmetric_difference(const fast::Solid& a, const fast::Solid& b,
-                                 const BooleanOptions& how,
-                                 BooleanReport& report) {
-  fast::Solid result = fast::symmetric_difference(a, b, how.threads);
-  if (is_chosen(how, report)) {
-    check(BooleanOp::kUnion, fast::boolean(BooleanOp::kDifference, a, b),
-          fast::boolean(BooleanOp::kDifference, b, a), result, how, report);
-  }
   ++report.operations;
   return result;
 }

@@ -9,13 +9,14 @@ From Halfspace Require Import Base.
 
 (** * S6.3, S6.4: the words of boolean.hpp *)
 
-Inductive BooleanOp := kUnion | kIntersection | kDifference.
+Inductive BooleanOp :=
+  kUnion | kIntersection | kDifference | kSymmetricDifference.
 Inductive SolidClass := kInside | kOutside | kSame | kOpposite.
 Inductive Keep := kDrop | kKeep | kFlip.
 
 (** The table of S6.4, row by row as in ref/src/boolean.cpp. *)
 Record Row := { and_a : Keep; and_b : Keep; or_a : Keep; or_b : Keep;
-                minus_a : Keep; minus_b : Keep }.
+                minus_a : Keep; minus_b : Keep; xor_a : Keep; xor_b : Keep }.
 
 Local Notation X := kKeep.
 Local Notation F := kFlip.
@@ -23,12 +24,12 @@ Local Notation o := kDrop.
 
 Definition table (solid_class : SolidClass) : Row :=
   match solid_class with
-  (*                  AND  OR   A - B
-                      A  B  A  B  A  B *)
-  | kInside   => Build_Row X  X  o  o  o  F
-  | kOutside  => Build_Row o  o  X  X  X  o
-  | kSame     => Build_Row X  o  X  o  o  o
-  | kOpposite => Build_Row o  o  o  o  X  o
+  (*                       AND  OR   A - B XOR
+                           A  B  A  B  A  B  A  B *)
+  | kInside   => Build_Row X  X  o  o  o  F  F  F
+  | kOutside  => Build_Row o  o  X  X  X  o  X  X
+  | kSame     => Build_Row X  o  X  o  o  o  o  o
+  | kOpposite => Build_Row o  o  o  o  X  o  o  o
   end.
 
 Definition keep (operation : BooleanOp) (solid_class : SolidClass)
@@ -38,6 +39,7 @@ Definition keep (operation : BooleanOp) (solid_class : SolidClass)
   | kIntersection => if first_operand then row.(and_a) else row.(and_b)
   | kUnion => if first_operand then row.(or_a) else row.(or_b)
   | kDifference => if first_operand then row.(minus_a) else row.(minus_b)
+  | kSymmetricDifference => if first_operand then row.(xor_a) else row.(xor_b)
   end.
 
 (** The class of a fragment in a splitter's plane by the classes it gets on the
@@ -71,6 +73,7 @@ Definition member (operation : BooleanOp) (a b : bool) : bool :=
   | kUnion => a || b
   | kIntersection => a && b
   | kDifference => a && negb b
+  | kSymmetricDifference => xorb a b
   end.
 
 Definition member_sides (operation : BooleanOp) (a b : Sides) : Sides :=
@@ -227,12 +230,15 @@ Proof. destruct c, first_operand; reflexivity. Qed.
 Theorem boolean_with_itself :
   keep kUnion kSame true = kKeep /\ keep kIntersection kSame true = kKeep /\
   keep kDifference kSame true = kDrop /\
+  keep kSymmetricDifference kSame true = kDrop /\
   forall operation, keep operation kSame false = kDrop.
 Proof. repeat split; destruct operation; reflexivity. Qed.
 
 (** Against the empty solid every fragment is [kOutside]. *)
 Theorem boolean_with_the_empty_solid :
   keep kUnion kOutside true = kKeep /\ keep kDifference kOutside true = kKeep /\
+  keep kSymmetricDifference kOutside true = kKeep /\
+  keep kSymmetricDifference kOutside false = kKeep /\
   keep kIntersection kOutside true = kDrop /\
   keep kDifference kOutside false = kDrop.
 Proof. repeat split; reflexivity. Qed.
@@ -260,6 +266,7 @@ Definition set_operation (operation : BooleanOp) (s t : PointSet) : PointSet :=
   | kUnion => fun p => s p \/ t p
   | kIntersection => fun p => s p /\ t p
   | kDifference => fun p => s p /\ ~ t p
+  | kSymmetricDifference => fun p => (s p /\ ~ t p) \/ (t p /\ ~ s p)
   end.
 
 (** [p] is a point of the plane round which the set is, off the plane, what
@@ -452,9 +459,8 @@ Proof.
   destruct (Ht q (near_within _ _ _ _ N (Q.le_min_r e f))) as [Tp Tn].
   split; intro V; [ specialize (Sp V); specialize (Tp V); clear Sn Tn
                   | specialize (Sn V); specialize (Tn V); clear Sp Tp ];
-    destruct operation, i as [ip im], j as [jp jm]; cbn in *;
-    rewrite ?orb_true_iff, ?andb_true_iff, ?negb_true_iff;
-    rewrite <- ?not_true_iff_false; tauto.
+    destruct operation, i as [[] []], j as [[] []]; cbn in *;
+    intuition discriminate.
 Qed.
 
 (** Regularising a set changes nothing off the plane. *)
@@ -644,16 +650,17 @@ Theorem de_morgan : forall s t p,
   set_operation kIntersection (fun q => ~ s q) (fun q => ~ t q) p.
 Proof. intros; cbn; tauto. Qed.
 
-Theorem union_and_intersection_commute : forall s t p,
-  (regularised (set_operation kUnion s t) p <->
-   regularised (set_operation kUnion t s) p) /\
-  (regularised (set_operation kIntersection s t) p <->
-   regularised (set_operation kIntersection t s) p).
+Theorem all_but_the_difference_commute : forall operation s t p,
+  operation <> kDifference ->
+  (regularised (set_operation operation s t) p <->
+   regularised (set_operation operation t s) p).
 Proof.
   assert (G : forall s t : PointSet, (forall p, s p <-> t p) ->
               forall p, regularised s p -> regularised t p).
   { intros s t E p R e He. destruct (R e He) as [q [N [f [Hf I]]]].
     exists q. split; [ exact N | ]. exists f. split; [ exact Hf | ].
     intros r Nr. apply E. now apply I. }
-  intros s t p. split; split; apply G; intro q; cbn; tauto.
+  intros operation s t p N.
+  destruct operation; try (now contradict N);
+    split; apply G; intro q; cbn; tauto.
 Qed.

@@ -95,7 +95,8 @@ let number_of_class c =
 
 let number_of_keep = function KDrop -> 0 | KKeep -> 1 | KFlip -> 2
 
-let operations = [| KUnion; KIntersection; KDifference |]
+let operations =
+  [| KUnion; KIntersection; KDifference; KSymmetricDifference |]
 
 let answer_merge () =
   let objects = read_list read_span in

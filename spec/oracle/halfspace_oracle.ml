@@ -278,6 +278,7 @@ type booleanOp =
 | KUnion
 | KIntersection
 | KDifference
+| KSymmetricDifference
 
 type solidClass =
 | KInside
@@ -291,23 +292,23 @@ type keep =
 | KFlip
 
 type row = { and_a : keep; and_b : keep; or_a : keep; or_b : keep;
-             minus_a : keep; minus_b : keep }
+             minus_a : keep; minus_b : keep; xor_a : keep; xor_b : keep }
 
 (** val table : solidClass -> row **)
 
 let table = function
 | KInside ->
   { and_a = KKeep; and_b = KKeep; or_a = KDrop; or_b = KDrop; minus_a =
-    KDrop; minus_b = KFlip }
+    KDrop; minus_b = KFlip; xor_a = KFlip; xor_b = KFlip }
 | KOutside ->
   { and_a = KDrop; and_b = KDrop; or_a = KKeep; or_b = KKeep; minus_a =
-    KKeep; minus_b = KDrop }
+    KKeep; minus_b = KDrop; xor_a = KKeep; xor_b = KKeep }
 | KSame ->
   { and_a = KKeep; and_b = KDrop; or_a = KKeep; or_b = KDrop; minus_a =
-    KDrop; minus_b = KDrop }
+    KDrop; minus_b = KDrop; xor_a = KDrop; xor_b = KDrop }
 | KOpposite ->
   { and_a = KDrop; and_b = KDrop; or_a = KDrop; or_b = KDrop; minus_a =
-    KKeep; minus_b = KDrop }
+    KKeep; minus_b = KDrop; xor_a = KDrop; xor_b = KDrop }
 
 (** val keep0 : booleanOp -> solidClass -> bool -> keep **)
 
@@ -316,7 +317,8 @@ let keep0 operation solid_class first_operand =
   (match operation with
    | KUnion -> if first_operand then row0.or_a else row0.or_b
    | KIntersection -> if first_operand then row0.and_a else row0.and_b
-   | KDifference -> if first_operand then row0.minus_a else row0.minus_b)
+   | KDifference -> if first_operand then row0.minus_a else row0.minus_b
+   | KSymmetricDifference -> if first_operand then row0.xor_a else row0.xor_b)
 
 (** val is_outside : solidClass -> bool **)
 

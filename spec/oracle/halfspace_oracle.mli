@@ -79,6 +79,7 @@ type booleanOp =
 | KUnion
 | KIntersection
 | KDifference
+| KSymmetricDifference
 
 type solidClass =
 | KInside
@@ -92,7 +93,7 @@ type keep =
 | KFlip
 
 type row = { and_a : keep; and_b : keep; or_a : keep; or_b : keep;
-             minus_a : keep; minus_b : keep }
+             minus_a : keep; minus_b : keep; xor_a : keep; xor_b : keep }
 
 val table : solidClass -> row
 

@@ -35,8 +35,8 @@ std::vector<std::uint32_t> places_of(const std::vector<GridPoint>& points,
   return places;
 }
 
-/// Whether every edge is used equally often in each direction even if vertices
-/// at one point are told apart. Then it is so if they are not.
+/// Whether every edge is used equally often in each direction if vertices are
+/// distinguished by index. Then the same holds by their points.
 bool is_closed_by_index(const Scene& scene) {
   // The other ends of edges by the lesser one, and whether they go down.
   const std::size_t count = scene.data().vertices.size();
@@ -66,7 +66,7 @@ bool is_closed_by_index(const Scene& scene) {
   std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
   for_edges(
       [&](std::size_t low, std::uint32_t use) { uses[end[low]++] = use; });
-  // Of the edges of one lesser end, by the other end: how many more go up.
+  // For the edges of one lesser end, by the other end: how many more go up.
   std::vector<std::int32_t> excess(count);
   for (std::size_t v = 0; v < count; ++v) {
     const auto of_vertex = std::span(uses).subspan(first[v], end[v] - first[v]);

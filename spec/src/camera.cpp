@@ -36,13 +36,13 @@ Result<Camera> make_camera(const CameraData& data, int grid_bits) {
   const struct {
     const char* name;
     const LatticeVector& vector;
-  } parts[] = {{"eye", data.eye}, {"s0", data.s0}, {"sx", data.sx},
-               {"sy", data.sy}};
+  } parts[] = {
+      {"eye", data.eye}, {"s0", data.s0}, {"sx", data.sx}, {"sy", data.sy}};
   for (const auto& [name, vector] : parts) {
     if (in_range(vector, limit)) continue;
-    return Error{ErrorCode::kOutOfRange,
-                 std::string("the camera's ") + name +
-                     " has a component beyond " + to_string(limit)};
+    return Error{ErrorCode::kOutOfRange, std::string("the camera's ") + name +
+                                             " has a component beyond " +
+                                             to_string(limit)};
   }
   for (const std::int32_t size : {data.width_px, data.height_px}) {
     if (size >= 1 && size <= kMaxImageSize) continue;

@@ -17,7 +17,8 @@ namespace halfspace {
 bool is_integer(std::string_view token);
 
 /// A text as lines of tokens, read one at a time, and the first error found.
-/// What comes after a '#' is a comment; lines without tokens are passed over.
+/// The rest of a line from '#' on is a comment; lines without tokens are
+/// passed over.
 class TokenLines {
  public:
   explicit TokenLines(std::string_view text) : rest_(text) {}
@@ -40,7 +41,7 @@ class TokenLines {
     return true;
   }
 
-  /// Whether so many values follow the line's first token; fails if not.
+  /// Whether `values` values follow the line's first token; fails if not.
   bool count_is(std::size_t values);
 
   std::vector<std::string_view> tokens_;  // of the current line

@@ -143,11 +143,9 @@ csg::Combine Job::checked_combine() {
   shadow::BooleanOptions how;
   how.share = *arguments_.shadow;
   how.threads = thread_count(arguments_.build);
-  return [&report, how](csg::NodeKind kind, const fast::Solid& a,
+  return [&report, how](BooleanOp operation, const fast::Solid& a,
                         const fast::Solid& b) {
-    return kind == csg::NodeKind::kSymmetricDifference
-               ? shadow::symmetric_difference(a, b, how, report)
-               : shadow::boolean(csg::boolean_op(kind), a, b, how, report);
+    return shadow::boolean(operation, a, b, how, report);
   };
 }
 

@@ -33,7 +33,10 @@ class SparseParents {
  public:
   std::int32_t get(std::int32_t i) const { return parents_.get(i, i); }
   void set(std::int32_t i, std::int32_t parent) { parents_.set(i, parent); }
-  bool holds(std::int32_t i) const { return parents_.get(i, -1) >= 0; }
+  /// The parent if one was set, else `otherwise`.
+  std::int32_t get(std::int32_t i, std::int32_t otherwise) const {
+    return parents_.get(i, otherwise);
+  }
   void clear() { parents_.clear(); }
 
  private:
@@ -57,7 +60,6 @@ class BasicDisjointSets {
   std::int32_t root(std::int32_t i) {
     while (true) {
       const std::int32_t up = parents_.get(i);
-      if (up == i) return i;
       const std::int32_t next = parents_.get(up);
       if (next == up) return up;
       parents_.set(i, next);

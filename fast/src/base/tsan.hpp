@@ -17,8 +17,8 @@ namespace halfspace::fast {
 /// Happens-before annotations for the thread sanitizer, which does not see how
 /// oneTBB orders the beginning and end of tasks. Without it they do nothing.
 ///
-/// What a thread did before tsan_release(token) happens before what another
-/// does after tsan_acquire(token).
+/// All that a thread did before tsan_release(token) happens before all that
+/// another thread does after tsan_acquire(token).
 inline void tsan_release([[maybe_unused]] const void* token) {
 #ifdef HALFSPACE_THREAD_SANITIZER
   __tsan_release(const_cast<void*>(token));

@@ -23,11 +23,11 @@ Solid Engine::result() {
   // Step 1: the faces that meet nothing, as they are.
   Solid result;
   result.unit = operands_[0].solid->unit;
-  result.space = operands_[0].solid->space;
-  result.is_conforming = is_noded_[0] && is_noded_[1];
-  result.unbounded =
-      truth_(operands_[0].solid->unbounded, operands_[1].solid->unbounded);
-  notes_.pinned.clear();
+  result.table = operands_[0].solid->table;
+  result.is_conforming = is_conforming_[0] && is_conforming_[1];
+  result.unbounded = is_member(operation_, operands_[0].solid->unbounded,
+                               operands_[1].solid->unbounded);
+  scratch_.kept.clear();
   std::size_t faces = 0, edges = 0;
   for (const Operand& operand : operands_) {
     faces += operand.solid->faces.size();
@@ -39,7 +39,7 @@ Solid Engine::result() {
   for (std::size_t o = 0; o < 2; ++o) add_runs(o);
   // Step 2: what is left of the others.
   const auto is_pinned = [this](std::int32_t v) {
-    if (notes_.pinned.get(v, 0) != 0) return true;
+    if (scratch_.kept.get(v, 0) != 0) return true;
     // A vertex that is beyond an operand may be one of faces that are not here.
     // Of two edges in line there, one goes on beyond: a run, or pinned.
     for (const std::size_t o : {0u, 1u}) {
@@ -48,7 +48,7 @@ Solid Engine::result() {
     }
     return false;
   };
-  straighten(pieces_, is_pinned, space_);
+  straighten(pieces_, is_pinned, table_);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
     if (i == 0 || piece.bucket != pieces_[i - 1].bucket) {
@@ -135,8 +135,8 @@ void Engine::add_run(std::size_t o, std::int32_t f, bool beyond,
   if (beyond) std::swap(run.from, run.to);
   run.run_first = face.first_edge + row.first;
   run.run_count = row.last - row.first;
-  notes_.pinned.set(run.from, 1);
-  notes_.pinned.set(run.to, 1);
+  scratch_.kept.set(run.from, 1);
+  scratch_.kept.set(run.to, 1);
   pieces_.push_back(run);
 }
 
@@ -174,7 +174,7 @@ void Engine::copy_whole(std::size_t o, std::int32_t f, bool is_near,
     result_blocks_.set(result.faces.size() - 1, operands_[o].blocks->shared(f));
   }
   for (std::uint32_t i = 0; is_near && i < size; ++i)
-    notes_.pinned.set(edges[i].from, 1);
+    scratch_.kept.set(edges[i].from, 1);
 }
 
 /// Whether the face is beyond the other operand, which cannot touch it then.
@@ -277,7 +277,7 @@ void Engine::copy_untouched(std::size_t o, Solid& result) {
         if (beyond) std::swap(edge.from, edge.to);
         result.edges.push_back(edge);
         ++result.faces.back().edge_count;
-        notes_.pinned.set(edge.from, 1);
+        scratch_.kept.set(edge.from, 1);
       }
       if (!begun) continue;
       if (result.faces.back().edge_count != size || beyond) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "halfspace/fast/boolean.hpp"
 #include "solid/dynamic_bvh.hpp"
 #include "solid/loops.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -28,7 +30,7 @@ void append(const Solid& from, const Face& face, Solid& to) {
 
 Solid without_faces(const Solid& solid) {
   return {{},         {},          solid.unbounded,
-          solid.unit, solid.space, solid.is_conforming};
+          solid.unit, solid.table, solid.is_conforming};
 }
 
 /// A solid with some of the faces of another.
@@ -83,7 +85,7 @@ struct Chain::State {
   }
 
   std::vector<std::int32_t> faces_near(const Box& reach);
-  void apply(const Truth& truth, const Solid& other);
+  void apply(BooleanOp operation, const Solid& other, TableLease& lease);
   void exchange(const std::vector<std::int32_t>& near, const Solid& result,
                 Engine& engine);
   void drop_gone_edges();
@@ -119,7 +121,8 @@ std::vector<std::int32_t> Chain::State::faces_near(const Box& reach) {
   return near;
 }
 
-void Chain::State::apply(const Truth& truth, const Solid& other) {
+void Chain::State::apply(BooleanOp operation, const Solid& other,
+                         TableLease& lease) {
   // Step 1: the faces near the other solid.
   Box reach = kEmptyBox;
   for (const Face& face : other.faces) extend(reach, face.box);
@@ -133,19 +136,21 @@ void Chain::State::apply(const Truth& truth, const Solid& other) {
   if (!all_near)
     whole.part_blocks = std::make_shared<const EdgeBlocks>(*blocks, near);
   // Step 2: what becomes of them.
-  Engine engine(truth, all_near ? solid : part, other, *solid.space, whole);
+  Engine engine(operation, all_near ? solid : part, other, lease, whole);
   engine.find_contacts();
   if (!engine.has_nodes(0)) {
-    solid = noded(present());
+    solid = conforming(present(), lease);
     restart();
-    return apply(truth, other);
+    return apply(operation, other, lease);
   }
-  if (!engine.has_nodes(1)) return apply(truth, noded(other));
+  if (!engine.has_nodes(1))
+    return apply(operation, conforming(other, lease), lease);
   Solid result = engine.run();
   solid.is_conforming = solid.is_conforming && result.is_conforming;
   // Step 3: the others are all beyond the other solid's box.
   const bool beyond = other.unbounded;
-  const bool stay = truth(true, beyond) && !truth(false, beyond);
+  const bool stay = is_member(operation, true, beyond) &&
+                    !is_member(operation, false, beyond);
   solid.unbounded = result.unbounded;
   if (!stay || all_near) {
     result.is_conforming = solid.is_conforming;
@@ -232,17 +237,20 @@ Chain::~Chain() = default;
 
 void Chain::apply(BooleanOp operation, const Solid& other) {
   Solid& solid = state_->solid;
-  const Truth truth = truth_of(operation);
-  if (other.space == solid.space) {
-    state_->apply(truth, other);
-    return;
-  }
-  if (other.space->grid_bits() > solid.space->grid_bits()) {
-    solid = moved_to(state_->present(),
-                     std::make_shared<Space>(other.space->grid_bits()));
+  const int grid_bits = std::max(grid_bits_of(solid), grid_bits_of(other));
+  std::optional<TableLease> lease;
+  if (solid.table && solid.table->grid_bits() == grid_bits)
+    lease = TableLease::of(solid.table);
+  if (!lease) {
+    lease.emplace(TableLease::of_new(grid_bits));
+    solid = moved_to(state_->present(), *lease);
     state_->restart();
   }
-  state_->apply(truth, moved_to(other, solid.space));
+  if (other.table == solid.table) {
+    state_->apply(operation, other, *lease);
+  } else {
+    state_->apply(operation, moved_to(other, *lease), *lease);
+  }
 }
 
 Solid Chain::solid() const& { return state_->present(); }
@@ -273,20 +281,23 @@ std::vector<Solid> blocks_of(BooleanOp operation,
   constexpr std::size_t kBlock = 8;
   int grid_bits = 0;
   for (const Solid& solid : solids)
-    grid_bits = std::max(grid_bits, solid.space->grid_bits());
+    grid_bits = std::max(grid_bits, grid_bits_of(solid));
   std::vector<Solid> blocks((solids.size() + kBlock - 1) / kBlock);
   for_blocks(threads, solids.size(), kBlock,
              [&](std::size_t number, std::size_t first, std::size_t last) {
-               const auto space = std::make_shared<Space>(grid_bits);
                std::vector<Solid> own;
-               for (std::size_t i = first; i < last; ++i)
-                 own.push_back(moved_to(solids[i], space));
+               {
+                 TableLease lease = TableLease::of_new(grid_bits);
+                 for (std::size_t i = first; i < last; ++i)
+                   own.push_back(moved_to(solids[i], lease));
+               }
                blocks[number] = paired(operation, std::move(own), 1);
              });
-  auto space = solids[0].space;
-  if (space->grid_bits() < grid_bits)
-    space = std::make_shared<Space>(grid_bits);
-  for (Solid& block : blocks) block = moved_to(block, space);
+  std::optional<TableLease> lease;
+  if (solids[0].table && solids[0].table->grid_bits() == grid_bits)
+    lease = TableLease::of(solids[0].table);
+  if (!lease) lease.emplace(TableLease::of_new(grid_bits));
+  for (Solid& block : blocks) block = moved_to(block, *lease);
   return blocks;
 }
 

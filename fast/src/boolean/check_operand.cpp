@@ -1,26 +1,26 @@
+#include "halfspace/fast/check_operand.hpp"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
 
-#include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/operand.hpp"
 #include "intersect/self_radial_order.hpp"
-#include "table/geometry_table.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-std::string near(const Solid& solid, std::int32_t vertex) {
-  const Vertex& at = solid.space->vertex(vertex).approximate;
-  const double step = std::pow(static_cast<double>(solid.unit.base),
-                               static_cast<double>(solid.unit.exponent));
+std::string near(const std::array<double, 3>& place) {
   char text[96];
-  std::snprintf(text, sizeof text, " near %.9g, %.9g, %.9g", step * at.x,
-                step * at.y, step * at.z);
+  std::snprintf(text, sizeof text, " near %.9g, %.9g, %.9g", place[0], place[1],
+                place[2]);
   return text;
+}
+
+std::string near(const Solid& solid, std::int32_t vertex) {
+  return near(place_of(solid, vertex));
 }
 
 std::string polygon_of(const Solid& solid, std::int32_t face) {
@@ -44,29 +44,12 @@ Error open_at(const std::string& sentence, std::int32_t face) {
   return {ErrorCode::kOpen, sentence, face};
 }
 
-/// A vertex at which the face is open, or -1.
-std::int32_t open_vertex(const Solid& solid, const Face& face,
-                         std::vector<std::int32_t>& from,
-                         std::vector<std::int32_t>& to) {
-  from.clear();
-  to.clear();
-  for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-    from.push_back(solid.edges[face.first_edge + i].from);
-    to.push_back(solid.edges[face.first_edge + i].to);
-  }
-  std::sort(from.begin(), from.end());
-  std::sort(to.begin(), to.end());
-  const auto [begun, ended] =
-      std::mismatch(from.begin(), from.end(), to.begin());
-  return begun == from.end() ? -1 : std::min(*begun, *ended);
-}
-
 Error crossed(const Solid& solid, const std::vector<SelfIntersection>& found) {
   const SelfIntersection& first = found.front();
   std::string sentence =
       "the surface crosses itself: polygons " + polygon_of(solid, first.first) +
       " and " + polygon_of(solid, first.second) +
-      (first.in_plane ? " overlap" : " cross") + near(solid, first.vertex);
+      (first.in_plane ? " overlap" : " cross") + near(first.place);
   if (found.size() > 1) {
     sentence += ", and " + std::to_string(found.size() - 1) +
                 " more pairs do such things";
@@ -106,15 +89,6 @@ Result<Done> check_windings(const Solid& solid, SelfWings& wings) {
 
 }  // namespace
 
-std::vector<std::int32_t> open_faces(const Solid& solid) {
-  std::vector<std::int32_t> open, from, to;
-  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
-    if (open_vertex(solid, solid.faces[f], from, to) >= 0)
-      open.push_back(static_cast<std::int32_t>(f));
-  }
-  return open;
-}
-
 Result<Done> check_operand(const Solid& solid) {
   const auto bad = bad_edges(solid);
   if (!bad.empty()) {
@@ -127,19 +101,21 @@ Result<Done> check_operand(const Solid& solid) {
                        near(solid, first.from),
                    face);
   }
-  std::vector<std::int32_t> from, to;
-  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
-    const std::int32_t v = open_vertex(solid, solid.faces[f], from, to);
-    if (v < 0) continue;
-    const auto face = static_cast<std::int32_t>(f);
+  const auto open = open_faces(solid);
+  if (!open.empty()) {
+    const Face& face = solid.faces[static_cast<std::size_t>(open.front())];
     return open_at("the edges of a face make no loops: of polygon " +
-                       polygon_of(solid, face) + near(solid, v),
-                   face);
+                       polygon_of(solid, open.front()) +
+                       near(solid, solid.edges[face.first_edge].from),
+                   open.front());
   }
-  SelfWings wings(solid);
-  const auto found = self_intersections_of(wings.contacts());
-  if (!found.empty()) return crossed(solid, found);
-  return check_windings(solid, wings);
+  return with_lease(
+      solid, [](const Solid& same, TableLease& lease) -> Result<Done> {
+        SelfWings wings(same, lease);
+        const auto found = self_intersections_of(wings.contacts());
+        if (!found.empty()) return crossed(same, found);
+        return check_windings(same, wings);
+      });
 }
 
 }  // namespace halfspace::fast

@@ -10,17 +10,20 @@
 
 namespace halfspace::fast {
 
-Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
-               int threads)
-    : truth_(truth), threads_(threads), space_(space), notes_(space.notes()) {
+Engine::Engine(BooleanOp operation, const Solid& a, const Solid& b,
+               TableLease& lease, int threads)
+    : operation_(operation),
+      threads_(threads),
+      table_(lease.table()),
+      scratch_(lease.scratch<BooleanScratch>()) {
   operands_[0].solid = &a;
   operands_[1].solid = &b;
-  is_noded_ = {is_known_conforming(a), is_known_conforming(b)};
+  is_conforming_ = {is_known_conforming(a), is_known_conforming(b)};
 }
 
-Engine::Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
-               const Whole& whole)
-    : Engine(truth, a, b, space) {
+Engine::Engine(BooleanOp operation, const Solid& a, const Solid& b,
+               TableLease& lease, const Whole& whole)
+    : Engine(operation, a, b, lease) {
   operands_[0].whole = whole.solid;
   operands_[0].index = whole.index;
   operands_[0].blocks = whole.part_blocks;
@@ -42,14 +45,15 @@ Solid Engine::run() {
 }
 
 void Engine::find_contacts() {
-  prepare(operands_[0], operands_[1], space_);
+  prepare(operands_[0], operands_[1], scratch_);
   auto pairs = near_pairs(operands_[0], operands_[1], threads_);
   if (threads_ > 1) drop_apart(pairs);
-  for (Operand& operand : operands_) add_edges(operand, space_);
-  Contact contact(operands_[0], operands_[1], space_, traces_);
+  for (Operand& operand : operands_) add_edges(operand, table_);
+  Contact contact(operands_[0], operands_[1], table_, traces_);
   for (const auto& [f, g] : pairs) contact.meet(f, g);
   for (std::size_t o = 0; o < 2; ++o) {
-    has_nodes_[o] = is_noded_[o] || add_nodes(o, operands_, traces_, space_);
+    has_nodes_[o] =
+        is_conforming_[o] || add_nodes(o, operands_, traces_, table_);
   }
 }
 
@@ -58,7 +62,7 @@ void Engine::find_contacts() {
 void Engine::drop_apart(
     std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
   oneapi::tbb::enumerable_thread_specific<Contact> contacts(
-      [this] { return Contact(operands_[0], operands_[1], space_, traces_); });
+      [this] { return Contact(operands_[0], operands_[1], table_, traces_); });
   std::vector<std::uint8_t> stays(pairs.size());
   for_blocks(threads_, pairs.size(), 1024,
              [&](std::size_t, std::size_t first, std::size_t last) {
@@ -142,11 +146,18 @@ std::span<const Cover> Engine::covers_of(std::size_t o,
       .subspan(first_cover_[o][e], first_cover_[o][e + 1] - first_cover_[o][e]);
 }
 
+std::int32_t Engine::find_root(std::size_t o, std::int32_t vertex) {
+  SparseDisjointSets& sets = scratch_.sets[o];
+  if (sets.parents().get(vertex + 1, -1) < 0)
+    sets.attach(vertex + 1, is_beyond_other(o, vertex) ? 0 : vertex + 1);
+  return sets.root(vertex + 1);
+}
+
 /// Whether a triangle's vertices are known to be joined: most are, by the
 /// triangles beside it.
 bool Engine::is_joined(std::size_t o, const SolidEdge* edges) const {
   // A vertex of no set yet is its own parent, so different from the others'.
-  const SparseParents& parents = notes_.sets[o].parents();
+  const SparseParents& parents = scratch_.sets[o].parents();
   const std::int32_t up = parents.get(edges[0].from + 1);
   return up == parents.get(edges[1].from + 1) &&
          up == parents.get(edges[2].from + 1);
@@ -158,17 +169,17 @@ void Engine::join(std::size_t o, std::int32_t u, std::int32_t v) {
 
 /// Joins a vertex and those whose root is `r`. Their root.
 std::int32_t Engine::join_root(std::size_t o, std::int32_t r, std::int32_t v) {
-  return notes_.sets[o].unite_roots(r, root(o, v));
+  return scratch_.sets[o].unite_roots(r, root(o, v));
 }
 
 /// Joins vertices that are on the same side of the other operand's surface,
 /// because the surface does not come between.
 void Engine::join_vertices(std::size_t o) {
   const Operand& operand = operands_[o];
-  notes_.sets[o].parents().clear();
-  notes_.member[o].clear();
-  notes_.member[o].set(0,
-                       operands_[1 - o].solid->unbounded ? kInside : kOutside);
+  scratch_.sets[o].parents().clear();
+  scratch_.member[o].clear();
+  scratch_.member[o].set(
+      0, operands_[1 - o].solid->unbounded ? kInside : kOutside);
   for (std::size_t f = 0; f < operand.solid->faces.size(); ++f) {
     const Face& face = operand.solid->faces[f];
     if (operand.touched[f] != 0 || !overlap(face.box, operand.reach)) continue;
@@ -213,7 +224,7 @@ void Engine::note_members(std::size_t o) {
       if (operands_[o].is_on_other(end)) continue;
       const auto told = crossing_tells(o, id, at, end);
       if (told) {
-        notes_.member[o].set(root(o, end), *told ? kInside : kOutside);
+        scratch_.member[o].set(root(o, end), *told ? kInside : kOutside);
       }
     }
   }
@@ -230,7 +241,7 @@ void Engine::find_points(std::size_t o, std::int32_t id) {
   points_.push_back(edge.high);
   std::sort(points_.begin(), points_.end(),
             [&](std::int32_t u, std::int32_t v) {
-              return space_.compare(edge.axis, u, v) < 0;
+              return table_.compare(edge.axis, u, v) < 0;
             });
 }
 
@@ -243,22 +254,22 @@ std::optional<bool> Engine::crossing_tells(std::size_t o, std::int32_t edge,
   const auto cuts = cuts_at(o, edge, at);
   if (cuts.size() != 1) return std::nullopt;
   const Face& face = operands_[1 - o].face(cuts[0].face);
-  const int side = space_.side(face.plane, towards);
+  const int side = table_.side(face.plane, towards);
   return face.flipped ? side > 0 : side < 0;
 }
 
 const Locator& Engine::locator(std::size_t o) {
-  if (!locators_[o]) locators_[o].emplace(operands_[o], space_);
+  if (!locators_[o]) locators_[o].emplace(operands_[o], table_);
   return *locators_[o];
 }
 
 /// Whether a vertex that is not on the other operand's surface is inside.
 bool Engine::is_inside(std::size_t o, std::int32_t vertex) {
   const std::int32_t of = root(o, vertex);
-  std::uint8_t member = notes_.member[o].get(of, kUnknown);
+  std::uint8_t member = scratch_.member[o].get(of, kUnknown);
   if (member == kUnknown) {
     member = locator(1 - o).is_inside(vertex, vertex) ? kInside : kOutside;
-    notes_.member[o].set(of, member);
+    scratch_.member[o].set(of, member);
   }
   return member == kInside;
 }
@@ -297,14 +308,14 @@ std::optional<bool> Engine::carried_inside(std::size_t o, std::int32_t id,
   // Along the edge there is no such face, unless the edge is oblique.
   const int axis = operands_[o].edge(id).axis;
   std::optional<Locator>& faces = near_locators_[1 - o];
-  if (!faces) faces.emplace(*other.solid, space_, nullptr, other.blocks.get());
+  if (!faces) faces.emplace(*other.solid, table_, nullptr, other.blocks.get());
   int winding = before.inside ? 1 : 0;
   for (std::size_t k = before.part + 1; k <= i; ++k) {
     for (const Cut& cut : cuts_at(o, id, points_[k])) {
       const Face& face = other.face(cut.face);
       if (face.edge_count == 0 ||
-          (space_.normal_sign(face.plane, axis) == 0 &&
-           space_.side(face.plane, points_[k + 1]) != 0))
+          (table_.normal_sign(face.plane, axis) == 0 &&
+           table_.side(face.plane, points_[k + 1]) != 0))
         return std::nullopt;
       winding += faces->share(axis, cut.face, points_[k], points_[k + 1]) -
                  faces->share(axis, cut.face, points_[k], points_[k - 1]);

@@ -8,10 +8,9 @@
 #include <tuple>
 #include <utility>
 
+#include "boolean/resolve.hpp"
 #include "box/bvh.hpp"
-#include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/operand.hpp"
-#include "halfspace/fast/resolve.hpp"
+#include "halfspace/fast/bad_edges.hpp"
 #include "intersect/line_section.hpp"
 #include "intersect/radial_order.hpp"
 
@@ -24,16 +23,16 @@ bool is_convex(const Solid& solid) {
       solid.faces.begin(), solid.faces.end(), [&](const Face& face) {
         return std::all_of(
             solid.edges.begin(), solid.edges.end(), [&](const SolidEdge& edge) {
-              const int side = solid.space->side(face.plane, edge.from);
+              const int side = solid.table->side(face.plane, edge.from);
               return face.flipped ? side >= 0 : side <= 0;
             });
       });
 }
 
-Box box_of(const Space& space, std::int32_t low, std::int32_t high) {
+Box box_of(const GeometryTable& table, std::int32_t low, std::int32_t high) {
   Box box = kEmptyBox;
-  extend(box, space.vertex(low).approximate);
-  extend(box, space.vertex(high).approximate);
+  extend(box, table.vertex(low).approximate);
+  extend(box, table.vertex(high).approximate);
   return box;
 }
 
@@ -41,13 +40,13 @@ Box box_of(const Space& space, std::int32_t low, std::int32_t high) {
 class Noder {
  public:
   Noder(std::size_t o, std::array<Operand, 2>& operands,
-        std::vector<Trace>& traces, Space& space)
+        std::vector<Trace>& traces, GeometryTable& table)
       : o_(o),
         operand_(operands[o]),
         other_(operands[1 - o]),
         traces_(traces),
-        space_(space),
-        section_(space) {}
+        table_(table),
+        section_(table) {}
 
   bool run() {
     if (!operand_.covers.empty() && !cut_covered_edges()) return false;
@@ -74,15 +73,15 @@ class Noder {
   }
   bool is_between(int axis, std::int32_t low, std::int32_t v,
                   std::int32_t high) const {
-    return space_.compare(axis, low, v) < 0 &&
-           space_.compare(axis, v, high) < 0;
+    return table_.compare(axis, low, v) < 0 &&
+           table_.compare(axis, v, high) < 0;
   }
 
   std::size_t o_;
   Operand& operand_;
   const Operand& other_;
   std::vector<Trace>& traces_;
-  Space& space_;
+  GeometryTable& table_;
   Section section_;
   std::vector<SolidEdge> near_edges_;  ///< of the face at hand
   /// Covered edges and points within them.
@@ -104,7 +103,7 @@ bool Noder::cut_covered_edges() {
     done = 1;
     const LineEdge& edge = operand_.edge(cover.edge);
     bool is_alone = true;
-    tree.find(box_of(space_, edge.low, edge.high), [&](std::int32_t f) {
+    tree.find(box_of(table_, edge.low, edge.high), [&](std::int32_t f) {
       is_alone = is_alone && add_points(cover.edge, f);
     });
     if (!is_alone) return false;
@@ -148,7 +147,7 @@ int Noder::side_of(std::int32_t f, std::int32_t vertex) const {
   for (std::uint32_t i = 0; i < std::min(face.edge_count, kFew); ++i) {
     if (edges[i].from == vertex) return 0;
   }
-  return space_.side(face.plane, vertex);
+  return table_.side(face.plane, vertex);
 }
 
 /// Those edges of a face that may meet a plane, in their order.
@@ -160,7 +159,7 @@ std::span<const SolidEdge> Noder::edges_near(std::int32_t f,
   near_edges_.clear();
   list->visit(
       [&](const Box& box) {
-        return known_side(space_.plane(plane).filter, box, space_.rounding()) ==
+        return known_side(table_.plane(plane).filter, box, table_.rounding()) ==
                0;
       },
       [&](const EdgeBlock& block) {
@@ -183,13 +182,13 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
   // At an end there is a vertex of the edge.
   if (low * high > 0 || (low == 0) != (high == 0)) return true;
   const std::array<std::int32_t, 2> planes{
-      edge.plane, second_plane(edge, operand_, space_)};
+      edge.plane, second_plane(edge, operand_, table_)};
   const std::int32_t across = other_than(face.plane, planes);
   const auto edges = edges_near(f, across);
   if (low != 0) {
-    const std::int32_t at = space_.meet(planes[0], planes[1], face.plane);
+    const std::int32_t at = table_.meet(planes[0], planes[1], face.plane);
     int axis = 0;
-    space_.line_axis(face.plane, across, axis);
+    table_.line_axis(face.plane, across, axis);
     section_.find(face, edges, across, axis);
     for (const auto& [from, to] : section_.parts()) {
       if (from == at || is_between(axis, from, at, to)) {
@@ -204,8 +203,8 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
   return std::none_of(
       section_.parts().begin(), section_.parts().end(), [&](const auto& part) {
         const auto& [from, to] = part;
-        return from != to && space_.compare(edge.axis, from, edge.high) < 0 &&
-               space_.compare(edge.axis, edge.low, to) < 0;
+        return from != to && table_.compare(edge.axis, from, edge.high) < 0 &&
+               table_.compare(edge.axis, edge.low, to) < 0;
       });
 }
 
@@ -215,7 +214,7 @@ void Noder::split_traces() {
   find_vertices_on_traces();
   std::sort(nodes_.begin(), nodes_.end(), [&](const auto& x, const auto& y) {
     if (x.first != y.first) return x.first < y.first;
-    return space_.compare(traces_[x.first].axis, x.second, y.second) < 0;
+    return table_.compare(traces_[x.first].axis, x.second, y.second) < 0;
   });
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
   for (const auto& [t, vertex] : nodes_) {
@@ -232,8 +231,8 @@ void Noder::find_on_trace(std::size_t t, std::int32_t vertex) {
   const Trace& trace = traces_[t];
   if (vertex == trace.low || vertex == trace.high) return;
   if (is_between(trace.axis, trace.low, vertex, trace.high) &&
-      space_.side(operand_.face(own_face(trace)).plane, vertex) == 0 &&
-      space_.side(other_.face(other_face(trace)).plane, vertex) == 0)
+      table_.side(operand_.face(own_face(trace)).plane, vertex) == 0 &&
+      table_.side(other_.face(other_face(trace)).plane, vertex) == 0)
     nodes_.emplace_back(t, vertex);
 }
 
@@ -241,14 +240,14 @@ void Noder::find_on_any_trace(std::int32_t vertex) {
   if (!trace_tree_) {
     std::vector<Box> boxes;
     for (const Trace& trace : traces_)
-      boxes.push_back(box_of(space_, trace.low, trace.high));
+      boxes.push_back(box_of(table_, trace.low, trace.high));
     std::vector<std::int32_t> items(boxes.size());
     std::iota(items.begin(), items.end(), 0);
     trace_tree_.emplace(
         [&](std::int32_t t) { return boxes[static_cast<std::size_t>(t)]; },
         items);
   }
-  trace_tree_->find(box_of(space_, vertex, vertex), [&](std::int32_t t) {
+  trace_tree_->find(box_of(table_, vertex, vertex), [&](std::int32_t t) {
     find_on_trace(static_cast<std::size_t>(t), vertex);
   });
 }
@@ -307,11 +306,11 @@ bool is_known_conforming(const Solid& solid) {
 }
 
 bool add_nodes(std::size_t o, std::array<Operand, 2>& operands,
-               std::vector<Trace>& traces, Space& space) {
-  return Noder(o, operands, traces, space).run();
+               std::vector<Trace>& traces, GeometryTable& table) {
+  return Noder(o, operands, traces, table).run();
 }
 
-Solid noded(const Solid& solid) {
+Solid conforming(const Solid& solid, TableLease& lease) {
   const bool is_bounded_by_edges =
       std::none_of(solid.faces.begin(), solid.faces.end(),
                    [](const Face& face) { return face.edge_count == 0; });
@@ -321,8 +320,8 @@ Solid noded(const Solid& solid) {
     same.is_conforming = true;
     return same;
   }
-  return solid.unbounded ? complement(resolve(complement(solid)).solid)
-                         : resolve(solid).solid;
+  return solid.unbounded ? complement(resolved(complement(solid), lease).solid)
+                         : resolved(solid, lease).solid;
 }
 
 }  // namespace halfspace::fast

@@ -6,7 +6,7 @@
 
 #include "halfspace/fast/solid.hpp"
 #include "intersect/candidates.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 /// Where a surface touches itself.
 ///
@@ -29,11 +29,12 @@ bool is_known_conforming(const Solid& solid);
 /// `o`: which operand.
 /// Requires: their cuts, covers and traces have been found.
 bool add_nodes(std::size_t o, std::array<Operand, 2>& operands,
-               std::vector<Trace>& traces, Space& space);
+               std::vector<Trace>& traces, GeometryTable& table);
 
 /// The same solid, with an edge of all faces wherever its surface touches
 /// itself along a segment; the faces' sources are the faces that they are parts
 /// of. Surfaces that are open stay as they are.
-Solid noded(const Solid& solid);
+/// Requires: the lease is of the solid's table.
+Solid conforming(const Solid& solid, TableLease& lease);
 
 }  // namespace halfspace::fast

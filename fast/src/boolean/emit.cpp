@@ -52,7 +52,7 @@ void Engine::find_covered(std::size_t o, std::int32_t id) {
   const auto place = [&](std::int32_t v) {
     const auto at = std::partition_point(
         points_.begin(), points_.end(),
-        [&](std::int32_t u) { return space_.compare(axis, u, v) < 0; });
+        [&](std::int32_t u) { return table_.compare(axis, u, v) < 0; });
     return static_cast<std::size_t>(at - points_.begin());
   };
   for (std::size_t c = 0; c < covers.size(); ++c) {
@@ -95,7 +95,7 @@ void Engine::emit_parts(std::size_t o, std::int32_t id) {
       wings_.push_back(wing_of(o, use.face, use.forward != flipped ? 1 : -1));
     }
     const std::int32_t other =
-        second_plane(operands_[o].edge(id), operands_[o], space_);
+        second_plane(operands_[o].edge(id), operands_[o], table_);
     emit({points_[i], points_[i + 1], edge.axis, {edge.plane, other}}, member);
   }
 }
@@ -136,20 +136,20 @@ const Wing& Engine::source_of(std::size_t first, std::size_t last) const {
 /// are. `member`: whether it is inside an operand that has no wing there.
 void Engine::emit(const Segment& segment, const std::array<bool, 2>& member) {
   // Step 1: the wings counter-clockwise round the segment.
-  sort_wings(wings_, segment.axis, space_);
+  sort_wings(wings_, segment.axis, table_);
   // Step 2: inside which operands the wedge before the first wing is.
   std::array<bool, 2> inside{is_before_inside(0, member[0]),
                              is_before_inside(1, member[1])};
   // Step 3: where the result begins or ends, there is a face of it.
   const std::size_t before_any = pieces_.size();
   for (std::size_t i = 0; i < wings_.size();) {
-    const bool before = truth_(inside[0], inside[1]);
+    const bool before = is_member(operation_, inside[0], inside[1]);
     std::size_t j = i;
     do {
       inside[static_cast<std::size_t>(wings_[j].operand)] = !leaves(wings_[j]);
       ++j;
     } while (j < wings_.size() && as_last(wings_, j));
-    if (before != truth_(inside[0], inside[1])) {
+    if (before != is_member(operation_, inside[0], inside[1])) {
       // Outwards is on from here where the result ends, else back.
       const bool flipped = wings_[i].turn == (before ? -1 : 1);
       const Wing& source = source_of(i, j);

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "boolean/conform.hpp"
-#include "boolean/membership.hpp"
 #include "intersect/candidates.hpp"
 #include "intersect/radial_order.hpp"
 #include "solid/loops.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 
@@ -40,10 +40,10 @@ class Engine {
     std::shared_ptr<const EdgeBlocks> part_blocks;
   };
 
-  Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
+  Engine(BooleanOp operation, const Solid& a, const Solid& b, TableLease& lease,
          int threads = 1);
   /// Likewise if `a` is only a part.
-  Engine(const Truth& truth, const Solid& a, const Solid& b, Space& space,
+  Engine(BooleanOp operation, const Solid& a, const Solid& b, TableLease& lease,
          const Whole& whole);
   /// Finds what the operands have in common.
   void find_contacts();
@@ -120,31 +120,34 @@ class Engine {
                                      const KnownPart& before, std::size_t part);
   const Locator& locator(std::size_t o);
   bool is_beyond_other(std::size_t o, std::int32_t vertex) const {
-    return is_beyond(operands_[o].reach, space_.vertex(vertex).approximate);
+    return is_beyond(operands_[o].reach, table_.vertex(vertex).approximate);
   }
   /// The root of a vertex's set, of `vertex + 1`: 0 for vertices beyond the
   /// other operand's box, all of which are on one side of it.
   std::int32_t root(std::size_t o, std::int32_t vertex) {
-    SparseDisjointSets& sets = notes_.sets[o];
-    if (!sets.parents().holds(vertex + 1))
-      sets.attach(vertex + 1, is_beyond_other(o, vertex) ? 0 : vertex + 1);
-    return sets.root(vertex + 1);
+    const SparseParents& parents = scratch_.sets[o].parents();
+    const std::int32_t up = parents.get(vertex + 1, -1);
+    // Nearly always, and short enough to be inlined.
+    if (up >= 0 && parents.get(up) == up) return up;
+    return find_root(o, vertex);
   }
+  std::int32_t find_root(std::size_t o, std::int32_t vertex);
   bool is_joined(std::size_t o, const SolidEdge* edges) const;
   void join(std::size_t o, std::int32_t u, std::int32_t v);
   std::int32_t join_root(std::size_t o, std::int32_t r, std::int32_t v);
   void touch_faces_at(std::size_t o, const LineEdge& edge);
   bool apply(std::size_t o, bool own, bool other) const {
-    return o == 0 ? truth_(own, other) : truth_(other, own);
+    return o == 0 ? is_member(operation_, own, other)
+                  : is_member(operation_, other, own);
   }
 
-  Truth truth_;
+  BooleanOp operation_;
   int threads_;
-  Space& space_;
-  Notes& notes_;
+  GeometryTable& table_;
+  BooleanScratch& scratch_;
   std::array<Operand, 2> operands_;
-  std::array<bool, 2> is_noded_{};   ///< known to be, all over
-  std::array<bool, 2> has_nodes_{};  ///< where the operands meet
+  std::array<bool, 2> is_conforming_{};  ///< known to be, all over
+  std::array<bool, 2> has_nodes_{};      ///< where the operands meet
   std::vector<Trace> traces_;
   /// By edge: where its cuts and covers begin.
   std::array<std::vector<std::uint32_t>, 2> first_cut_, first_cover_;

@@ -1,4 +1,4 @@
-#include "halfspace/fast/resolve.hpp"
+#include "boolean/resolve.hpp"
 
 #include <algorithm>
 #include <set>
@@ -6,6 +6,7 @@
 
 #include "intersect/self_radial_order.hpp"
 #include "solid/loops.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -18,10 +19,10 @@ namespace {
 /// between its wings is counted from outside.
 class Resolver {
  public:
-  explicit Resolver(const Solid& solid)
+  Resolver(const Solid& solid, TableLease& lease)
       : solid_(solid),
-        space_(*solid.space),
-        wings_(solid),
+        table_(lease.table()),
+        wings_(solid, lease),
         contacts_(wings_.contacts()),
         operand_(contacts_.operand) {
     std::sort(operand_.cuts.begin(), operand_.cuts.end(),
@@ -57,7 +58,7 @@ class Resolver {
   Solid result(Resolved& resolved);
 
   const Solid& solid_;
-  Space& space_;
+  GeometryTable& table_;
   SelfWings wings_;
   SelfContacts& contacts_;
   Operand& operand_;
@@ -111,7 +112,7 @@ void Resolver::emit_edge(std::size_t e) {
     any = any || is_cut(operand_.uses[edge.first_use + u].face);
   if (!any) return;
   points_.clear();
-  const std::int32_t other = second_plane(edge, operand_, space_);
+  const std::int32_t other = second_plane(edge, operand_, table_);
   const Segment line{edge.low, edge.high, edge.axis, {edge.plane, other}};
   add_points(line);
   emit_segments(line);
@@ -133,8 +134,8 @@ void Resolver::emit_trace(const Trace& trace) {
 /// they are a matter of the point and one face.
 void Resolver::add_points(const Segment& line) {
   Box box = kEmptyBox;
-  extend(box, space_.vertex(line.low).approximate);
-  extend(box, space_.vertex(line.high).approximate);
+  extend(box, table_.vertex(line.low).approximate);
+  extend(box, table_.vertex(line.high).approximate);
   std::vector<std::int32_t> near;
   wings_.index().find(box, [&](std::int32_t f) { near.push_back(f); });
   for (const std::int32_t f : near) add_points_of(f, line);
@@ -146,7 +147,7 @@ bool Resolver::is_in_extent(std::int32_t f, std::int32_t v) const {
     bool below = false, above = false;
     for (std::uint32_t i = 0; i < face(f).edge_count; ++i) {
       const std::int32_t u = solid_.edges[face(f).first_edge + i].from;
-      const int sign = space_.compare(axis, u, v);
+      const int sign = table_.compare(axis, u, v);
       below = below || sign <= 0;
       above = above || sign >= 0;
       if (below && above) break;
@@ -158,18 +159,18 @@ bool Resolver::is_in_extent(std::int32_t f, std::int32_t v) const {
 
 void Resolver::add_points_of(std::int32_t f, const Segment& line) {
   const auto [first, second] = line.planes;
-  const int low = space_.side(face(f).plane, line.low);
-  const int high = space_.side(face(f).plane, line.high);
+  const int low = table_.side(face(f).plane, line.low);
+  const int high = table_.side(face(f).plane, line.high);
   if (low * high < 0) {
-    const std::int32_t v = space_.meet(first, second, face(f).plane);
+    const std::int32_t v = table_.meet(first, second, face(f).plane);
     if (is_in_extent(f, v)) points_.push_back(v);
   }
   if (low != 0 || high != 0) return;
   const auto add = [&](std::int32_t v) {
-    if (space_.side(line.planes[0], v) == 0 &&
-        space_.side(line.planes[1], v) == 0 &&
-        space_.compare(line.axis, v, line.low) > 0 &&
-        space_.compare(line.axis, v, line.high) < 0)
+    if (table_.side(line.planes[0], v) == 0 &&
+        table_.side(line.planes[1], v) == 0 &&
+        table_.compare(line.axis, v, line.low) > 0 &&
+        table_.compare(line.axis, v, line.high) < 0)
       points_.push_back(v);
   };
   for (std::uint32_t i = 0; i < face(f).edge_count; ++i) {
@@ -192,7 +193,7 @@ void Resolver::emit_segments(Segment line) {
   points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
   std::sort(points_.begin(), points_.end(),
             [&](std::int32_t u, std::int32_t v) {
-              return space_.compare(line.axis, u, v) < 0;
+              return table_.compare(line.axis, u, v) < 0;
             });
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     line.low = points_[i];
@@ -232,7 +233,7 @@ void Resolver::emit(const Segment& segment) {
 }
 
 Solid Resolver::result(Resolved& resolved) {
-  Solid result{{}, {}, false, solid_.unit, solid_.space, true};
+  Solid result{{}, {}, false, solid_.unit, solid_.table, true};
   // Step 1: the faces that nothing cuts, as they are.
   const std::vector<std::int32_t> part = parts_of_surface(operand_, is_cut_);
   std::vector<std::uint8_t> stay(solid_.faces.size());
@@ -263,7 +264,7 @@ Solid Resolver::result(Resolved& resolved) {
     return !is_cut(static_cast<std::int32_t>(piece.bucket));
   });
   straighten(
-      pieces_, [&](std::int32_t v) { return pinned.count(v) != 0; }, space_);
+      pieces_, [&](std::int32_t v) { return pinned.count(v) != 0; }, table_);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const auto f = static_cast<std::int32_t>(pieces_[i].bucket);
     if (i == 0 || pieces_[i - 1].bucket != pieces_[i].bucket) {
@@ -280,6 +281,10 @@ Solid Resolver::result(Resolved& resolved) {
 
 }  // namespace
 
-Resolved resolve(const Solid& solid) { return Resolver(solid).run(); }
+Resolved resolved(const Solid& solid, TableLease& lease) {
+  return Resolver(solid, lease).run();
+}
+
+Resolved resolve(const Solid& solid) { return with_lease(solid, resolved); }
 
 }  // namespace halfspace::fast

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/radix_sort.hpp"
+#include "halfspace/assert.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -80,6 +81,7 @@ void BoxTree::build(std::vector<Item>& items) {
   level_count_ = 1;
   for (std::size_t first = 0; eights_.size() - first > 1;) {
     const std::size_t below = eights_.size();
+    HALFSPACE_ASSERT(level_count_ < kMostLevels);
     levels_[level_count_++] = below;
     eights_.resize(below + eights_of(below - first));
     for (std::size_t i = first; i < below; ++i) {

@@ -73,7 +73,7 @@ class EightBoxes {
 /// those that overlap another box.
 class BoxTree {
  public:
-  /// Of the boxes `box_of(item)`, for the numbers in `items`.
+  /// Holds the boxes `box_of(item)`, for the numbers in `items`.
   template <class BoxOf>
   BoxTree(BoxOf&& box_of, const std::vector<std::int32_t>& items) {
     std::vector<Item> row;

@@ -9,18 +9,18 @@
 
 namespace halfspace::fast {
 
-void prepare(Operand& a, Operand& b, Space& space) {
+void prepare(Operand& a, Operand& b, BooleanScratch& scratch) {
   for (Operand* operand : {&a, &b}) {
     const Solid& solid = *operand->solid;
     for (const Face& face : solid.faces) extend(operand->extent, face.box);
     operand->is_active.assign(solid.faces.size(), 0);
     operand->touched.assign(solid.faces.size(), 0);
     operand->edge_of.assign(solid.edges.size(), -1);
-    operand->on_other = &space.notes().on_other;
+    operand->on_other = &scratch.on_other;
     if (!operand->blocks)
       operand->blocks = std::make_shared<const EdgeBlocks>(solid);
   }
-  space.notes().on_other.clear();
+  scratch.on_other.clear();
   a.reach = b.extent;
   b.reach = a.extent;
 }
@@ -77,7 +77,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
   return pairs;
 }
 
-void add_edges(Operand& operand, const Space& space) {
+void add_edges(Operand& operand, const GeometryTable& table) {
   const Solid& solid = *operand.solid;
   // Step 1: bring the edges with the same ends together.
   struct Entry {
@@ -91,8 +91,8 @@ void add_edges(Operand& operand, const Space& space) {
     const auto add = [&](std::uint32_t first, std::uint32_t count) {
       for (std::uint32_t at = first; at < first + count; ++at) {
         const SolidEdge& edge = solid.edges[at];
-        if (is_beyond(operand.reach, space.vertex(edge.from).approximate,
-                      space.vertex(edge.to).approximate))
+        if (is_beyond(operand.reach, table.vertex(edge.from).approximate,
+                      table.vertex(edge.to).approximate))
           continue;
         const auto [low, high] = std::minmax(edge.from, edge.to);
         keyed.push_back({static_cast<std::uint64_t>(low) << 32 |
@@ -118,8 +118,8 @@ void add_edges(Operand& operand, const Space& space) {
     const Entry& first = entries[keyed[i].index];
     LineEdge edge{static_cast<std::int32_t>(ends >> 32),
                   static_cast<std::int32_t>(ends & 0xffffffff)};
-    edge.axis = space.edge_axis(edge.low, edge.high);
-    if (space.compare(edge.axis, edge.low, edge.high) > 0)
+    edge.axis = table.edge_axis(edge.low, edge.high);
+    if (table.compare(edge.axis, edge.low, edge.high) > 0)
       std::swap(edge.low, edge.high);
     edge.owner = first.face;
     edge.first_edge = first.edge;
@@ -187,17 +187,17 @@ namespace {
 /// A plane through two points of the grid and along an axis that is not in the
 /// plane, which holds them: the one that its normal is most along.
 std::int32_t plane_beside(std::int32_t u, std::int32_t v, std::int32_t plane,
-                          Space& space) {
-  const Plane& n = space.plane(plane).filter.plane;
+                          GeometryTable& table) {
+  const Plane& n = table.plane(plane).filter.plane;
   const std::array<double, 3> size{std::abs(n.a), std::abs(n.b), std::abs(n.c)};
   const auto axis = std::max_element(size.begin(), size.end()) - size.begin();
-  return space.add_line_plane(u, v, static_cast<int>(axis));
+  return table.add_line_plane(u, v, static_cast<int>(axis));
 }
 
 }  // namespace
 
 std::int32_t second_plane(LineEdge& edge, const Operand& operand,
-                          Space& space) {
+                          GeometryTable& table) {
   if (edge.other >= 0) return edge.other;
   // Two planes of faces at one edge are equal, or meet along it.
   for (std::uint32_t u = 0; u < edge.use_count; ++u) {
@@ -205,13 +205,13 @@ std::int32_t second_plane(LineEdge& edge, const Operand& operand,
     const std::int32_t plane = operand.face(operand.uses[at].face).plane;
     if (plane != edge.plane) return edge.other = plane;
   }
-  return edge.other = plane_beside(edge.low, edge.high, edge.plane, space);
+  return edge.other = plane_beside(edge.low, edge.high, edge.plane, table);
 }
 
 std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
-                           Space& space) {
+                           GeometryTable& table) {
   return edge.other >= 0 ? edge.other
-                         : plane_beside(edge.from, edge.to, face.plane, space);
+                         : plane_beside(edge.from, edge.to, face.plane, table);
 }
 
 }  // namespace halfspace::fast

@@ -8,11 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
+#include "base/epoch_array.hpp"
 #include "box/box.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "solid/dynamic_bvh.hpp"
 #include "solid/edge_packets.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 /// What a boolean works on: which faces of the operands are near each other,
 /// where their edges are cut, and what else they have in common.
@@ -65,6 +67,14 @@ struct Trace {
   std::int32_t low = 0;
   std::int32_t high = 0;
   std::int32_t axis = 0;
+};
+
+/// Scratch arrays by vertex: of both operands', or of either's.
+struct BooleanScratch {
+  EpochArray<std::uint8_t> on_other;
+  std::array<SparseDisjointSets, 2> sets;
+  std::array<EpochArray<std::uint8_t>, 2> member;
+  EpochArray<std::uint8_t> kept;
 };
 
 /// An operand of a boolean at work.
@@ -130,7 +140,7 @@ inline bool is_beyond(const Box& box, const Vertex& u, const Vertex& v) {
 
 /// Makes room, makes blocks of edges where there are none yet, and finds how
 /// far either operand reaches.
-void prepare(Operand& a, Operand& b, Space& space);
+void prepare(Operand& a, Operand& b, BooleanScratch& scratch);
 
 /// The pairs of faces whose boxes overlap; fills in `active`.
 std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
@@ -138,7 +148,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
                                                               int threads = 1);
 
 /// Fills in the near edges of the active faces.
-void add_edges(Operand& operand, const Space& space);
+void add_edges(Operand& operand, const GeometryTable& table);
 
 /// The far edges of a face, in rows each of which goes on from edge to edge; or
 /// of whole loops, if the face has many edges.
@@ -174,20 +184,21 @@ class FarRows {
 };
 
 /// A plane through the edge other than its first face's.
-std::int32_t second_plane(LineEdge& edge, const Operand& operand, Space& space);
+std::int32_t second_plane(LineEdge& edge, const Operand& operand,
+                          GeometryTable& table);
 
 /// Likewise, of an edge of which nothing is known but its ends and its face.
 std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
-                           Space& space);
+                           GeometryTable& table);
 
 /// Whether a point off the operand's surface is inside: the vertex, or where
 /// that does not tell, right beside it in the direction of `towards` (S6.2).
 class Locator {
  public:
-  Locator(const Operand& operand, const Space& space);
+  Locator(const Operand& operand, const GeometryTable& table);
   /// Without `blocks` all edges of a face are looked at.
-  Locator(const Solid& solid, const Space& space, const FaceIndex* index,
-          const EdgeBlocks* blocks);
+  Locator(const Solid& solid, const GeometryTable& table,
+          const FaceIndex* index, const EdgeBlocks* blocks);
   bool is_inside(std::int32_t vertex, std::int32_t towards) const {
     return winding(vertex, towards) > 0;
   }
@@ -213,7 +224,7 @@ class Locator {
                    std::int32_t towards) const;
 
   const Solid& solid_;
-  const Space& space_;
+  const GeometryTable& table_;
   const FaceIndex* index_;
   const EdgeBlocks* blocks_;
   /// The first few questions are not worth an index of its own.

@@ -14,9 +14,9 @@ bool Contact::may_meet(std::int32_t face_a, std::int32_t face_b) {
   if (p == q) return true;
   // Where a face has many edges the line tells which of them matter.
   const bool many = blocks_of(0) != nullptr || blocks_of(1) != nullptr;
-  if ((many && !space_.line_axis(p, q, axis_)) ||
+  if ((many && !table_.line_axis(p, q, axis_)) ||
       !find_hits(0, q, face(1).box) || !find_hits(1, p, face(0).box) ||
-      (!many && !space_.line_axis(p, q, axis_)))
+      (!many && !table_.line_axis(p, q, axis_)))
     return false;
   for (std::size_t o = 0; o < 2; ++o) measure(o, face(1 - o).plane);
   return low_[0] <= high_[1] && low_[1] <= high_[0];
@@ -42,12 +42,12 @@ bool Contact::find_hits(std::size_t o, std::int32_t plane, const Box& near) {
 /// loops do. What is beyond the box does not matter.
 bool Contact::find_near_hits(std::size_t o, std::int32_t plane,
                              const BlockList& list, const Box& near) {
-  const FilterPlane& filter = space_.plane(plane).filter;
+  const FilterPlane& filter = table_.plane(plane).filter;
   const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
   const auto k = static_cast<std::size_t>(axis_);
   const auto matters = [&](const Box& box) {
     return box.low[k] <= near.high[k] &&
-           known_side(filter, box, space_.rounding()) == 0;
+           known_side(filter, box, table_.rounding()) == 0;
   };
   list.visit(matters, [&](const EdgeBlock& block) {
     const std::uint32_t last = block.first + block.count;
@@ -57,8 +57,8 @@ bool Contact::find_near_hits(std::size_t o, std::int32_t plane,
       find_hits(o, plane, block.first, last);
       return;
     }
-    const int from = space_.side(plane, edges[block.first].from);
-    const int to = space_.side(plane, edges[last - 1].to);
+    const int from = table_.side(plane, edges[block.first].from);
+    const int to = table_.side(plane, edges[last - 1].to);
     toggle(before_[o], from, to);
   });
   return !hits_[o].empty() || before_[o][0] || before_[o][1];
@@ -67,7 +67,7 @@ bool Contact::find_near_hits(std::size_t o, std::int32_t plane,
 void Contact::find_hits(std::size_t o, std::int32_t plane, std::uint32_t first,
                         std::uint32_t last) {
   const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
-  const int start = space_.side(plane, edges[first].from);
+  const int start = table_.side(plane, edges[first].from);
   int from = start;
   for (std::uint32_t i = first; i < last; ++i) {
     // The edges of a loop stand in a row, nearly always.
@@ -75,28 +75,28 @@ void Contact::find_hits(std::size_t o, std::int32_t plane, std::uint32_t first,
     const std::int32_t to_vertex = edges[i].to;
     const std::int32_t next = edges[is_last ? first : i + 1].from;
     const int to =
-        is_last && next == to_vertex ? start : space_.side(plane, to_vertex);
+        is_last && next == to_vertex ? start : table_.side(plane, to_vertex);
     positive_ = positive_ || from >= 0 || to >= 0;
     negative_ = negative_ || from <= 0 || to <= 0;
     if (from != to || from == 0) {
       hits_[o].push_back(
           {i, static_cast<std::int8_t>(from), static_cast<std::int8_t>(to)});
     }
-    if (!is_last) from = next == to_vertex ? to : space_.side(plane, next);
+    if (!is_last) from = next == to_vertex ? to : table_.side(plane, next);
   }
 }
 
 /// Measures the hits of face `o` along the line, which it is to have met.
 void Contact::measure(std::size_t o, std::int32_t plane_id) {
-  const FilterPlane& plane = space_.plane(plane_id).filter;
+  const FilterPlane& plane = table_.plane(plane_id).filter;
   const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
-  const double r = space_.rounding();
+  const double r = table_.rounding();
   low_[o] = std::numeric_limits<double>::max();
   high_[o] = -low_[o];
   if (face(o).edge_count == 0) std::swap(low_[o], high_[o]);
   for (Hit& hit : hits_[o]) {
-    const Vertex& p = space_.vertex(edges[hit.edge].from).approximate;
-    const Vertex& q = space_.vertex(edges[hit.edge].to).approximate;
+    const Vertex& p = table_.vertex(edges[hit.edge].from).approximate;
+    const Vertex& q = table_.vertex(edges[hit.edge].to).approximate;
     hit.low = std::numeric_limits<double>::max();
     hit.high = -hit.low;
     const auto reach = [&](const Vertex& v) {

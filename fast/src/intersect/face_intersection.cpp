@@ -44,8 +44,8 @@ std::int32_t Contact::cut_of(std::size_t o, LineEdge& edge,
   for (const std::size_t k : {0u, 1u}) {
     if (edge.cut_by[k] == across) return edge.cut_at[k];
   }
-  const std::int32_t vertex = space_.meet(
-      edge.plane, second_plane(edge, *operands_[o], space_), across);
+  const std::int32_t vertex = table_.meet(
+      edge.plane, second_plane(edge, *operands_[o], table_), across);
   edge.cut_by = {across, edge.cut_by[0]};
   edge.cut_at = {vertex, edge.cut_at[0]};
   return vertex;
@@ -76,8 +76,8 @@ void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
   } else if (hit.to == 0) {
     mark.vertex = solid_edge.to;
   } else if (id < 0) {
-    mark.vertex = space_.meet(
-        face(o).plane, plane_athwart(solid_edge, face(o), space_), across);
+    mark.vertex = table_.meet(
+        face(o).plane, plane_athwart(solid_edge, face(o), table_), across);
   } else {
     LineEdge& edge = operand.edge(id);
     mark.edge[o] = id;
@@ -90,7 +90,7 @@ void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
 /// point.
 void Contact::order_marks() {
   std::sort(marks_.begin(), marks_.end(), [&](const Mark& x, const Mark& y) {
-    return space_.compare(axis_, x.vertex, y.vertex) < 0;
+    return table_.compare(axis_, x.vertex, y.vertex) < 0;
   });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
@@ -134,7 +134,7 @@ std::pair<std::size_t, std::size_t> Contact::marks_at(
   const auto at = [this](std::int32_t vertex) {
     const auto found = std::partition_point(
         marks_.begin(), marks_.end(), [&](const Mark& mark) {
-          return space_.compare(axis_, mark.vertex, vertex) < 0;
+          return table_.compare(axis_, mark.vertex, vertex) < 0;
         });
     return static_cast<std::size_t>(found - marks_.begin());
   };
@@ -162,7 +162,7 @@ void Contact::meet_across() {
       if (edge.owner != faces_[o]) continue;
       report_along(
           o, id,
-          space_.cross_sign(edge.axis, face(o).plane, face(1 - o).plane) > 0);
+          table_.cross_sign(edge.axis, face(o).plane, face(1 - o).plane) > 0);
     }
   }
 }
@@ -177,8 +177,8 @@ void Contact::meet_in_plane(std::size_t o) {
       const std::uint32_t at = face(o).first_edge + i;
       const std::int32_t id = operand.edge_of[at];
       if (id < 0 || operand.edge(id).first_edge != at ||
-          is_beyond(other, space_.vertex(edges[i].from).approximate,
-                    space_.vertex(edges[i].to).approximate))
+          is_beyond(other, table_.vertex(edges[i].from).approximate,
+                    table_.vertex(edges[i].to).approximate))
         continue;
       meet_edge(o, id);
     }
@@ -196,10 +196,10 @@ void Contact::meet_in_plane(std::size_t o) {
 void Contact::meet_edge(std::size_t o, std::int32_t id) {
   Operand& operand = *operands_[o];
   const std::size_t p = 1 - o;
-  const std::int32_t across = second_plane(operand.edge(id), operand, space_);
+  const std::int32_t across = second_plane(operand.edge(id), operand, table_);
   const LineEdge edge = operand.edge(id);
-  const Vertex& low = space_.vertex(edge.low).approximate;
-  const Vertex& high = space_.vertex(edge.high).approximate;
+  const Vertex& low = table_.vertex(edge.low).approximate;
+  const Vertex& high = table_.vertex(edge.high).approximate;
   Box near = kEmptyBox;
   extend(near, low);
   extend(near, high);
@@ -221,7 +221,7 @@ void Contact::meet_edge(std::size_t o, std::int32_t id) {
   for (const Mark& mark : marks_) {
     if (mark.present[o] && mark.has(p)) put_on_other(o, mark.vertex);
   }
-  report_along(o, id, space_.cross_sign(edge.axis, across, face(p).plane) > 0);
+  report_along(o, id, table_.cross_sign(edge.axis, across, face(p).plane) > 0);
 }
 
 /// The points at which either face meets the other.

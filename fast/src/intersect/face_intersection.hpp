@@ -27,8 +27,9 @@ inline void toggle(std::array<bool, 2>& on, int from, int to) {
 /// one begins or after it has ended needs no exact point.
 class Contact {
  public:
-  Contact(Operand& a, Operand& b, Space& space, std::vector<Trace>& traces)
-      : operands_{&a, &b}, space_(space), traces_(traces) {}
+  Contact(Operand& a, Operand& b, GeometryTable& table,
+          std::vector<Trace>& traces)
+      : operands_{&a, &b}, table_(table), traces_(traces) {}
 
   /// Whatever the two faces have in common is added to the operands' lists and
   /// to the traces. Exact: yes.
@@ -97,7 +98,7 @@ class Contact {
   void put_on_other(std::size_t o, std::int32_t vertex);
 
   std::array<Operand*, 2> operands_;
-  Space& space_;
+  GeometryTable& table_;
   std::vector<Trace>& traces_;
   std::array<std::int32_t, 2> faces_{};
   int axis_ = 0;  ///< along the line at hand

@@ -12,7 +12,7 @@ void Section::find(const Face& face, std::span<const SolidEdge> edges,
   turns_.clear();
   for (const SolidEdge& edge : edges) add(face, edge, across);
   std::sort(turns_.begin(), turns_.end(), [&](const Turn& t, const Turn& u) {
-    return space_.compare(axis, t.vertex, u.vertex) < 0;
+    return table_.compare(axis, t.vertex, u.vertex) < 0;
   });
   bool positive = false, negative = false;
   for (std::size_t i = 0; i < turns_.size(); ++i) {
@@ -27,15 +27,15 @@ void Section::find(const Face& face, std::span<const SolidEdge> edges,
 /// Adds the point at which the edge and the line meet.
 void Section::add(const Face& face, const SolidEdge& edge,
                   std::int32_t across) {
-  const int from = space_.side(across, edge.from);
-  const int to = space_.side(across, edge.to);
+  const int from = table_.side(across, edge.from);
+  const int to = table_.side(across, edge.to);
   // Along the line it is for those before and after it to tell.
   if (from == to) return;
   const std::int32_t at =
       from == 0 ? edge.from
       : to == 0
           ? edge.to
-          : space_.meet(face.plane, plane_athwart(edge, face, space_), across);
+          : table_.meet(face.plane, plane_athwart(edge, face, table_), across);
   turns_.push_back({at, (from > 0) != (to > 0), (from < 0) != (to < 0)});
 }
 

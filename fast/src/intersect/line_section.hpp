@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "halfspace/fast/solid.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 
@@ -14,7 +14,7 @@ namespace halfspace::fast {
 /// line from one to another.
 class Section {
  public:
-  explicit Section(Space& space) : space_(space) {}
+  explicit Section(GeometryTable& table) : table_(table) {}
 
   /// With the line along `axis` in the face's plane and another one, `across`.
   void find(const Face& face, std::span<const SolidEdge> edges,
@@ -36,7 +36,7 @@ class Section {
 
   void add(const Face& face, const SolidEdge& edge, std::int32_t across);
 
-  Space& space_;
+  GeometryTable& table_;
   std::vector<std::pair<std::int32_t, std::int32_t>> parts_;
   std::vector<Turn> turns_;
 };

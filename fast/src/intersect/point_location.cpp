@@ -4,15 +4,15 @@
 #include "intersect/candidates.hpp"
 
 namespace halfspace::fast {
-Locator::Locator(const Operand& operand, const Space& space)
-    : Locator(operand.whole != nullptr ? *operand.whole : *operand.solid, space,
+Locator::Locator(const Operand& operand, const GeometryTable& table)
+    : Locator(operand.whole != nullptr ? *operand.whole : *operand.solid, table,
               operand.index,
               operand.whole != nullptr ? operand.whole_blocks.get()
                                        : operand.blocks.get()) {}
 
-Locator::Locator(const Solid& solid, const Space& space, const FaceIndex* index,
-                 const EdgeBlocks* blocks)
-    : solid_(solid), space_(space), index_(index), blocks_(blocks) {}
+Locator::Locator(const Solid& solid, const GeometryTable& table,
+                 const FaceIndex* index, const EdgeBlocks* blocks)
+    : solid_(solid), table_(table), index_(index), blocks_(blocks) {}
 
 template <class Found>
 void Locator::find(const Box& ray, Found&& found) const {
@@ -34,7 +34,7 @@ int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
   // A ray along the first axis. All signs are those at the vertex, or where
   // they are zero at `towards`: as they are right beside it.
   Box ray = kEmptyBox;
-  extend(ray, space_.vertex(vertex).approximate);
+  extend(ray, table_.vertex(vertex).approximate);
   ray.high[0] = std::numeric_limits<float>::max();
   int winding = solid_.unbounded ? 1 : 0;
   find(ray, [&](std::int32_t f) {
@@ -42,7 +42,7 @@ int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
     if (face.edge_count == 0) {
       // No ray: its side decides for itself. Nothing is asked of a vertex in
       // its plane: an edge has a part on one side only, and an end there.
-      winding = space_.side(face.plane, vertex) == (face.flipped ? 1 : -1);
+      winding = table_.side(face.plane, vertex) == (face.flipped ? 1 : -1);
     } else {
       winding += share(0, f, vertex, towards);
     }
@@ -54,10 +54,10 @@ int Locator::winding(std::int32_t vertex, std::int32_t towards) const {
 int Locator::share(int axis, std::int32_t f, std::int32_t vertex,
                    std::int32_t towards) const {
   const Face& face = solid_.faces[static_cast<std::size_t>(f)];
-  const int along = space_.normal_sign(face.plane, axis);
+  const int along = table_.normal_sign(face.plane, axis);
   if (along == 0) return 0;
-  int side = space_.side(face.plane, vertex);
-  if (side == 0) side = space_.side(face.plane, towards);
+  int side = table_.side(face.plane, vertex);
+  if (side == 0) side = table_.side(face.plane, towards);
   // The face lies ahead where the normal that points along the ray has the
   // point behind it.
   if (side * along >= 0 || !is_above(axis, f, vertex, towards)) return 0;
@@ -75,7 +75,7 @@ bool Locator::is_above(int axis, std::int32_t f, std::int32_t vertex,
   if (list == nullptr)
     return passes_over(axis, face, 0, face.edge_count, vertex, towards);
   Box point = kEmptyBox;
-  extend(point, space_.vertex(vertex).approximate);
+  extend(point, table_.vertex(vertex).approximate);
   const SolidEdge* edges = solid_.edges.data() + face.first_edge;
   const int right = (axis + 1) % 3;
   const auto r = static_cast<std::size_t>(right);
@@ -104,8 +104,8 @@ bool Locator::is_above(int axis, std::int32_t f, std::int32_t vertex,
 
 bool Locator::is_right(int right, std::int32_t v, std::int32_t vertex,
                        std::int32_t towards) const {
-  const int order = space_.compare(right, v, vertex);
-  return (order != 0 ? order : space_.compare(right, v, towards)) > 0;
+  const int order = table_.compare(right, v, vertex);
+  return (order != 0 ? order : table_.compare(right, v, towards)) > 0;
 }
 
 /// Whether an odd number of the face's edges from `first` to before `last`
@@ -126,8 +126,8 @@ bool Locator::passes_over(int axis, const Face& face, std::uint32_t first,
     if (from == to) continue;
     const std::int32_t low = from ? edge.to : edge.from;
     const std::int32_t high = from ? edge.from : edge.to;
-    int turn = space_.turn(axis, low, high, vertex);
-    if (turn == 0) turn = space_.turn(axis, low, high, towards);
+    int turn = table_.turn(axis, low, high, vertex);
+    if (turn == 0) turn = table_.turn(axis, low, high, towards);
     // The edge goes to the right; the point is lower where it turns so too.
     if (turn < 0) odd = !odd;
   }

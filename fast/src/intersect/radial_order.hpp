@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 /// What is round a segment of a surface's edges.
 namespace halfspace::fast {
@@ -36,10 +36,10 @@ inline std::int32_t other_than(std::int32_t plane,
 /// Where the wing stands, from the first one on counter-clockwise as the axis
 /// has it: 0, as the first one; 1, within half a turn; 2, opposite; 3, beyond.
 int part_of_turn(const Wing& first, const Wing& wing, int axis,
-                 const Space& space);
+                 const GeometryTable& table);
 
 /// Sorts the wings by their angle round the axis, from the first one on.
-void sort_wings(std::vector<Wing>& wings, int axis, const Space& space);
+void sort_wings(std::vector<Wing>& wings, int axis, const GeometryTable& table);
 
 /// Whether wing `i` stands where the one before it does.
 inline bool as_last(const std::vector<Wing>& wings, std::size_t i) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "halfspace/fast/self_intersections.hpp"
 #include "intersect/candidates.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 
@@ -15,7 +18,11 @@ struct SelfContacts {
   std::vector<Trace> traces;  ///< each twice
 };
 
-SelfContacts self_contacts(const Solid& solid);
+/// Requires: the lease is of the solid's table.
+SelfContacts self_contacts(const Solid& solid, TableLease& lease);
+
+/// Where a vertex is, rounded. Units: model units.
+std::array<double, 3> place_of(const Solid& solid, std::int32_t vertex);
 
 std::vector<SelfIntersection> self_intersections_of(
     const SelfContacts& contacts);

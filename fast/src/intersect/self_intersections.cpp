@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 
 #include "intersect/face_intersection.hpp"
 #include "intersect/radial_order.hpp"
 #include "intersect/self_contacts.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -25,7 +27,8 @@ void add_overlaps(const Operand& a, std::vector<SelfIntersection>& found) {
           !(left ? cover.left : cover.right))
         continue;
       found.push_back({std::min(use.face, cover.face),
-                       std::max(use.face, cover.face), cover.low, true});
+                       std::max(use.face, cover.face),
+                       place_of(*a.solid, cover.low), true});
     }
   }
 }
@@ -39,8 +42,8 @@ void add_overlaps(const Operand& a, std::vector<SelfIntersection>& found) {
 /// along.
 class Passages {
  public:
-  Passages(const Operand& operand, const Space& space)
-      : operand_(operand), space_(space), covers_(operand.covers) {
+  Passages(const Operand& operand, const GeometryTable& table)
+      : operand_(operand), table_(table), covers_(operand.covers) {
     std::sort(covers_.begin(), covers_.end(),
               [](const Cover& c, const Cover& d) { return c.edge < d.edge; });
   }
@@ -67,7 +70,7 @@ class Passages {
                        [&](const EdgeUse& use) { return use.face == face; });
   }
   bool is_before(int axis, std::int32_t u, std::int32_t v) const {
-    return u != v && space_.compare(axis, u, v) < 0;
+    return u != v && table_.compare(axis, u, v) < 0;
   }
 
   void add_edge(const LineEdge& edge, std::vector<SelfIntersection>& found);
@@ -77,7 +80,7 @@ class Passages {
   }
 
   const Operand& operand_;
-  const Space& space_;
+  const GeometryTable& table_;
   std::vector<Cover> covers_;       ///< by edge
   std::vector<Cover> others_;       ///< of the edge at hand, by other faces
   std::vector<std::int32_t> ends_;  ///< of its parts
@@ -112,30 +115,38 @@ void Passages::add_edge(const LineEdge& edge,
     for (const Wing& wing : wings_) sum += change(wing);
     // At a boundary of an open surface there is nothing to alternate.
     if (wings_.size() <= 2 || sum != 0) continue;
-    sort_wings(wings_, axis, space_);
+    sort_wings(wings_, axis, table_);
     for (std::size_t w = 0; w < wings_.size(); ++w) {
       const Wing& last = wings_[w == 0 ? wings_.size() - 1 : w - 1];
       const Wing& wing = wings_[w];
       if (wing.face == last.face || change(wing) != change(last)) continue;
       const bool same = wing.plane == last.plane && wing.turn == last.turn;
       found.push_back({std::min(wing.face, last.face),
-                       std::max(wing.face, last.face), ends_[i], same});
+                       std::max(wing.face, last.face),
+                       place_of(*operand_.solid, ends_[i]), same});
     }
   }
 }
 
 }  // namespace
 
-SelfContacts self_contacts(const Solid& solid) {
+std::array<double, 3> place_of(const Solid& solid, std::int32_t vertex) {
+  const Vertex& at = solid.table->vertex(vertex).approximate;
+  const double step = std::pow(static_cast<double>(solid.unit.base),
+                               static_cast<double>(solid.unit.exponent));
+  return {step * at.x, step * at.y, step * at.z};
+}
+
+SelfContacts self_contacts(const Solid& solid, TableLease& lease) {
   SelfContacts result;
   Operand& a = result.operand;
   Operand b;
   a.solid = b.solid = &solid;
-  prepare(a, b, *solid.space);
+  prepare(a, b, lease.scratch<BooleanScratch>());
   const auto pairs = near_pairs(a, b);
-  add_edges(a, *solid.space);
-  add_edges(b, *solid.space);
-  Contact contact(a, b, *solid.space, result.traces);
+  add_edges(a, lease.table());
+  add_edges(b, lease.table());
+  Contact contact(a, b, lease.table(), result.traces);
   for (const auto& [f, g] : pairs) {
     if (f != g) contact.meet(f, g);
   }
@@ -147,10 +158,11 @@ std::vector<SelfIntersection> self_intersections_of(
   std::vector<SelfIntersection> found;
   for (const Trace& trace : contacts.traces) {
     if (trace.first < trace.second)
-      found.push_back({trace.first, trace.second, trace.low, false});
+      found.push_back({trace.first, trace.second,
+                       place_of(*contacts.operand.solid, trace.low), false});
   }
   add_overlaps(contacts.operand, found);
-  Passages(contacts.operand, *contacts.operand.solid->space).add_to(found);
+  Passages(contacts.operand, *contacts.operand.solid->table).add_to(found);
   const auto key = [](const SelfIntersection& c) {
     return std::tuple(c.first, c.second, c.in_plane);
   };
@@ -168,7 +180,9 @@ std::vector<SelfIntersection> self_intersections_of(
 }
 
 std::vector<SelfIntersection> self_intersections(const Solid& solid) {
-  return self_intersections_of(self_contacts(solid));
+  return with_lease(solid, [](const Solid& same, TableLease& lease) {
+    return self_intersections_of(self_contacts(same, lease));
+  });
 }
 
 }  // namespace halfspace::fast

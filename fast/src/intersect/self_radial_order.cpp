@@ -21,27 +21,27 @@ const Operand& with_index(Operand& operand, const FaceIndex& index) {
 
 }  // namespace
 
-SelfWings::SelfWings(const Solid& solid)
+SelfWings::SelfWings(const Solid& solid, TableLease& lease)
     : solid_(solid),
-      space_(*solid.space),
-      contacts_(self_contacts(solid)),
+      table_(lease.table()),
+      contacts_(self_contacts(solid, lease)),
       index_(index_of(solid)),
-      locator_(with_index(contacts_.operand, index_), space_) {}
+      locator_(with_index(contacts_.operand, index_), table_) {}
 
 const std::vector<Wing>& SelfWings::at(const Segment& segment) {
   wings_.clear();
   Box box = kEmptyBox;
-  extend(box, space_.vertex(segment.low).approximate);
-  extend(box, space_.vertex(segment.high).approximate);
+  extend(box, table_.vertex(segment.low).approximate);
+  extend(box, table_.vertex(segment.high).approximate);
   std::vector<std::int32_t> near;
   index_.find(box, [&](std::int32_t f) {
-    if (space_.side(face(f).plane, segment.low) == 0 &&
-        space_.side(face(f).plane, segment.high) == 0)
+    if (table_.side(face(f).plane, segment.low) == 0 &&
+        table_.side(face(f).plane, segment.high) == 0)
       near.push_back(f);
   });
   std::sort(near.begin(), near.end());
   for (const std::int32_t f : near) add_wings(f, segment);
-  if (!wings_.empty()) sort_wings(wings_, segment.axis, space_);
+  if (!wings_.empty()) sort_wings(wings_, segment.axis, table_);
   return wings_;
 }
 
@@ -53,8 +53,8 @@ void SelfWings::add_wings(std::int32_t f, const Segment& segment) {
   bool positive = false, negative = false;
   for (std::uint32_t i = 0; i < of.edge_count; ++i) {
     const SolidEdge& edge = solid_.edges[of.first_edge + i];
-    const int from = space_.side(across, edge.from);
-    const int to = space_.side(across, edge.to);
+    const int from = table_.side(across, edge.from);
+    const int to = table_.side(across, edge.to);
     const bool on_positive = (from > 0) != (to > 0);
     const bool on_negative = (from < 0) != (to < 0);
     if (!on_positive && !on_negative) continue;
@@ -62,13 +62,13 @@ void SelfWings::add_wings(std::int32_t f, const Segment& segment) {
         from == 0 ? edge.from
         : to == 0
             ? edge.to
-            : space_.meet(of.plane, plane_athwart(edge, of, space_), across);
-    if (space_.compare(segment.axis, at, segment.low) > 0) continue;
+            : table_.meet(of.plane, plane_athwart(edge, of, table_), across);
+    if (table_.compare(segment.axis, at, segment.low) > 0) continue;
     positive = positive != on_positive;
     negative = negative != on_negative;
   }
   const bool positive_is_left =
-      space_.cross_sign(segment.axis, across, of.plane) > 0;
+      table_.cross_sign(segment.axis, across, of.plane) > 0;
   if (positive_is_left ? positive : negative)
     wings_.push_back({0, f, of.plane, 1, of.flipped});
   if (positive_is_left ? negative : positive)
@@ -83,7 +83,7 @@ void SelfWings::add_wings(std::int32_t f, const Segment& segment) {
 int SelfWings::level_before_first(const Segment& segment) const {
   const auto sine = [this](const Wing& w) {
     for (const int axis : {0, 2, 1}) {
-      const int sign = space_.normal_sign(w.plane, axis);
+      const int sign = table_.normal_sign(w.plane, axis);
       if (sign != 0) return sign * w.turn;
     }
     return 0;
@@ -94,7 +94,7 @@ int SelfWings::level_before_first(const Segment& segment) const {
   const Wing& first = wings_.front();
   const bool within_half = sine(first) > 0;
   for (const Wing& w : wings_) {
-    const int part = part_of_turn(first, w, segment.axis, space_);
+    const int part = part_of_turn(first, w, segment.axis, table_);
     const int doubtful = within_half ? 1 : 3;
     if (part < doubtful || (part == doubtful && sine(w) > 0))
       level -= change(w);
@@ -108,7 +108,7 @@ int SelfWings::level_outside(std::int32_t f) {
   const Segment segment{edge.low,
                         edge.high,
                         edge.axis,
-                        {edge.plane, second_plane(edge, operand, space_)}};
+                        {edge.plane, second_plane(edge, operand, table_)}};
   at(segment);
   int level = level_before_first(segment);
   for (const Wing& wing : wings_) {

@@ -12,7 +12,7 @@ namespace halfspace::fast {
 /// What is round the edges of one surface, and how often it winds round that.
 class SelfWings {
  public:
-  explicit SelfWings(const Solid& solid);
+  SelfWings(const Solid& solid, TableLease& lease);
   SelfWings(const SelfWings&) = delete;
   SelfWings& operator=(const SelfWings&) = delete;
 
@@ -32,7 +32,7 @@ class SelfWings {
   void add_wings(std::int32_t f, const Segment& segment);
 
   const Solid& solid_;
-  Space& space_;
+  GeometryTable& table_;
   SelfContacts contacts_;
   FaceIndex index_;
   Locator locator_;

@@ -11,7 +11,6 @@
 
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
-#include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "raster/culler.hpp"
 #include "raster/polygon_rasterizer.hpp"
@@ -30,7 +29,7 @@ struct BandResult {
 
 /// The eye's side of a fragment's source, from that of its node.
 int source_side(const TreeFragment& fragment, int node_sign) {
-  return fragment.turned != 0 ? -node_sign : node_sign;
+  return fragment.flipped != 0 ? -node_sign : node_sign;
 }
 
 template <int kBits>

@@ -192,6 +192,8 @@ class PieceJoiner {
 
   void copy(const Placed& at) {
     BspTree& piece = at.job->piece;
+    HALFSPACE_ASSERT(at.planes.size() == at.job->inherited_planes);
+    HALFSPACE_ASSERT(piece.boxes.size() == piece.nodes.size());
     const auto moved = [](std::int32_t index, std::size_t by) {
       return index < 0 ? index : index + static_cast<std::int32_t>(by);
     };

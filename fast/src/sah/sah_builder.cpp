@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "halfspace/assert.hpp"
+#include "tree/tree_access.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -125,10 +126,7 @@ SahBuilder::Subtrees SahBuilder::build_root() {
 NodeId SahBuilder::add_node(const Task& task) {
   BspTree& piece = job_.piece;
   const auto id = static_cast<NodeId>(piece.nodes.size());
-  if (task.parent != kNoNode) {
-    Node& parent = piece.nodes[static_cast<std::size_t>(task.parent)];
-    (task.side == Side::kPositive ? parent.positive : parent.negative) = id;
-  }
+  if (task.parent != kNoNode) set_child(piece, task.parent, task.side, id);
   piece.nodes.emplace_back();
   piece.boxes.push_back(absolute(task.box));
   return id;
@@ -183,7 +181,7 @@ std::optional<SahBuilder::Partition> SahBuilder::build_node(const Task& task) {
 
   // Step 3: divide the list.
   const PlaneId plane = across ? add_free_plane(axis) : polygon.polygon;
-  Node& node = job_.piece.nodes[static_cast<std::size_t>(id)];
+  Node& node = node_at(job_.piece, id);
   node.splitter = plane;
   node.plane = splitter_.planes().plane(plane);
   const Partition parts = distribute(
@@ -342,7 +340,7 @@ bool SahBuilder::is_flat(const Task& task, PolygonId& splitter) {
 void SahBuilder::make_leaf(NodeId id, const Task& task) {
   PolygonId splitter = 0;
   if (is_flat(task, splitter)) {
-    Node& node = job_.piece.nodes[static_cast<std::size_t>(id)];
+    Node& node = node_at(job_.piece, id);
     node.splitter = splitter;
     node.plane = plane_of(state_.scene, splitter);
   }
@@ -376,7 +374,7 @@ void SahBuilder::sort_for_leaf(std::vector<Primitive>& primitives) const {
 void SahBuilder::add_fragments(NodeId id, std::vector<Primitive>& primitives) {
   if (primitives.empty()) return;
   BspTree& piece = job_.piece;
-  Node& node = piece.nodes[static_cast<std::size_t>(id)];
+  Node& node = node_at(piece, id);
   if (node.splitter == kNoPlane) {
     sort_for_leaf(primitives);
   } else {
@@ -397,11 +395,12 @@ void SahBuilder::add_fragments(NodeId id, std::vector<Primitive>& primitives) {
       piece.corners.insert(piece.corners.end(), from, from + part.count);
     }
     const auto count = static_cast<std::uint32_t>(piece.corners.size()) - first;
-    const bool turned =
+    const bool flipped =
         node.splitter != kNoPlane && node.splitter != primitive.source &&
         opposed(plane_of(state_.scene, primitive.source), node.plane);
     piece.fragments.push_back(
-        {primitive.source, first, count & kCountMask, turned ? 1u : 0u,
+        {primitive.source, first, count & kMostCornersOfFragment,
+         flipped ? 1u : 0u,
          static_cast<std::int32_t>(piece.fragments.size()) + 1});
   }
   piece.fragments.back().next = kNoFragment;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -66,8 +66,8 @@ void BlockList::add_blocks(const Solid& solid, const Face& face,
     }
     Bounds bounds;
     for (std::uint32_t i = first; i < end; ++i) {
-      bounds.add(solid.space->vertex(edges[i].from).approximate);
-      bounds.add(solid.space->vertex(edges[i].to).approximate);
+      bounds.add(solid.table->vertex(edges[i].from).approximate);
+      bounds.add(solid.table->vertex(edges[i].to).approximate);
     }
     block.box = bounds.box();
     block.count = end - first;

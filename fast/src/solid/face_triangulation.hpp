@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "halfspace/fast/solid.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 

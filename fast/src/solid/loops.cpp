@@ -18,16 +18,16 @@ bool on_line(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
 }
 
 /// Whether the spokes from one hub are on one line.
-bool in_line(const Spoke& s, const Spoke& t, const Space& space) {
+bool in_line(const Spoke& s, const Spoke& t, const GeometryTable& table) {
   for (const auto& [known, asked] : {std::pair(&s, &t), std::pair(&t, &s)}) {
     if (known->other >= 0) {
       // Of a solid, every face at a vertex of two edges holds both of them.
-      return space.side(known->plane, asked->end) == 0 &&
-             space.side(known->other, asked->end) == 0;
+      return table.side(known->plane, asked->end) == 0 &&
+             table.side(known->other, asked->end) == 0;
     }
   }
-  return on_line(space.vertex(s.hub).point(), space.vertex(s.end).point(),
-                 space.vertex(t.end).point());
+  return on_line(table.vertex(s.hub).point(), table.vertex(s.end).point(),
+                 table.vertex(t.end).point());
 }
 
 /// One bucket's pieces, loop by loop, straight vertices left out.
@@ -101,7 +101,7 @@ Box face_box(const Solid& solid, const Face& face) {
   Bounds bounds;
   for (std::uint32_t i = 0; i < face.edge_count; ++i) {
     const std::int32_t id = solid.edges[face.first_edge + i].from;
-    bounds.add(solid.space->vertex(id).approximate);
+    bounds.add(solid.table->vertex(id).approximate);
   }
   return bounds.box();
 }
@@ -124,9 +124,9 @@ void Hubs::put(Pair& pair, const Spoke& spoke) {
   if (known.other < 0) known = spoke;
 }
 
-void Hubs::decide(const Space& space) {
+void Hubs::decide(const GeometryTable& table) {
   for (const Pair& pair : pairs_) {
-    if (!in_line(pair.spokes[0], pair.spokes[1], space)) continue;
+    if (!in_line(pair.spokes[0], pair.spokes[1], table)) continue;
     states_[places_.find(pair.spokes[0].hub)] = kStraight;
     any_ = true;
   }
@@ -178,7 +178,7 @@ void walk_loops(List<Piece>& pieces, const Hubs& hubs) {
 
 void straighten(List<Piece>& pieces,
                 const std::function<bool(std::int32_t)>& is_pinned,
-                const Space& space) {
+                const GeometryTable& table) {
   IdRange extent;
   for (const Piece& p : pieces) {
     extent.add(p.from);
@@ -198,7 +198,7 @@ void straighten(List<Piece>& pieces,
   };
   const auto for_more = [](const auto&) {};
   walk_loops(pieces,
-             Hubs(extent, for_ends, for_spokes, for_more, is_pinned, space));
+             Hubs(extent, for_ends, for_spokes, for_more, is_pinned, table));
 }
 
 }  // namespace halfspace::fast

@@ -6,7 +6,7 @@
 
 #include "box/box.hpp"
 #include "halfspace/fast/solid.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 
@@ -41,6 +41,6 @@ Box face_box(const Solid& solid, const Face& face);
 /// `is_pinned(vertex)`: it is one of other faces too, and must stay.
 void straighten(List<Piece>& pieces,
                 const std::function<bool(std::int32_t)>& is_pinned,
-                const Space& space);
+                const GeometryTable& table);
 
 }  // namespace halfspace::fast

@@ -143,7 +143,7 @@ Hubs Merger::hubs_of_others() const {
   for_ends([&](std::int32_t hub, std::int32_t) { extent.add(hub); });
   return Hubs(
       extent, for_ends, for_spokes, for_corners,
-      [](std::int32_t) { return false; }, *solid_.space);
+      [](std::int32_t) { return false; }, *solid_.table);
 }
 
 /// Whether walk_loops() would leave the face as it is, but for the edge that it

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "solid/loops.hpp"
-#include "table/geometry_table.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -73,18 +74,18 @@ void add_face(const Scene& scene, PolygonId id, std::int32_t part,
   solid.edges.push_back({from, first});
 }
 
-Solid in_space(const GridSolid& solid, std::shared_ptr<Space> space,
-               std::int32_t part) {
+Solid in_table(const GridSolid& solid, TableLease lease, std::int32_t part) {
   const Scene& scene = solid.scene();
   Solid result;
   result.unit = scene.unit();
-  result.space = std::move(space);
-  result.space->reserve(scene.data().vertices.size(), scene.polygon_count());
+  result.table = lease.shared();
+  GeometryTable& table = lease.table();
+  table.reserve(scene.data().vertices.size(), scene.polygon_count());
   result.faces.reserve(scene.polygon_count());
   result.edges.reserve(scene.data().corners.size());
   std::vector<std::int32_t> ids;
   ids.reserve(scene.data().vertices.size());
-  result.space->add_points(scene.data().vertices, ids);
+  table.add_points(scene.data().vertices, ids);
   std::array<std::array<GridPoint, 3>, kFacesAtOnce> corners;
   std::vector<OrientedPlane> planes;
   for (std::size_t first = 0; first < scene.polygon_count();
@@ -104,7 +105,7 @@ Solid in_space(const GridSolid& solid, std::shared_ptr<Space> space,
       }
       set_plane_corners(scene, static_cast<PolygonId>(p), corners[p - first]);
     }
-    result.space->add_planes(std::span(corners).first(last - first), planes);
+    table.add_planes(std::span(corners).first(last - first), planes);
     for (std::size_t p = first; p < last; ++p) {
       add_face(scene, static_cast<PolygonId>(p), part, planes[p - first], ids,
                result);
@@ -113,16 +114,24 @@ Solid in_space(const GridSolid& solid, std::shared_ptr<Space> space,
   return result;
 }
 
+/// A lease of the solid's table, or while another thread has that, of one for
+/// the same grid.
+TableLease lease_beside(const Solid& solid) {
+  if (solid.table) {
+    if (auto lease = TableLease::of(solid.table)) return std::move(*lease);
+  }
+  return TableLease::of_new(grid_bits_of(solid));
+}
+
 }  // namespace
 
 Solid to_solid(const GridSolid& solid, std::int32_t part) {
-  return in_space(solid, std::make_shared<Space>(solid.scene().grid_bits()),
-                  part);
+  return in_table(solid, TableLease::of_new(solid.scene().grid_bits()), part);
 }
 
 Solid to_solid(const GridSolid& solid, const Solid& with, std::int32_t part) {
-  HALFSPACE_ASSERT(solid.scene().grid_bits() <= with.space->grid_bits());
-  return in_space(solid, with.space, part);
+  HALFSPACE_ASSERT(solid.scene().grid_bits() <= grid_bits_of(with));
+  return in_table(solid, lease_beside(with), part);
 }
 
 Solid complement(Solid solid) {
@@ -139,10 +148,11 @@ Solid complement(Solid solid) {
 }
 
 Solid half_space(const std::array<GridPoint, 3>& corners, const Solid& with) {
+  TableLease lease = lease_beside(with);
   Solid result;
   result.unit = with.unit;
-  result.space = with.space;
-  const OrientedPlane plane = result.space->add_plane(corners);
+  result.table = lease.shared();
+  const OrientedPlane plane = lease.table().add_plane(corners);
   result.faces.emplace_back();
   result.faces[0].plane = plane.plane;
   result.faces[0].flipped = plane.flipped;
@@ -151,12 +161,12 @@ Solid half_space(const std::array<GridPoint, 3>& corners, const Solid& with) {
 }
 
 SolidPlane plane_at(const Solid& solid, std::int32_t plane) {
-  const Vector3<Int128> n = solid.space->reduced_normal(plane);
-  return {{n.x, n.y, n.z}, solid.space->plane(plane).origin};
+  const Vector3<Int128> n = solid.table->reduced_normal(plane);
+  return {{n.x, n.y, n.z}, solid.table->plane(plane).origin};
 }
 
 SolidVertex vertex_at(const Solid& solid, std::int32_t vertex) {
-  const SpaceVertex& v = solid.space->vertex(vertex);
+  const TableVertex& v = solid.table->vertex(vertex);
   return {v.is_grid(), v.is_grid() ? v.point() : GridPoint{}, v.planes};
 }
 

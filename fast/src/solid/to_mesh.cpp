@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "solid/face_triangulation.hpp"
 #include "solid/vertex_order.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -136,7 +136,7 @@ void begin_with_least(std::span<std::int32_t> corners) {
 /// of the mesh: 1 if it was moved, else 0.
 std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
                                        ExportedMesh& mesh) {
-  const Space& space = *solid.space;
+  const GeometryTable& table = *solid.table;
   IdRange extent;
   for (const std::int32_t v : polygons.corners) extent.add(v);
   IdMap places(extent);
@@ -150,17 +150,17 @@ std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
       number = 0;
     }
   });
-  const List<std::int32_t> order = vertices_in_order(used, space);
+  const List<std::int32_t> order = vertices_in_order(used, table);
   mesh.vertices.reserve(order.size());
   mesh.points.assign(order.begin(), order.end());
   std::vector<std::uint8_t> moved(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     constexpr std::size_t kAhead = 16;
-    if (i + kAhead < order.size()) space.prefetch_vertex(order[i + kAhead]);
+    if (i + kAhead < order.size()) table.prefetch_vertex(order[i + kAhead]);
     const std::int32_t v = order[i];
     numbers[places.find(v)] = static_cast<std::int32_t>(i);
     bool rounded = false;
-    std::array<double, 3> at = space.nearest(v, rounded);
+    std::array<double, 3> at = table.nearest(v, rounded);
     for (double& coordinate : at) coordinate = scaled(coordinate, solid.unit);
     mesh.vertices.push_back(at);
     if (!rounded && solid.unit.base == 2) continue;
@@ -292,7 +292,7 @@ ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options) {
       __builtin_prefetch(&polygons.corners[polygons.first_corner[next]]);
       const auto near = polygons.at(order[at + kAhead]);
       if (is_moved(near)) {
-        __builtin_prefetch(&solid.space->plane(face_at(at + kAhead).plane));
+        __builtin_prefetch(&solid.table->plane(face_at(at + kAhead).plane));
         for (const std::int32_t v : near)
           __builtin_prefetch(&mesh.vertices[static_cast<std::size_t>(v)]);
       }
@@ -302,7 +302,7 @@ ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options) {
     const std::int32_t f = polygons.faces[p];
     const Face& face = solid.faces[static_cast<std::size_t>(f)];
     if (is_moved(corners)) {
-      const Plane& normal = solid.space->plane(face.plane).filter.plane;
+      const Plane& normal = solid.table->plane(face.plane).filter.plane;
       if (!surely_faces_out(mesh, corners, normal, face.flipped ? -1 : 1))
         mesh.flipped.push_back(static_cast<std::int32_t>(at));
     }

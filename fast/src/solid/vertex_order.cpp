@@ -43,16 +43,16 @@ void sort_by_x(List<Ranked>& row, double low, double high) {
 }
 
 /// Whether a vertex comes before another.
-bool is_before(std::int32_t u, std::int32_t v, const Space& space) {
-  const Vertex& a = space.vertex(u).approximate;
-  const Vertex& b = space.vertex(v).approximate;
+bool is_before(std::int32_t u, std::int32_t v, const GeometryTable& table) {
+  const Vertex& a = table.vertex(u).approximate;
+  const Vertex& b = table.vertex(v).approximate;
   const double p[3] = {a.x, a.y, a.z};
   const double q[3] = {b.x, b.y, b.z};
   const bool exact = a.error == 0 && b.error == 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double d = p[axis] - q[axis];
     if (exact && d == 0) continue;
-    const int order = exact ? (d < 0 ? -1 : 1) : space.compare(axis, u, v);
+    const int order = exact ? (d < 0 ? -1 : 1) : table.compare(axis, u, v);
     if (order != 0) return order < 0;
   }
   return false;
@@ -61,14 +61,14 @@ bool is_before(std::int32_t u, std::int32_t v, const Space& space) {
 }  // namespace
 
 List<std::int32_t> vertices_in_order(std::span<const std::int32_t> vertices,
-                                     const Space& space) {
+                                     const GeometryTable& table) {
   List<Ranked> row;
   row.reserve(vertices.size());
   double error = 0;
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
   for (const std::int32_t v : vertices) {
-    const Vertex& at = space.vertex(v).approximate;
+    const Vertex& at = table.vertex(v).approximate;
     error = std::max(error, at.error);
     low = std::min(low, at.x);
     high = std::max(high, at.x);
@@ -81,7 +81,7 @@ List<std::int32_t> vertices_in_order(std::span<const std::int32_t> vertices,
     while (j != row.end() && j->x - (j - 1)->x <= 3 * error) ++j;
     if (j - i > 1) {
       std::sort(i, j, [&](const Ranked& a, const Ranked& b) {
-        return is_before(a.id, b.id, space);
+        return is_before(a.id, b.id, table);
       });
     }
     i = j;

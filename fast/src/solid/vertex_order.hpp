@@ -4,7 +4,7 @@
 #include <span>
 
 #include "halfspace/fast/list.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 
@@ -14,6 +14,6 @@ namespace halfspace::fast {
 /// Cost:  linear where the first coordinates lie evenly; n log n comparisons of
 ///        those that do not, or are nearly level.
 List<std::int32_t> vertices_in_order(std::span<const std::int32_t> vertices,
-                                     const Space& space);
+                                     const GeometryTable& table);
 
 }  // namespace halfspace::fast

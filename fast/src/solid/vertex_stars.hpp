@@ -31,7 +31,7 @@ class Hubs {
   template <class ForEnds, class ForSpokes, class ForMore, class IsPinned>
   Hubs(const IdRange& extent, const ForEnds& for_ends,
        const ForSpokes& for_spokes, const ForMore& for_more,
-       const IsPinned& is_pinned, const Space& space)
+       const IsPinned& is_pinned, const GeometryTable& table)
       : places_(extent), ends_(places_.size()), states_(places_.size()) {
     places_.with_slots([&](const auto& place) { count(for_ends, place); });
     const std::size_t twos = two_count();
@@ -42,7 +42,7 @@ class Hubs {
       if (is_two(at)) begin(spoke.hub, at, is_pinned(spoke.hub));
       if (states_[at] == kAsked) put(pairs_[ends_[at].pair()], spoke);
     });
-    decide(space);
+    decide(table);
   }
 
   /// Whether any vertex is.
@@ -114,7 +114,7 @@ class Hubs {
   }
   void begin(std::int32_t hub, std::size_t at, bool is_pinned);
   static void put(Pair& pair, const Spoke& spoke);
-  void decide(const Space& space);
+  void decide(const GeometryTable& table);
 
   IdMap places_;
   std::vector<Ends> ends_;            ///< by place

@@ -11,9 +11,9 @@
 namespace halfspace::fast {
 
 template <int kBits>
-ExactPlane<kBits> Space::exact_at(std::int32_t id) const {
+ExactPlane<kBits> GeometryTable::exact_at(std::int32_t id) const {
   using N = typename Grid<kBits>::Normal;
-  const SpacePlane& p = plane(id);
+  const TablePlane& p = plane(id);
   if constexpr (kBits == 26) {
     // Sizes are at most 2^53, so doubles hold them exactly.
     const Plane& n = p.filter.plane;
@@ -51,10 +51,10 @@ Cross<kBits> cross_component(const ExactPlane<kBits>& p,
 }
 
 template <int kBits>
-std::array<typename Grid<kBits>::Determinant, 4> Space::exact(
+std::array<typename Grid<kBits>::Determinant, 4> GeometryTable::exact(
     std::int32_t id) const {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
-  const SpaceVertex& v = vertex(id);
+  const TableVertex& v = vertex(id);
   if (v.is_grid()) {
     const GridPoint at = v.point();
     return {Int128{at.x}, Int128{at.y}, Int128{at.z}, Int128{1}};

@@ -7,8 +7,9 @@
 
 namespace halfspace::fast {
 
-int Space::side_exactly(std::int32_t plane_id, std::int32_t vertex_id) const {
-  const SpaceVertex& v = vertex(vertex_id);
+int GeometryTable::side_exactly(std::int32_t plane_id,
+                                std::int32_t vertex_id) const {
+  const TableVertex& v = vertex(vertex_id);
   if (v.planes[0] == plane_id || v.planes[1] == plane_id ||
       v.planes[2] == plane_id)
     return 0;
@@ -24,7 +25,8 @@ int Space::side_exactly(std::int32_t plane_id, std::int32_t vertex_id) const {
   });
 }
 
-int Space::compare_exactly(int axis, std::int32_t u, std::int32_t v) const {
+int GeometryTable::compare_exactly(int axis, std::int32_t u,
+                                   std::int32_t v) const {
   return with_grid(grid_bits_, [&](auto bits) {
     constexpr std::size_t kWords = 2 * Grid<bits()>::kWords;
     const auto k = static_cast<std::size_t>(axis);
@@ -34,8 +36,8 @@ int Space::compare_exactly(int axis, std::int32_t u, std::int32_t v) const {
   });
 }
 
-int Space::turn(int axis, std::int32_t p, std::int32_t q,
-                std::int32_t r) const {
+int GeometryTable::turn(int axis, std::int32_t p, std::int32_t q,
+                        std::int32_t r) const {
   const int i = (axis + 1) % 3;
   const int j = (axis + 2) % 3;
   const Vertex& a = vertex(p).approximate;
@@ -79,35 +81,35 @@ int Space::turn(int axis, std::int32_t p, std::int32_t q,
   });
 }
 
-int Space::cross_sign(int axis, std::int32_t p, std::int32_t q) const {
+int GeometryTable::cross_sign(int axis, std::int32_t p, std::int32_t q) const {
   return with_grid(grid_bits_, [&](auto bits) {
     return sign(cross_component<bits()>(exact_at<bits()>(p),
                                         exact_at<bits()>(q), axis));
   });
 }
 
-Vector3<Int128> Space::normal(std::int32_t p) const {
+Vector3<Int128> GeometryTable::normal(std::int32_t p) const {
   return with_grid(grid_bits_, [&](auto bits) {
     const auto n = exact_at<bits()>(p).normal;
     return Vector3<Int128>{n.x, n.y, n.z};
   });
 }
 
-int Space::dot_sign(std::int32_t p, std::int32_t q) const {
+int GeometryTable::dot_sign(std::int32_t p, std::int32_t q) const {
   const auto m = normal(p);
   const auto n = normal(q);
   return sign(multiply<4>(m.x, n.x) + multiply<4>(m.y, n.y) +
               multiply<4>(m.z, n.z));
 }
 
-int Space::normal_sign(std::int32_t p, int axis) const {
+int GeometryTable::normal_sign(std::int32_t p, int axis) const {
   // A double is 0 for 0 alone.
   const Plane& n = plane(p).filter.plane;
   const double c = axis == 0 ? n.a : axis == 1 ? n.b : n.c;
   return (c > 0) - (c < 0);
 }
 
-bool Space::line_axis(std::int32_t p, std::int32_t q, int& axis) const {
+bool GeometryTable::line_axis(std::int32_t p, std::int32_t q, int& axis) const {
   if (p == q) return false;
   const Plane& m = plane(p).filter.plane;
   const Plane& n = plane(q).filter.plane;
@@ -122,7 +124,7 @@ bool Space::line_axis(std::int32_t p, std::int32_t q, int& axis) const {
   return false;
 }
 
-int Space::edge_axis(std::int32_t u, std::int32_t v) const {
+int GeometryTable::edge_axis(std::int32_t u, std::int32_t v) const {
   const Vertex& a = vertex(u).approximate;
   const Vertex& b = vertex(v).approximate;
   const std::array<double, 3> c{std::abs(a.x - b.x), std::abs(a.y - b.y),

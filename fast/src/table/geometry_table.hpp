@@ -6,14 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "base/disjoint_sets.hpp"
-#include "base/epoch_array.hpp"
 #include "base/hash_index.hpp"
 #include "exact/canonical_plane.hpp"
 #include "exact/exact_plane.hpp"
 #include "exact/filter.hpp"
-#include "halfspace/fast/list.hpp"
 #include "halfspace/polygon.hpp"
+#include "table/append_list.hpp"
 
 namespace halfspace::fast {
 
@@ -22,13 +20,13 @@ inline double coordinate(const Vertex& v, int axis) {
 }
 
 /// A plane as a point set, in doubles, and a grid point on it.
-struct SpacePlane {
+struct TablePlane {
   FilterPlane filter;
   GridPoint origin;
 };
 
 /// A point: one of the grid, or the meet of three planes.
-struct SpaceVertex {
+struct TableVertex {
   static constexpr std::uint32_t kOnGrid = 0xffffffff;
 
   Vertex approximate;
@@ -50,35 +48,29 @@ struct OrientedPlane {
   bool flipped = false;
 };
 
-/// What a boolean notes of vertices, of either operand's or of both.
-struct Notes {
-  EpochArray<std::uint8_t> on_other;
-  std::array<SparseDisjointSets, 2> sets;
-  std::array<EpochArray<std::uint8_t>, 2> member;
-  EpochArray<std::uint8_t> pinned;
-};
-
-/// The planes and points of solids that meet. Each is held once: equal planes
-/// have equal ids, and so do equal points.
+/// The planes and points of solids, each interned: equal planes have equal ids,
+/// and so do equal points.
 ///
 /// Points are made from planes and planes only from points of the grid, so no
-/// number outgrows the bit budget (S1.6), however long the chain of booleans.
-class Space {
+/// number outgrows the bit budget (S1.6), however long the chain of booleans
+/// (plane-based representation: SI89, BF09).
+///
+/// Threads: const functions may run beside one thread that extends the table,
+/// on planes and points known before. plane_count() and vertex_count() are for
+/// that thread.
+class GeometryTable {
  public:
-  explicit Space(int grid_bits)
+  explicit GeometryTable(int grid_bits)
       : grid_bits_(grid_bits), rounding_(rounding_of_values(grid_bits)) {}
 
   int grid_bits() const { return grid_bits_; }
-  /// Room for a boolean's notes, which would cost it more than its work if it
-  /// were made for each.
-  Notes& notes() { return notes_; }
   double rounding() const { return rounding_; }
   std::size_t plane_count() const { return planes_.size(); }
   std::size_t vertex_count() const { return vertices_.size(); }
-  const SpacePlane& plane(std::int32_t p) const {
+  const TablePlane& plane(std::int32_t p) const {
     return planes_[static_cast<std::size_t>(p)];
   }
-  const SpaceVertex& vertex(std::int32_t v) const {
+  const TableVertex& vertex(std::int32_t v) const {
     return vertices_[static_cast<std::size_t>(v)];
   }
   /// Begins to fetch what vertex() will give.
@@ -169,22 +161,21 @@ class Space {
       std::int32_t vertex) const;
   template <int kBits>
   bool put_on_grid(
-      SpaceVertex& v,
+      TableVertex& v,
       const std::array<typename Grid<kBits>::Determinant, 4>& c) const;
   std::int32_t add_meet(const std::array<std::int32_t, 3>& planes);
 
   int grid_bits_;
   double rounding_;
-  List<SpacePlane> planes_;
+  AppendList<TablePlane> planes_;
   /// By plane: its normal, on grids where doubles do not hold it.
-  List<Vector3<Int128>> normals_;
-  List<SpaceVertex> vertices_;
-  List<std::uint64_t> exact_;
-  List<Triple> triples_;
+  AppendList<Vector3<Int128>> normals_;
+  AppendList<TableVertex> vertices_;
+  AppendList<std::uint64_t> exact_;
+  AppendList<Triple> triples_;
   HashIndex plane_index_;
   HashIndex vertex_index_;
   HashIndex triple_index_;
-  Notes notes_;
 };
 
 }  // namespace halfspace::fast

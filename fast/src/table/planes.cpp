@@ -6,13 +6,13 @@
 
 namespace halfspace::fast {
 
-Vector3<Int128> Space::reduced_normal(std::int32_t plane) const {
+Vector3<Int128> GeometryTable::reduced_normal(std::int32_t plane) const {
   Vector3<Int128> n = normal(plane);
   reduce_normal(n);
   return n;
 }
 
-void Space::reserve(std::size_t points, std::size_t planes) {
+void GeometryTable::reserve(std::size_t points, std::size_t planes) {
   // For another operand like this one, too, and for some that booleans make:
   // then nothing is copied, and what is not used is not touched.
   const auto grow = [](auto& list, std::size_t more) {
@@ -26,8 +26,8 @@ void Space::reserve(std::size_t points, std::size_t planes) {
   if (grid_bits_ > 26) grow(normals_, planes);
 }
 
-OrientedPlane Space::add_plane(const Vector3<Int128>& normal,
-                               const GridPoint& origin) {
+OrientedPlane GeometryTable::add_plane(const Vector3<Int128>& normal,
+                                       const GridPoint& origin) {
   return with_grid(grid_bits_, [&](auto bits) {
     using N = typename Grid<bits()>::Normal;
     return enter(canonical_plane<bits()>(
@@ -37,7 +37,8 @@ OrientedPlane Space::add_plane(const Vector3<Int128>& normal,
   });
 }
 
-OrientedPlane Space::add_plane(const std::array<GridPoint, 3>& corners) {
+OrientedPlane GeometryTable::add_plane(
+    const std::array<GridPoint, 3>& corners) {
   return with_grid(grid_bits_, [&](auto bits) {
     return enter(canonical_plane(exact_plane<bits()>(corners)));
   });
@@ -45,8 +46,9 @@ OrientedPlane Space::add_plane(const std::array<GridPoint, 3>& corners) {
 
 /// In blocks: where planes are looked up is fetched from memory while others
 /// are being computed.
-void Space::add_planes(std::span<const std::array<GridPoint, 3>> corners,
-                       std::vector<OrientedPlane>& planes) {
+void GeometryTable::add_planes(
+    std::span<const std::array<GridPoint, 3>> corners,
+    std::vector<OrientedPlane>& planes) {
   constexpr std::size_t kBlock = 32;
   with_grid(grid_bits_, [&](auto bits) {
     std::array<CanonicalPlane<bits()>, kBlock> block;
@@ -62,14 +64,14 @@ void Space::add_planes(std::span<const std::array<GridPoint, 3>> corners,
 }
 
 template <int kBits>
-OrientedPlane Space::enter(const CanonicalPlane<kBits>& entry) {
+OrientedPlane GeometryTable::enter(const CanonicalPlane<kBits>& entry) {
   const auto& n = entry.exact.normal;
   const std::int32_t known = plane_index_.find(entry.hash, [&](std::int32_t p) {
     return is_same_plane(exact_at<kBits>(p), entry.exact);
   });
   if (known >= 0) return {known, entry.flipped};
   const auto id = static_cast<std::int32_t>(planes_.size());
-  SpacePlane& plane = planes_.emplace_back();
+  TablePlane& plane = planes_.emplace_back();
   plane.filter = filter_plane(
       {to_double(n.x), to_double(n.y), to_double(n.z), entry.offset});
   plane.origin = entry.exact.origin;
@@ -78,7 +80,8 @@ OrientedPlane Space::enter(const CanonicalPlane<kBits>& entry) {
   return {id, entry.flipped};
 }
 
-std::int32_t Space::add_line_plane(std::int32_t u, std::int32_t v, int axis) {
+std::int32_t GeometryTable::add_line_plane(std::int32_t u, std::int32_t v,
+                                           int axis) {
   const GridPoint p = vertex(u).point();
   HALFSPACE_ASSERT(vertex(u).is_grid() && vertex(v).is_grid());
   const auto d = difference(p, vertex(v).point());

@@ -19,13 +19,13 @@ std::uint64_t hash_of_grid(const GridPoint& point, int grid_bits) {
 
 }  // namespace
 
-std::int32_t Space::add_point(const GridPoint& point) {
+std::int32_t GeometryTable::add_point(const GridPoint& point) {
   return enter_point(point, hash_of_grid(point, grid_bits_));
 }
 
 /// In blocks: where points are looked up is fetched from memory meanwhile.
-void Space::add_points(std::span<const GridPoint> points,
-                       std::vector<std::int32_t>& ids) {
+void GeometryTable::add_points(std::span<const GridPoint> points,
+                               std::vector<std::int32_t>& ids) {
   std::array<std::uint64_t, 32> hashes;
   for (std::size_t i = 0; i < points.size(); i += hashes.size()) {
     const auto block =
@@ -39,9 +39,10 @@ void Space::add_points(std::span<const GridPoint> points,
   }
 }
 
-std::int32_t Space::enter_point(const GridPoint& point, std::uint64_t hash) {
+std::int32_t GeometryTable::enter_point(const GridPoint& point,
+                                        std::uint64_t hash) {
   const std::int32_t known = vertex_index_.find(hash, [&](std::int32_t v) {
-    const SpaceVertex& other = vertex(v);
+    const TableVertex& other = vertex(v);
     if (other.is_grid()) return other.point() == point;
     // A meet is the point if the point lies on its three planes.
     return std::all_of(
@@ -53,14 +54,15 @@ std::int32_t Space::enter_point(const GridPoint& point, std::uint64_t hash) {
   });
   if (known >= 0) return known;
   const auto v = static_cast<std::int32_t>(vertices_.size());
-  SpaceVertex vertex_of_grid;
+  TableVertex vertex_of_grid;
   vertex_of_grid.approximate = to_vertex(point);
   vertices_.push_back(vertex_of_grid);
   vertex_index_.enter(hash, v);
   return v;
 }
 
-std::int32_t Space::meet(std::int32_t p, std::int32_t q, std::int32_t r) {
+std::int32_t GeometryTable::meet(std::int32_t p, std::int32_t q,
+                                 std::int32_t r) {
   std::array<std::int32_t, 3> triple{p, q, r};
   std::sort(triple.begin(), triple.end());
   const auto word = [&](std::size_t i) {
@@ -77,7 +79,8 @@ std::int32_t Space::meet(std::int32_t p, std::int32_t q, std::int32_t r) {
   return v;
 }
 
-std::int32_t Space::add_meet(const std::array<std::int32_t, 3>& planes) {
+std::int32_t GeometryTable::add_meet(
+    const std::array<std::int32_t, 3>& planes) {
   // The new vertex is tried as the last one, and taken back if it is known.
   const auto v = static_cast<std::int32_t>(vertices_.size());
   const std::uint64_t hash = with_grid(
@@ -87,8 +90,8 @@ std::int32_t Space::add_meet(const std::array<std::int32_t, 3>& planes) {
                        [&](std::int32_t p) { return side(p, other) == 0; });
   });
   if (known >= 0) {
-    if (!vertices_.back().is_grid()) exact_.resize(vertices_.back().exact);
-    vertices_.pop_back();
+    if (!vertices_.back().is_grid()) exact_.shrink(vertices_.back().exact);
+    vertices_.shrink(vertices_.size() - 1);
     return known;
   }
   vertex_index_.enter(hash, v);
@@ -97,7 +100,8 @@ std::int32_t Space::add_meet(const std::array<std::int32_t, 3>& planes) {
 
 /// Adds the vertex; gives its hash.
 template <int kBits>
-std::uint64_t Space::make_exact(const std::array<std::int32_t, 3>& planes) {
+std::uint64_t GeometryTable::make_exact(
+    const std::array<std::int32_t, 3>& planes) {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
   using Big = typename Grid<kBits>::Determinant;
   std::array<ExactPlane<kBits>, 3> p;
@@ -123,7 +127,7 @@ std::uint64_t Space::make_exact(const std::array<std::int32_t, 3>& planes) {
   if (c[3].is_negative()) {
     for (Big& value : c) value = -value;
   }
-  SpaceVertex v;
+  TableVertex v;
   v.planes = planes;
   // Each of the two is off by 2^-52 of its size, and the quotient rounds once
   // more: 2^-50 of the size is more than that.
@@ -136,8 +140,7 @@ std::uint64_t Space::make_exact(const std::array<std::int32_t, 3>& planes) {
     return hash_of_grid(v.point(), grid_bits_);
   }
   v.exact = static_cast<std::uint32_t>(exact_.size());
-  for (const Big& value : c)
-    exact_.insert(exact_.end(), value.words.begin(), value.words.end());
+  for (const Big& value : c) exact_.append(value.words);
   vertices_.push_back(v);
   const double at[3] = {a.x, a.y, a.z};
   std::array<std::uint64_t, 3> cells;
@@ -151,8 +154,8 @@ std::uint64_t Space::make_exact(const std::array<std::int32_t, 3>& planes) {
 /// Whether the point with these coordinates, the last one their divisor, is on
 /// the grid; then it is noted as a point of the grid.
 template <int kBits>
-bool Space::put_on_grid(
-    SpaceVertex& v,
+bool GeometryTable::put_on_grid(
+    TableVertex& v,
     const std::array<typename Grid<kBits>::Determinant, 4>& c) const {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
   const double at[3] = {v.approximate.x, v.approximate.y, v.approximate.z};

@@ -3,9 +3,10 @@
 
 namespace halfspace::fast {
 
-std::array<double, 3> Space::nearest(std::int32_t id, bool& rounded) const {
+std::array<double, 3> GeometryTable::nearest(std::int32_t id,
+                                             bool& rounded) const {
   rounded = false;
-  const SpaceVertex& v = vertex(id);
+  const TableVertex& v = vertex(id);
   if (v.is_grid()) return {v.approximate.x, v.approximate.y, v.approximate.z};
   return with_grid(grid_bits_, [&](auto bits) {
     constexpr std::size_t kWords = Grid<bits()>::kWords;

@@ -7,6 +7,7 @@
 #include "tree/choose_root.hpp"
 #include "tree/fragment_splitter.hpp"
 #include "tree/node_boxes.hpp"
+#include "tree/tree_access.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -63,22 +64,6 @@ class ProgressReporter {
   bool stopped_ = false;
 };
 
-/// Makes `child` the child of `parent`, which may be none, on its `side`.
-void attach(BspTree& tree, NodeId parent, Side side, NodeId child) {
-  if (parent == kNoNode) return;
-  Node& node = tree.nodes[static_cast<std::size_t>(parent)];
-  (side == Side::kPositive ? node.positive : node.negative) = child;
-}
-
-/// Adds a fragment to the tree's array, in no list yet.
-std::int32_t add_fragment(BspTree& tree, const FragmentRef& fragment,
-                          bool turned) {
-  tree.fragments.push_back({fragment.source, fragment.first,
-                            fragment.count & kCountMask, turned ? 1u : 0u,
-                            kNoFragment});
-  return static_cast<std::int32_t>(tree.fragments.size()) - 1;
-}
-
 /// Makes the tree whose splitters are planes of its polygons.
 class Autopartition {
  public:
@@ -103,20 +88,22 @@ class Autopartition {
     if (fragments_.empty()) return true;
     tasks_.push_back({0, root_key(options_.seed), 1, kNoNode, Side::kOn});
     run_tasks();
+    HALFSPACE_ASSERT(reporter_.is_stopped() || fragments_.empty());
+    HALFSPACE_ASSERT(reporter_.is_stopped() ||
+                     tree_.fragments.size() >= planes_.size());
     return !reporter_.is_stopped();
   }
 
   /// Makes a leaf the root of a tree of its fragments. Their old entries are in
   /// no list then.
   void divide(NodeId leaf) {
-    Node& node = tree_.nodes[static_cast<std::size_t>(leaf)];
+    Node& node = node_at(tree_, leaf);
     fragments_.clear();
-    for (std::int32_t f = node.first_fragment; f != kNoFragment;) {
-      const TreeFragment& listed = tree_.fragments[static_cast<std::size_t>(f)];
+    for_fragments(tree_, node, [this](const TreeFragment& listed) {
       fragments_.push_back(
           {listed.source, listed.first_corner, listed.corner_count});
-      f = listed.next;
-    }
+      return true;
+    });
     std::sort(fragments_.begin(), fragments_.end(),
               [](const FragmentRef& p, const FragmentRef& q) {
                 return p.source < q.source;
@@ -150,7 +137,7 @@ class Autopartition {
     return splitter_.relation(fragment, splitter, planes_[s]);
   }
 
-  bool is_turned(PolygonId source, PolygonId splitter) const {
+  bool is_flipped(PolygonId source, PolygonId splitter) const {
     return table_.same_orientation[static_cast<std::size_t>(source)] !=
            table_.same_orientation[static_cast<std::size_t>(splitter)];
   }
@@ -165,14 +152,15 @@ class Autopartition {
           return relation(list[j], list[i].source);
         },
         [&] { return reporter_.add_decisions(count); });
+    HALFSPACE_ASSERT(root < count);
     const PolygonId splitter = list[root].source;
     NodeId id = task.node;
     if (id == kNoNode) {
       id = static_cast<NodeId>(tree_.nodes.size());
       tree_.nodes.emplace_back();
-      attach(tree_, task.parent, task.side, id);
+      if (task.parent != kNoNode) set_child(tree_, task.parent, task.side, id);
     }
-    Node& node = tree_.nodes[static_cast<std::size_t>(id)];
+    Node& node = node_at(tree_, id);
     node.splitter = splitter;
     node.plane = planes_[static_cast<std::size_t>(splitter)].plane;
 
@@ -210,7 +198,7 @@ class Autopartition {
       switch (relation(fragment, splitter)) {
         case Relation::kCoincident: {
           const std::int32_t added = add_fragment(
-              tree_, fragment, is_turned(fragment.source, splitter));
+              tree_, fragment, is_flipped(fragment.source, splitter));
           if (last == kNoFragment) {
             node.first_fragment = added;
           } else {
@@ -310,9 +298,7 @@ void divide_leaves(BspTree& tree, const Scene& scene) {
                           tree, stats, silent);
   const auto count = static_cast<NodeId>(tree.nodes.size());
   for (NodeId id = 0; id < count; ++id) {
-    if (tree.nodes[static_cast<std::size_t>(id)].splitter == kNoPlane) {
-      partition.divide(id);
-    }
+    if (node_at(tree, id).splitter == kNoPlane) partition.divide(id);
   }
   drop_unused_fragments(tree);
   drop_unused_corners(tree);

@@ -4,6 +4,7 @@
 
 #include "halfspace/fast/build.hpp"
 #include "tree/scene_planes.hpp"
+#include "tree/tree_access.hpp"
 
 namespace halfspace::fast {
 
@@ -16,15 +17,13 @@ TreeStats stats(const BspTree& tree) {
     const auto [id, depth] = ahead.back();
     ahead.pop_back();
     if (id == kNoNode) continue;
-    const Node& node = tree.nodes[static_cast<std::size_t>(id)];
+    const Node& node = node_at(tree, id);
     ++result.nodes;
     result.height = std::max(result.height, depth);
-    for (std::int32_t f = node.first_fragment; f != kNoFragment;) {
-      const TreeFragment& fragment =
-          tree.fragments[static_cast<std::size_t>(f)];
+    for_fragments(tree, node, [&](const TreeFragment& fragment) {
       sources.push_back(fragment.source);
-      f = fragment.next;
-    }
+      return true;
+    });
     ahead.push_back({node.positive, depth + 1});
     ahead.push_back({node.negative, depth + 1});
   }
@@ -37,7 +36,7 @@ TreeStats stats(const BspTree& tree) {
 }
 
 TreeName name_of(const BspTree& tree) {
-  /// A node to be named, and the place of its parent's name.
+  /// A node to be named, and the index of its parent's name.
   struct Task {
     NodeId node;
     NodeId parent;
@@ -50,24 +49,22 @@ TreeName name_of(const BspTree& tree) {
     const Task task = tasks.back();
     tasks.pop_back();
     if (task.node == kNoNode) continue;
-    const Node& node = tree.nodes[static_cast<std::size_t>(task.node)];
+    const Node& node = node_at(tree, task.node);
     const auto id = static_cast<NodeId>(name.size());
     if (task.parent != kNoNode) {
       NodeName& parent = name[static_cast<std::size_t>(task.parent)];
       (task.side == Side::kPositive ? parent.positive : parent.negative) = id;
     }
     name.push_back({node.splitter, {}});
-    for (std::int32_t f = node.first_fragment; f != kNoFragment;) {
-      const TreeFragment& fragment =
-          tree.fragments[static_cast<std::size_t>(f)];
+    for_fragments(tree, node, [&](const TreeFragment& fragment) {
       std::vector<EdgeName> edges;
       for (std::uint32_t k = 0; k < fragment.corner_count; ++k) {
         edges.push_back(name_of(tree.corners[fragment.first_corner + k].edge));
       }
       name.back().coincident.push_back(
           {fragment.source, rotated_to_least(std::move(edges))});
-      f = fragment.next;
-    }
+      return true;
+    });
     tasks.push_back({node.negative, id, Side::kNegative});
     tasks.push_back({node.positive, id, Side::kPositive});
   }

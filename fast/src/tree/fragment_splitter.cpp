@@ -18,32 +18,32 @@ FragmentRef FragmentSplitter::whole(PolygonId polygon) {
   return fragment;
 }
 
-int FragmentSplitter::sign_at(const FragmentRef& fragment, std::size_t k,
-                              PlaneId id, const FilterPlane& plane,
-                              Bounded& value) {
+int FragmentSplitter::exact_sign(const FragmentRef& fragment, std::size_t k,
+                                 PlaneId id) {
   const Corner* corners = tree_.corners.data() + fragment.first;
-  value = value_at(plane, vertex(corners[k].vertex), planes_.rounding());
-  const int filtered = filtered_sign(value);
-  if (filtered != 0) {
-    ++stats_.filtered;
-    return filtered;
-  }
   const Corner& before = corners[k == 0 ? fragment.count - 1 : k - 1];
-  const int exact =
+  const int sign =
       planes_.exact_sign(fragment.source, before.edge, corners[k].edge, id);
   ++stats_.exact;
-  stats_.zero += exact == 0 ? 1 : 0;
-  return exact;
+  stats_.zero += sign == 0 ? 1 : 0;
+  return sign;
 }
 
 Relation FragmentSplitter::relation(const FragmentRef& fragment, PlaneId id,
                                     const FilterPlane& plane) {
+  const Corner* corners = tree_.corners.data() + fragment.first;
   signs_.resize(fragment.count);
   values_.resize(fragment.count);
   bool some_positive = false;
   bool some_negative = false;
   for (std::size_t k = 0; k < fragment.count; ++k) {
-    const int sign = sign_at(fragment, k, id, plane, values_[k]);
+    values_[k] = value_at(plane, vertex(corners[k].vertex), planes_.rounding());
+    int sign = filtered_sign(values_[k]);
+    if (sign != 0) {
+      ++stats_.filtered;
+    } else {
+      sign = exact_sign(fragment, k, id);
+    }
     signs_[k] = static_cast<std::int8_t>(sign);
     some_positive = some_positive || sign > 0;
     some_negative = some_negative || sign < 0;

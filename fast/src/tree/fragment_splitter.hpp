@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "halfspace/assert.hpp"
 #include "halfspace/fast/build.hpp"
 #include "tree/scene_planes.hpp"
 
@@ -18,7 +19,15 @@ struct FragmentRef {
   std::uint32_t count = 0;
 };
 
-constexpr std::uint32_t kCountMask = kMostCornersOfFragment;
+/// Adds a fragment to the tree's array, in no list yet; its index.
+inline std::int32_t add_fragment(BspTree& tree, const FragmentRef& fragment,
+                                 bool flipped) {
+  HALFSPACE_ASSERT(fragment.count <= kMostCornersOfFragment);
+  tree.fragments.push_back({fragment.source, fragment.first,
+                            fragment.count & kMostCornersOfFragment,
+                            flipped ? 1u : 0u, kNoFragment});
+  return static_cast<std::int32_t>(tree.fragments.size()) - 1;
+}
 
 /// Whether two planes that are the same point set have opposite normals.
 ///
@@ -49,14 +58,11 @@ class FragmentSplitter {
   /// The whole polygon; its corners are added to the tree.
   FragmentRef whole(PolygonId polygon);
 
-  /// The sign of the plane at vertex `k` of the fragment (S1.5); `value` is
-  /// set to its value there in doubles.
-  int sign_at(const FragmentRef& fragment, std::size_t k, PlaneId id,
-              const FilterPlane& plane, Bounded& value);
-
   /// The fragment against the plane (S2.1). Keeps the signs for split().
   Relation relation(const FragmentRef& fragment, PlaneId id,
                     const FilterPlane& plane);
+  /// The sign at vertex `k` that the last relation() found (S1.5).
+  int sign_at(std::size_t k) const { return signs_[k]; }
 
   /// Splits the fragment along the plane (S2.3).
   /// Requires: the last call was relation(fragment, id, plane), and the answer
@@ -73,6 +79,7 @@ class FragmentSplitter {
   }
 
  private:
+  int exact_sign(const FragmentRef& fragment, std::size_t k, PlaneId id);
   std::int32_t add_crossing(const FragmentRef& fragment, std::size_t k,
                             const FilterPlane& plane);
   FragmentRef add(PolygonId source, const std::vector<Corner>& corners);

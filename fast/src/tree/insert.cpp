@@ -4,6 +4,7 @@
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/build.hpp"
 #include "tree/fragment_splitter.hpp"
+#include "tree/tree_access.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -17,18 +18,11 @@ struct Step {
   Side side;
 };
 
-Node& node_at(BspTree& tree, NodeId id) {
-  return tree.nodes[static_cast<std::size_t>(id)];
-}
-
 /// Puts the fragment into the node's list, which is in id order.
 void put(BspTree& tree, NodeId node, const FragmentRef& fragment,
          const Plane& plane) {
-  const auto added = static_cast<std::int32_t>(tree.fragments.size());
-  const bool turned = opposed(plane, node_at(tree, node).plane);
-  tree.fragments.push_back({fragment.source, fragment.first,
-                            fragment.count & kCountMask, turned ? 1u : 0u,
-                            kNoFragment});
+  const std::int32_t added =
+      add_fragment(tree, fragment, opposed(plane, node_at(tree, node).plane));
   std::int32_t* link = &node_at(tree, node).first_fragment;
   while (*link != kNoFragment) {
     TreeFragment& next = tree.fragments[static_cast<std::size_t>(*link)];
@@ -42,10 +36,7 @@ void put(BspTree& tree, NodeId node, const FragmentRef& fragment,
 /// Makes a node of the fragment.
 void make_node(BspTree& tree, const Step& step, const Plane& plane) {
   const auto id = static_cast<NodeId>(tree.nodes.size());
-  if (step.parent != kNoNode) {
-    Node& parent = node_at(tree, step.parent);
-    (step.side == Side::kPositive ? parent.positive : parent.negative) = id;
-  }
+  if (step.parent != kNoNode) set_child(tree, step.parent, step.side, id);
   Node node;
   node.splitter = step.fragment.source;
   node.plane = plane;
@@ -100,9 +91,7 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
     // both.
     const Node node = node_at(tree, step.node);
     HALFSPACE_ASSERT(node.splitter != kNoPlane);
-    const auto child = [&node](Side side) {
-      return side == Side::kPositive ? node.positive : node.negative;
-    };
+    const auto child = [&node](Side side) { return child_of(node, side); };
     const auto go = [&](Side side) {
       steps.push_back({step.fragment, step.box, child(side), step.node, side});
     };

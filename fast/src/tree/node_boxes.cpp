@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "box/box.hpp"
-#include "tree/traversal.hpp"
+#include "tree/tree_access.hpp"
 #include "tree/tree_reader.hpp"
 
 namespace halfspace::fast {

@@ -2,6 +2,7 @@
 
 #include "base/hash_index.hpp"
 #include "exact/canonical_plane.hpp"
+#include "halfspace/assert.hpp"
 #include "tree/scene_planes.hpp"
 
 namespace halfspace::fast {
@@ -33,6 +34,8 @@ PlaneTable plane_table(const Scene& scene) {
     table.same_orientation.push_back(flipped[static_cast<std::size_t>(id)] ==
                                      plane.flipped);
   }
+  HALFSPACE_ASSERT(table.plane_of.size() == scene.polygon_count());
+  HALFSPACE_ASSERT(planes.size() <= scene.polygon_count());
   return table;
 }
 

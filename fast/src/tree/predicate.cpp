@@ -71,10 +71,9 @@ std::vector<Plane> planes_of(const Scene& scene) {
 Side side_of(const Scene& scene, const Fragment& fragment, std::size_t k,
              PolygonId splitter, FilterStats& stats) {
   StandaloneFragment whole(scene, fragment, stats);
-  Bounded value;
-  return static_cast<Side>(
-      whole.splitter().sign_at(whole.ref(), k, splitter,
-                               filter_plane(plane_of(scene, splitter)), value));
+  whole.splitter().relation(whole.ref(), splitter,
+                            filter_plane(plane_of(scene, splitter)));
+  return static_cast<Side>(whole.splitter().sign_at(k));
 }
 
 Side side_of_eye(const Scene& scene, PolygonId splitter, const Camera& camera,

@@ -43,14 +43,14 @@ TEST(DisjointSets, AttachedSetsHaveTheRootAbove) {
   EXPECT_EQ(sets.root(4), 4);
 }
 
-TEST(DisjointSets, SparseElementsAreHeldOnceSet) {
+TEST(DisjointSets, SparseParentsAreKnownOnceSet) {
   SparseDisjointSets sets;
-  EXPECT_FALSE(sets.parents().holds(7));
+  EXPECT_EQ(sets.parents().get(7, -1), -1);
   sets.attach(7, 0);
-  EXPECT_TRUE(sets.parents().holds(7));
+  EXPECT_EQ(sets.parents().get(7, -1), 0);
   EXPECT_EQ(sets.root(7), 0);
   sets.parents().clear();
-  EXPECT_FALSE(sets.parents().holds(7));
+  EXPECT_EQ(sets.parents().get(7, -1), -1);
 }
 
 }  // namespace

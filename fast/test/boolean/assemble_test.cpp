@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "boolean/engine.hpp"
-#include "boolean/membership.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "lattice.hpp"
 #include "scenes.hpp"
 #include "solid/loops.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -48,9 +48,6 @@ Solid with_faces_of(BooleanOp operation, const Solid& a, const Solid& b) {
   return result;
 }
 
-constexpr BooleanOp kOperations[] = {
-    BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference};
-
 TEST(FastBooleanFaces, AreOfTheirSourcesAndGoRound) {
   std::uint64_t state = 11;
   for (int pair = 0; pair < 8; ++pair) {
@@ -65,7 +62,7 @@ TEST(FastBooleanFaces, AreOfTheirSourcesAndGoRound) {
     const Solid first =
         merge_faces(to_solid(lattice::surface(a)), Merge::kPlane);
     const Solid second = to_solid(lattice::surface(b), first);
-    for (const BooleanOp operation : kOperations) {
+    for (const BooleanOp operation : kBooleanOps) {
       const Solid result = with_faces_of(operation, first, second);
       with_faces_of(operation, second, first);
       with_faces_of(operation, complement(second), first);
@@ -77,10 +74,10 @@ TEST(FastBooleanFaces, AreOfTheirSourcesAndGoRound) {
 /// The solid's outlines are those of the cubes that are in one of the two.
 void expect_cubes(const Solid& solid, BooleanOp operation,
                   const lattice::Cubes& a, const lattice::Cubes& b) {
-  const Truth truth = truth_of(operation);
   lattice::Cubes cubes;
   for (std::size_t i = 0; i < cubes.full.size(); ++i)
-    cubes.full[i] = truth(a.full[i], b.full[i]) != solid.unbounded;
+    cubes.full[i] =
+        is_member(operation, a.full[i], b.full[i]) != solid.unbounded;
   bool whole = false;
   EXPECT_TRUE(bad_edges(solid).empty());
   EXPECT_TRUE(lattice::outline(solid.unbounded ? complement(solid) : solid,
@@ -122,7 +119,7 @@ TEST(FastBooleanFaces, InPartsGoWhereEachPartIs) {
           x % 4 < 3 && y % 4 < 3 && z > 2 && z < 7 && (held >> part) % 2 != 0;
     }
     const Solid other = to_solid(lattice::surface(caps), cut, 2);
-    for (const BooleanOp operation : kOperations) {
+    for (const BooleanOp operation : kBooleanOps) {
       expect_cubes(with_faces_of(operation, cut, other), operation, prongs,
                    caps);
       expect_cubes(with_faces_of(operation, other, cut), operation, caps,
@@ -157,7 +154,7 @@ TEST(FastBooleanFaces, KeepVerticesOfPartsThatStay) {
       with_faces_of(BooleanOp::kDifference, whole,
                     to_solid(lattice::surface(channel), whole, 1));
   const Solid other = to_solid(lattice::surface(bite), cut, 2);
-  for (const BooleanOp operation : kOperations)
+  for (const BooleanOp operation : kBooleanOps)
     expect_cubes(with_faces_of(operation, cut, other), operation, rest, bite);
 }
 
@@ -184,12 +181,15 @@ TEST(FastBooleanFaces, EndAtNoPointWhereNothingTurns) {
   }
   for (const auto& [d, e] : {std::pair(2, 1), std::pair(4, 4)}) {
     const Solid inner = pyramid(d, e);
-    const Solid outer =
-        moved_to(merge_faces(to_solid(lattice::surface(cubes)), Merge::kPlane),
-                 inner.space);
+    const auto beside_inner = [&inner](const Solid& solid) {
+      TableLease lease = *TableLease::of(inner.table);
+      return moved_to(solid, lease);
+    };
+    const Solid outer = beside_inner(
+        merge_faces(to_solid(lattice::surface(cubes)), Merge::kPlane));
     // Vertices of the cube, which stay, are where nothing turns afterwards.
-    const auto beside = [&inner](const lattice::Cubes& full) {
-      return moved_to(to_solid(lattice::surface(full)), inner.space);
+    const auto beside = [&](const lattice::Cubes& full) {
+      return beside_inner(to_solid(lattice::surface(full)));
     };
     const Solid within =
         boolean(BooleanOp::kIntersection, beside(cube), beside(block));
@@ -211,7 +211,7 @@ TEST(FastBooleanFaces, EndAtNoPointWhereNothingTurns) {
 /// Whether a box holds the vertex, wherever within its error it is.
 bool holds(const Box& box, const Solid& solid, std::int32_t vertex) {
   Box both = box;
-  extend(both, solid.space->vertex(vertex).approximate);
+  extend(both, solid.table->vertex(vertex).approximate);
   return both == box;
 }
 
@@ -284,10 +284,11 @@ TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
   for (std::size_t k = 0; k < 2 * others.size(); ++k) {
     Solid tool = to_solid(lattice::surface(others[k / 2]), whole, 1);
     if (k % 2 != 0) tool = complement(std::move(tool));
-    for (const BooleanOp operation : kOperations) {
+    for (const BooleanOp operation : kBooleanOps) {
       for (const bool swapped : {false, true}) {
-        Engine engine(truth_of(operation), swapped ? tool : whole,
-                      swapped ? whole : tool, *whole.space, 1);
+        TableLease lease = *TableLease::of(whole.table);
+        Engine engine(operation, swapped ? tool : whole, swapped ? whole : tool,
+                      lease, 1);
         engine.find_contacts();
         const Solid result = engine.run();
         for (std::size_t f = 0; f < result.faces.size(); ++f) {

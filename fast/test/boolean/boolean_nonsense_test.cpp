@@ -5,9 +5,9 @@
 #include "boolean/nonsense.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/to_mesh.hpp"
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 /// Whether both planes of every edge hold its ends.
 bool is_held(const Solid& solid) {
   const auto is_in = [&](std::int32_t v, std::int32_t plane) {
-    return plane < 0 || solid.space->side(plane, v) == 0;
+    return plane < 0 || solid.table->side(plane, v) == 0;
   };
   for (const Face& face : solid.faces) {
     for (std::uint32_t i = 0; i < face.edge_count; ++i) {
@@ -61,7 +61,7 @@ TEST(BooleanNonsense, EveryBooleanOfClosedSurfacesEnds) {
       chain.apply(operation, b);
       EXPECT_TRUE(is_held(chain.solid()));
     }
-    symmetric_difference(a, b);
+    boolean(BooleanOp::kSymmetricDifference, a, b);
     split(a, {GridPoint{0, 0, 1}, GridPoint{1, 0, 1}, GridPoint{0, 1, 2}});
   }
   // Most are what they are meant to be.

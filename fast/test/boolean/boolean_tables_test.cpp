@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "boolean/engine.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "lattice.hpp"
-#include "table/geometry_table.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -69,7 +68,7 @@ TEST(BooleanTables, AMovedSolidComesBackAsItWas) {
   const Solid cubes = random_solid(state);
   const Solid few = tetrahedron(cubes);
   const Solid both = boolean(BooleanOp::kIntersection, few, cubes);
-  const Space& from = *cubes.space;
+  const GeometryTable& from = *cubes.table;
   // Of the first, so few that they are told by name; of the second, points
   // that are not on the grid.
   EXPECT_GT(from.vertex_count(),
@@ -78,11 +77,12 @@ TEST(BooleanTables, AMovedSolidComesBackAsItWas) {
       both.edges.begin(), both.edges.end(),
       [&](const SolidEdge& e) { return !from.vertex(e.from).is_grid(); }));
   for (const Solid& solid : {few, both, cubes}) {
-    const auto space = std::make_shared<Space>(from.grid_bits());
-    const Solid moved = moved_to(solid, space);
-    EXPECT_LE(space->vertex_count(), solid.edges.size());
-    EXPECT_EQ(moved.space, space);
-    const Solid back = moved_to(moved, solid.space);
+    TableLease other = TableLease::of_new(from.grid_bits());
+    const Solid moved = moved_to(solid, other);
+    EXPECT_LE(other.table().vertex_count(), solid.edges.size());
+    EXPECT_EQ(moved.table, other.shared());
+    TableLease own = *TableLease::of(solid.table);
+    const Solid back = moved_to(moved, own);
     EXPECT_TRUE(back.edges == solid.edges);
     for (std::size_t f = 0; f < solid.faces.size(); ++f)
       EXPECT_EQ(back.faces[f].plane, solid.faces[f].plane);

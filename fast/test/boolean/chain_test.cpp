@@ -51,9 +51,9 @@ TEST(FastChain, EveryStepIsRight) {
       const auto surface = lattice::surface(other);
       const Solid tool =
           step % 3 == 0 ? to_solid(surface) : to_solid(surface, chain.solid());
-      const auto operation = static_cast<BooleanOp>(step % 7 == 6   ? 1
-                                                    : step % 2 == 0 ? 0
-                                                                    : 2);
+      const BooleanOp operation = step % 7 == 6   ? BooleanOp::kIntersection
+                                  : step % 2 == 0 ? BooleanOp::kUnion
+                                                  : BooleanOp::kDifference;
       const bool is_union = operation == BooleanOp::kUnion;
       const bool is_difference = operation == BooleanOp::kDifference;
       for (std::size_t i = 0; i < cubes.full.size(); ++i) {

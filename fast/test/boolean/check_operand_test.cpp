@@ -1,3 +1,5 @@
+#include "halfspace/fast/check_operand.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include "boolean/shells.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/operand.hpp"
 #include "halfspace/fast/resolve.hpp"
 
 namespace halfspace::fast {

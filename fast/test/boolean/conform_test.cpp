@@ -12,11 +12,12 @@
 #include "boolean/engine.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "lattice.hpp"
 #include "scenes.hpp"
+#include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -199,26 +200,28 @@ TEST(FastConform, IsPassedOnFromOperandsToResults) {
 
 TEST(FastConform, PartsFacesWhereTheSurfaceTouchesItself) {
   for (const Solid& solid : {two_that_touch(), prism_on_block()}) {
-    const Solid parted = noded(solid);
+    const Solid parted = with_lease(solid, conforming);
     EXPECT_TRUE(parted.is_conforming);
     EXPECT_TRUE(check_operand(parted));
     EXPECT_GT(parted.edges.size(), solid.edges.size());
     EXPECT_NEAR(volume(parted), volume(solid), 1e-6);
-    const Solid again = noded(parted);
+    const Solid again = with_lease(parted, conforming);
     EXPECT_EQ(again.edges, parted.edges);
-    EXPECT_EQ(noded(complement(solid)).edges, complement(parted).edges);
+    EXPECT_EQ(with_lease(complement(solid), conforming).edges,
+              complement(parted).edges);
   }
   Solid open = two_that_touch();
   open.edges.resize(open.edges.size() - open.faces.back().edge_count);
   open.faces.pop_back();
-  EXPECT_EQ(noded(open).edges, open.edges);
-  EXPECT_TRUE(noded(open).is_conforming);
+  EXPECT_EQ(with_lease(open, conforming).edges, open.edges);
+  EXPECT_TRUE(with_lease(open, conforming).is_conforming);
 }
 
 /// Whether either operand has nodes where the other one meets it.
 std::array<bool, 2> have_nodes(const Solid& a, const Solid& b) {
-  const Solid tool = moved_to(b, a.space);
-  Engine engine(truth_of(BooleanOp::kUnion), a, tool, *a.space);
+  TableLease lease = *TableLease::of(a.table);
+  const Solid tool = moved_to(b, lease);
+  Engine engine(BooleanOp::kUnion, a, tool, lease);
   engine.find_contacts();
   return {engine.has_nodes(0), engine.has_nodes(1)};
 }

@@ -11,7 +11,7 @@
 #include "boolean/shells.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/chain.hpp"
-#include "halfspace/fast/operand.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "intersect/candidates.hpp"
 
@@ -125,13 +125,14 @@ TEST(Resolve, RepairKeepsWhatIsWoundRound) {
     if (!resolved.self_intersections.empty()) ++crossed;
     const Result<Done> fine = check_operand(resolved.solid);
     ASSERT_TRUE(fine) << fine.error().message;
-    const Locator before(solid, *solid.space, nullptr, nullptr);
-    const Locator after(resolved.solid, *solid.space, nullptr, nullptr);
+    TableLease lease = *TableLease::of(solid.table);
+    const Locator before(solid, *solid.table, nullptr, nullptr);
+    const Locator after(resolved.solid, *solid.table, nullptr, nullptr);
     Surface draws(seed + 9000);
     for (int i = 0; i < 20; ++i) {
       const auto coordinate = [&] { return draws.draw(kStep * kPoints); };
       const std::int32_t v =
-          solid.space->add_point({coordinate(), coordinate(), coordinate()});
+          lease.table().add_point({coordinate(), coordinate(), coordinate()});
       const bool is_inside = before.winding(v, v) > 0;
       if (is_inside) ++inside;
       ASSERT_EQ(after.winding(v, v), is_inside ? 1 : 0);

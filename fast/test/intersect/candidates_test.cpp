@@ -25,7 +25,8 @@ Loops random_loops(std::uint64_t& state) {
   };
   Loops result;
   Solid& solid = result.solid;
-  solid.space = std::make_shared<Space>(26);
+  TableLease lease = TableLease::of_new(26);
+  solid.table = lease.shared();
   const std::int64_t loops = 1 + next(12);
   const std::int64_t sizes = 3 + next(40);
   std::int32_t start = 0;
@@ -33,7 +34,7 @@ Loops random_loops(std::uint64_t& state) {
   for (std::int64_t i = 0; i < loops; ++i) {
     if (i == 0 || next(2) == 0) {
       at = {next(40), next(40), 0};
-      start = solid.space->add_point(at);
+      start = lease.table().add_point(at);
     }
     std::int32_t last = start;
     const auto go_to = [&](std::int32_t to) {
@@ -42,7 +43,7 @@ Loops random_loops(std::uint64_t& state) {
     };
     for (std::int64_t n = 2 + next(static_cast<std::uint64_t>(sizes)); n > 0;
          --n)
-      go_to(solid.space->add_point({at.x + next(6) + 1, at.y + next(6), 0}));
+      go_to(lease.table().add_point({at.x + next(6) + 1, at.y + next(6), 0}));
     result.begins.resize(solid.edges.size());
     go_to(start);
     result.begins.resize(solid.edges.size() + 1);
@@ -72,9 +73,10 @@ TEST(FarRows, OfAFaceAreAsLongAsCanBe) {
     Operand operand, other;
     operand.solid = &solid;
     other.solid = &beside;
-    prepare(operand, other, *solid.space);
+    BooleanScratch scratch;
+    prepare(operand, other, scratch);
     operand.active = {0};
-    add_edges(operand, *solid.space);
+    add_edges(operand, *solid.table);
     const bool has_many = operand.blocks->of(0) != nullptr;
     const auto goes_on = [&edges = solid.edges](std::uint32_t edge) {
       return edges[edge - 1].to == edges[edge].from;

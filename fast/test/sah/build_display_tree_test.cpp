@@ -92,7 +92,7 @@ TEST(DisplayTree, IdenticalPolygonsAreOneNodesList) {
   ASSERT_EQ(tree.fragments.size(), 1000u);
   for (std::size_t k = 0; k < 1000; ++k) {
     EXPECT_EQ(tree.fragments[k].source, static_cast<PolygonId>(k));
-    EXPECT_EQ(tree.fragments[k].turned, 0u);
+    EXPECT_EQ(tree.fragments[k].flipped, 0u);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -20,7 +20,7 @@ GridPoint point_at(const GridPoint& origin, const GridPoint& u,
 TEST(Planes, PlanesThatAreEqualAreOne) {
   std::mt19937_64 random(7);
   for (const int bits : {26, 40, 54}) {
-    Space space(bits);
+    GeometryTable table(bits);
     std::set<std::int32_t> known;
     for (int round = 0; round < 400; ++round) {
       // Small numbers make many planes parallel, large ones fill the grid.
@@ -37,10 +37,10 @@ TEST(Planes, PlanesThatAreEqualAreOne) {
       const GridPoint o = point(), u = point(), v = point();
       if (cross<54>({u.x, u.y, u.z}, {v.x, v.y, v.z}) == Vector3<Int128>{})
         continue;
-      const OrientedPlane one = space.add_plane(
+      const OrientedPlane one = table.add_plane(
           {o, point_at(o, u, v, 1, 0), point_at(o, u, v, 0, 1)});
       known.insert(one.plane);
-      const std::size_t count = space.plane_count();
+      const std::size_t count = table.plane_count();
       ASSERT_EQ(count, known.size());
       for (int k = 0; k < 8; ++k) {
         const auto times = [&] {
@@ -49,18 +49,18 @@ TEST(Planes, PlanesThatAreEqualAreOne) {
         const std::int64_t a = times(), b = times(), c = times(), d = times();
         if (a * d == b * c) continue;
         const GridPoint p = point_at(o, u, v, times(), times());
-        const OrientedPlane other = space.add_plane(
+        const OrientedPlane other = table.add_plane(
             {p, point_at(p, u, v, a, b), point_at(p, u, v, c, d)});
         ASSERT_EQ(other.plane, one.plane);
         ASSERT_EQ(other.flipped == one.flipped, a * d > b * c);
       }
-      ASSERT_EQ(space.plane_count(), count);
+      ASSERT_EQ(table.plane_count(), count);
       // What is beside it, and parallel, is another plane.
-      const auto n = space.normal(one.plane);
+      const auto n = table.normal(one.plane);
       const GridPoint beside = n.x != 0   ? GridPoint{o.x + 1, o.y, o.z}
                                : n.y != 0 ? GridPoint{o.x, o.y + 1, o.z}
                                           : GridPoint{o.x, o.y, o.z + 1};
-      const OrientedPlane parallel = space.add_plane(
+      const OrientedPlane parallel = table.add_plane(
           {beside, point_at(beside, u, v, 1, 0), point_at(beside, u, v, 0, 1)});
       ASSERT_NE(parallel.plane, one.plane);
       known.insert(parallel.plane);
@@ -78,18 +78,18 @@ TEST(Planes, PlanesAtTheBordersOfCellsAreOne) {
            most;
   };
   const GridPoint u{1, -(1 << 17), 0}, v{0, 0, 1};
-  Space space(26);
+  GeometryTable table(26);
   for (int round = 0; round < 100; ++round) {
     const GridPoint o{number(100), 2 * number(1 << 22) + 1, number(1 << 23)};
     const std::int32_t plane =
-        space.add_plane({o, point_at(o, u, v, 1, 0), point_at(o, u, v, 0, 1)})
+        table.add_plane({o, point_at(o, u, v, 1, 0), point_at(o, u, v, 0, 1)})
             .plane;
     for (int k = 0; k < 20; ++k) {
       const std::int64_t a = number(100), b = number(1 << 24), c = number(100),
                          d = number(1 << 24);
       if (a * d == b * c) continue;
       ASSERT_EQ(
-          space.add_plane({o, point_at(o, u, v, a, b), point_at(o, u, v, c, d)})
+          table.add_plane({o, point_at(o, u, v, a, b), point_at(o, u, v, c, d)})
               .plane,
           plane);
     }

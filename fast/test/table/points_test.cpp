@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "table/geometry_table.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -19,7 +19,7 @@ TEST(Points, PointsAddedTogetherAreThoseAddedAlone) {
     };
     for (std::size_t i = 0; i < count; ++i)
       points.push_back({number(), number(), number()});
-    Space together(26), alone(26);
+    GeometryTable together(26), alone(26);
     std::vector<std::int32_t> ids, others;
     together.add_points(points, ids);
     for (const GridPoint& point : points)

@@ -12,8 +12,8 @@ namespace {
 
 /// The number c0 + c1 e + c2 e^2, e > 0 infinitely small.
 ///
-/// Of two that are multiplied here, one is always a plain rational: so the
-/// degree stays 2, and nothing is cut off.
+/// In every product here one factor is a plain rational, so that the degree
+/// stays 2 and nothing is cut off.
 struct Infinitesimal {
   Rational c0, c1, c2;
 };

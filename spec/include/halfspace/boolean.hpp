@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,8 +9,26 @@
 
 namespace halfspace {
 
-/// A regularised boolean of two solids (S6.4).
-enum class BooleanOp : std::uint8_t { kUnion, kIntersection, kDifference };
+/// A regularised boolean of two solids, by its table of memberships (S6.4): the
+/// points in both are in it if bit 2 is set, those in the first solid alone if
+/// bit 1 is, those in the second alone if bit 0 is; those in neither never are.
+enum class BooleanOp : std::uint8_t {
+  kUnion = 0b111,
+  kIntersection = 0b100,
+  kDifference = 0b010,
+  kSymmetricDifference = 0b011,
+};
+
+/// Every boolean once.
+inline constexpr std::array kBooleanOps = {
+    BooleanOp::kUnion, BooleanOp::kIntersection, BooleanOp::kDifference,
+    BooleanOp::kSymmetricDifference};
+
+/// Whether a point is in the boolean of two solids, by whether it is in either.
+constexpr bool is_member(BooleanOp operation, bool in_first, bool in_second) {
+  const int place = in_first ? (in_second ? 0b100 : 0b010) : in_second ? 1 : 0;
+  return (static_cast<int>(operation) & place) != 0;
+}
 
 /// A fragment of one solid's surface against the other solid (S6.3; CSG).
 enum class SolidClass : std::uint8_t {
@@ -19,7 +38,7 @@ enum class SolidClass : std::uint8_t {
   kOpposite,  ///< on the other's surface, normals oppose
 };
 
-/// What a boolean does with a fragment of an operand (S6.4).
+/// The deed of a boolean with a fragment of an operand (S6.4).
 enum class Keep : std::uint8_t { kDrop, kKeep, kFlip };
 
 /// An edge that keeps a surface from being closed (S6.1): its ends, in the

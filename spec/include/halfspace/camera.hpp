@@ -28,7 +28,7 @@ struct LatticeVector {
   friend bool operator==(const LatticeVector&, const LatticeVector&) = default;
 };
 
-/// What a camera consists of, not yet checked (S4.1).
+/// The data of a camera, not yet checked (S4.1).
 ///
 /// The image point (x, y) is the point `s0 + x sx + y sy` of space; x grows to
 /// the right and y downwards; pixel (i, j) is [i, i+1) x [j, j+1).

@@ -11,7 +11,7 @@ namespace halfspace {
 /// How polygons get their colours (S5.4).
 enum class Shading : std::uint8_t { kFlat, kGouraud };
 
-/// What else an image depends on, beside scene and camera (S5.2).
+/// The options of an image, beside scene and camera (S5.2).
 struct ImageOptions {
   bool cull = false;  ///< polygons whose negative side the eye is on are unseen
   Shading shading = Shading::kFlat;
@@ -37,9 +37,9 @@ struct Grid2 {
   Grid2(std::int32_t width, std::int32_t height, T value)
       : width_px(width),
         height_px(height),
-        pixels(static_cast<std::size_t>(width) *
-                   static_cast<std::size_t>(height),
-               value) {}
+        pixels(
+            static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+            value) {}
 
   /// Requires: 0 <= i < width_px and 0 <= j < height_px.
   T& at(std::int32_t i, std::int32_t j) { return pixels[offset(i, j)]; }

@@ -10,7 +10,7 @@
 
 namespace halfspace {
 
-/// What was wrong with an input. Which code a bad input gets is part of the
+/// The fault of an input. Which code a bad input gets is part of the
 /// definition (S1), so that every implementation agrees on it.
 enum class ErrorCode {
   kUnreadable,      ///< the file cannot be opened or read

@@ -28,7 +28,7 @@ constexpr bool fits(std::int64_t coordinate, int bits) {
   return -limit <= coordinate && coordinate < limit;
 }
 
-/// What a scene consists of, not yet checked.
+/// The data of a scene, not yet checked.
 ///
 /// The corners of polygon `p` are `corners[first_corner[p]]` up to but not
 /// including `corners[first_corner[p + 1]]`.

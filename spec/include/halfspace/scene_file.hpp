@@ -11,7 +11,7 @@
 
 namespace halfspace {
 
-/// What a `.scene` file holds (spec/scene-format.md).
+/// The contents of a `.scene` file (spec/scene-format.md).
 struct SceneFile {
   Scene scene;
   std::optional<Camera> camera;

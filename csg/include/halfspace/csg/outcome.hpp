@@ -25,10 +25,10 @@ enum class MergeRule : std::uint8_t {
 };
 
 /// Carries out a union, intersection, difference or symmetric difference.
-using Combine = std::function<fast::Solid(NodeKind, const fast::Solid&,
+using Combine = std::function<fast::Solid(BooleanOp, const fast::Solid&,
                                           const fast::Solid&)>;
 
-/// The library's operation of a union, intersection or difference.
+/// The library's operation of a node that combines two solids.
 BooleanOp boolean_op(NodeKind kind);
 
 /// How a plan is carried out, and what the result is wanted for.
@@ -37,9 +37,9 @@ struct EvaluateOptions {
   bool triangles = false;                ///< the fast library's
   BuildOptions build;                    ///< the trees of the reference
   int threads = 1;                       ///< the fast library's
-  /// Replaces fast::boolean() and fast::symmetric_difference() where neither
-  /// solid is a half-space, for instance to check their results. Long unions
-  /// and intersections then go through it too, two solids at a time.
+  /// Replaces fast::boolean() where neither solid is a half-space, for instance
+  /// to check its results. Long unions and intersections then go through it
+  /// too, two solids at a time.
   Combine combine;
   /// Receives the share that is done, 0 to 1; where it returns false, the work
   /// stops.

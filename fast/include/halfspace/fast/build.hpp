@@ -36,7 +36,7 @@ struct TreeFragment {
   std::uint32_t first_corner = 0;
   std::uint32_t corner_count : 31 = 0;
   /// Whether its source's positive side is the splitter's negative one.
-  std::uint32_t turned : 1 = 0;
+  std::uint32_t flipped : 1 = 0;
   std::int32_t next = kNoFragment;  ///< the next in the node's list
 };
 

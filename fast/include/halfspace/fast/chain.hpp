@@ -11,8 +11,11 @@ namespace halfspace::fast {
 /// A solid that one boolean after another changes in place.
 ///
 /// The same point sets as by boolean(), and the same faces but for their order
-/// and `Face::source`, which says nothing here. A solid is best made with
+/// and `Face::source`, which means nothing here. A solid is best made with
 /// to_solid(solid, chain.solid()), which spares moving it to the chain's table.
+///
+/// Threads: a chain is for one thread at a time; other threads may use the
+///          solids that went in or came out.
 class Chain {
  public:
   explicit Chain(Solid first);
@@ -36,15 +39,15 @@ class Chain {
   std::unique_ptr<State> state_;
 };
 
-/// The union or the intersection of all solids, or the first one without the
-/// others: pairs first, then pairs of pairs, so that n log n is done for n
-/// solids that are apart. `Face::source` says nothing here.
+/// The union, intersection or symmetric difference (the points in an odd
+/// number) of all solids, or the first one without the others. Pairs first,
+/// then pairs of pairs, so that n solids that are apart cost n log n.
+/// `Face::source` means nothing here.
 ///
 /// The same point set as one after the other. With `Merge::kPlane`, the same
-/// exported mesh, whatever the order of the solids of a union (S6.4).
-/// With more threads, blocks of solids are combined at once, each in a table of
-/// its own: the faces are the same, but points and planes may have other ids.
-/// The same exported mesh for any number of threads.
+/// mesh, whatever the order of the solids of a union (S6.4). With more threads,
+/// blocks of solids are combined at once, each in a table of its own: the faces
+/// and the mesh are the same, but points and planes may have other ids.
 /// Requires: not empty, and all in one unit.
 Solid boolean_all(BooleanOp operation, std::span<const Solid> solids,
                   int threads = 1);

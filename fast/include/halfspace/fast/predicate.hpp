@@ -84,6 +84,7 @@ PlaneTable intern_planes(const Scene& scene);
 /// the fragment (S1.5).
 ///
 /// Exact: yes: a filter, then integers of 4, 6 or 8 words.
+/// Cost:  a decision for every vertex, all of which `stats` counts.
 Side side_of(const Scene& scene, const Fragment& fragment, std::size_t k,
              PolygonId splitter, FilterStats& stats);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,21 +14,25 @@ namespace halfspace::fast {
 struct SelfIntersection {
   std::int32_t first = 0;
   std::int32_t second = 0;
-  std::int32_t vertex = 0;  ///< where it begins
+  /// Where it begins, rounded. Units: model units.
+  std::array<double, 3> place{};
   bool in_plane = false;
   friend bool operator==(const SelfIntersection&,
                          const SelfIntersection&) = default;
 };
 
-/// Where the solid's surface passes through itself, one place for each pair of
-/// faces, by the lower face and then the other. Empty: the surface only touches
-/// itself, if at all. That no part of it lies within another one the wrong way
-/// round is left to check_operand().
+/// Where the solid's surface passes through itself: one place for each pair of
+/// faces, by the lower face and then the other.
 ///
-/// Requires: nothing; at the boundary of an open surface nothing is found but
-///           faces that cross or overlap.
+/// Empty if no two faces cross or overlap, and round every edge entries and
+/// exits alternate. That no component lies within another the wrong way round
+/// is left to check_operand().
+///
+/// Requires: nothing; at the boundary of an open surface only faces that cross
+///           or overlap are found.
 /// Exact:    yes.
-/// Source:   S6.6; radial order as in Weiler's radial edge structure.
+/// Threads:  any.
+/// Source:   S6.6; radial order as in WEI88.
 std::vector<SelfIntersection> self_intersections(const Solid& solid);
 
 }  // namespace halfspace::fast

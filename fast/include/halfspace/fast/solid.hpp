@@ -13,7 +13,7 @@
 
 namespace halfspace::fast {
 
-class Space;
+class SharedTable;
 
 /// An edge of a face, with the face on its left as seen from outside. Ends are
 /// named by their points' ids: equal points have equal ids.
@@ -51,19 +51,22 @@ struct Face {
 /// A solid, exactly: its vertices are points of the grid or meets of three of
 /// its planes, and its planes are those of the polygons it came from (S6.5).
 ///
-/// Solids share the table of planes and points if they are made from each
-/// other or with to_solid(solid, other). Tables only grow, so a solid never
-/// changes; but booleans on solids of one table must not run at the same time.
+/// Solids made from each other, or by to_solid(solid, other), share a table of
+/// planes and points. Tables only grow, so a solid never changes. A default
+/// solid is empty and has no table.
+///
+/// Threads: every function that takes solids as const may run in any thread at
+///          any time, on solids of one table or not.
 struct Solid {
   List<Face> faces;
   List<SolidEdge> edges;
   bool unbounded = false;  ///< what is far away is inside
   Unit unit;
-  std::shared_ptr<Space> space;
-  /// Known to be noded: wherever a vertex lies on an edge it is an end of it,
-  /// and no face has a part of an edge in it that is not one of its own edges
-  /// from end to end. Results of booleans of such solids are. Of others a
-  /// boolean finds out what it has to know.
+  std::shared_ptr<const SharedTable> table;
+  /// Known to be a conforming mesh (what JTS calls noded): every vertex on an
+  /// edge is an end of it, and an edge that lies in a face is one of the face's
+  /// own, from end to end. Booleans of conforming solids are. A boolean checks
+  /// others where it has to.
   bool is_conforming = false;
 };
 
@@ -71,8 +74,8 @@ struct Solid {
 /// polygon `p`. `part` is noted as where the faces came from.
 Solid to_solid(const GridSolid& solid, std::int32_t part = 0);
 
-/// Likewise in the table of `with`, for long chains of booleans.
-/// Requires: its grid has no fewer bits than the solid's.
+/// The same in the table of `with`, for long chains of booleans; in a table of
+/// its own while another thread extends that one.
 Solid to_solid(const GridSolid& solid, const Solid& with,
                std::int32_t part = 0);
 
@@ -80,7 +83,8 @@ Solid to_solid(const GridSolid& solid, const Solid& with,
 Solid complement(Solid solid);
 
 /// The points that are on the negative side of a plane, given by three points
-/// of the grid that are not on one line: an operand in the table of `with`.
+/// of the grid that are not on one line: an operand in the unit of `with`, and
+/// in its table as by to_solid(solid, with).
 ///
 /// Requires: a boolean of it must have a bounded surface, as the intersection
 ///           of a solid with it has.
@@ -93,10 +97,6 @@ struct Halves {
   Solid negative;
 };
 Halves split(const Solid& solid, const std::array<GridPoint, 3>& corners);
-
-/// The points in exactly one of two solids in one unit, regularised. Shape,
-/// Keeps, Exact, Cost: as boolean().
-Solid symmetric_difference(const Solid& a, const Solid& b, int threads = 1);
 
 /// Which faces in one plane that face the same way become one.
 enum class Merge : std::uint8_t {

@@ -11,7 +11,7 @@
 
 namespace halfspace::ref {
 
-/// What `operation` does with a fragment of an operand, the first or the
+/// Whether `operation` keeps a fragment of an operand, the first or the
 /// second, that is of `solid_class` against the other one (S6.4; CSG's table).
 Keep keep(BooleanOp operation, SolidClass solid_class, bool first_operand);
 

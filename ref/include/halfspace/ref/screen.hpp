@@ -16,7 +16,7 @@ using halfspace::merge_case;
 /// `first` and `last`, and whose Link is the list's own.
 using UnlitList = std::list<Span>;
 
-/// What is done with each run of pixels that becomes lit.
+/// Called for each run of pixels that becomes lit.
 using PaintSegment = std::function<void(Span)>;
 
 /// F2B's Merge-segment: paints what the object segment covers of the unlit
@@ -28,7 +28,7 @@ using PaintSegment = std::function<void(Span)>;
 void merge_segment(std::vector<Span>::const_iterator& object, UnlitList& list,
                    UnlitList::iterator& unlit, const PaintSegment& paint);
 
-/// What became of a line: its newly lit pixels, and those still unlit.
+/// The result for a line: its newly lit pixels, and those still unlit.
 struct Merged {
   std::vector<Span> lit;
   std::vector<Span> unlit;

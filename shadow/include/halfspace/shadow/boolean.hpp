@@ -58,12 +58,6 @@ fast::Solid boolean(BooleanOp operation, const fast::Solid& a,
                     const fast::Solid& b, const BooleanOptions& how,
                     BooleanReport& report);
 
-/// Likewise fast::symmetric_difference(). What is checked is that it is the
-/// union of the two differences.
-fast::Solid symmetric_difference(const fast::Solid& a, const fast::Solid& b,
-                                 const BooleanOptions& how,
-                                 BooleanReport& report);
-
 /// One sentence.
 std::string to_string(const PointMismatch& mismatch);
 

@@ -20,7 +20,7 @@ namespace halfspace::ref {
 Rendering raycast(const Scene& scene, const Camera& camera,
                   const ImageOptions& options);
 
-/// What the sample of pixel (i, j) sees of the polygons `ids`: one of them, or
+/// The polygon of `ids` that the sample of pixel (i, j) sees: one of them, or
 /// kBackground. One ray of raycast(), without the image around it.
 ///
 /// Requires: the pixel in the image; ids ascending.
