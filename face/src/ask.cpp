@@ -6,6 +6,7 @@
 #include "halfspace/csg/outcome.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/to_mesh.hpp"
+#include "halfspace/io/format.hpp"
 #include "halfspace/io/write_mesh.hpp"
 #include "locate.hpp"
 #include "measure.hpp"

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "table/geometry_table.hpp"
-
 namespace halfspace::fast {
 namespace {
 
@@ -78,8 +76,8 @@ double distance(const StepPoint& from, const GridPoint& to) {
 }
 
 bool is_exact(const Solid& solid, std::int32_t vertex) {
-  const SpaceVertex& v = solid.space->vertex(vertex);
-  if (!v.is_grid()) return false;
+  const SolidVertex v = vertex_at(solid, vertex);
+  if (!v.is_grid) return false;
   const Unit& unit = solid.unit;
   // Below, coordinates of the file are rounded already.
   if (unit.base == 2) return unit.exponent >= -1074;
@@ -87,7 +85,7 @@ bool is_exact(const Solid& solid, std::int32_t vertex) {
   if (unit.exponent < -22 || unit.exponent > 0) return false;
   std::int64_t divisor = 1;
   for (int i = 0; i < -unit.exponent; ++i) divisor *= 5;
-  const GridPoint p = v.point();
+  const GridPoint p = v.point;
   return p.x % divisor == 0 && p.y % divisor == 0 && p.z % divisor == 0;
 }
 

@@ -29,7 +29,7 @@ void expect_solid(const Solid& solid, const std::string& what) {
     const auto mesh = rounded_mesh(solid, {.number = number});
     ASSERT_TRUE(mesh.has_value()) << what << ": " << mesh.error().message;
     EXPECT_EQ(shapes::fault_of(*mesh, number), "") << what;
-    EXPECT_LE(mesh->max_move, 64 * mesh->spacing) << what;
+    EXPECT_LE(mesh->max_move, 128 * mesh->spacing) << what;
   }
 }
 
