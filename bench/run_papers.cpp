@@ -12,7 +12,7 @@
 namespace halfspace::bench {
 namespace {
 
-/// What the command line asks for.
+/// The options of the command line.
 struct Request {
   Effort effort;
   std::filesystem::path out = "papers";

@@ -15,7 +15,7 @@
 namespace halfspace::bench {
 namespace {
 
-/// What the command line asks for.
+/// The options of the command line.
 struct Request {
   Plan plan;
   std::uint64_t seed = 1;
@@ -56,10 +56,10 @@ void print(const char* title, const Table& table) {
 bool agree(const std::vector<Row>& rows) {
   bool good = true;
   for (const Row& row : rows) {
-    for (const Complaint& complaint : row.complaints) {
+    for (const WrongPicture& wrong : row.wrong_pictures) {
       std::fprintf(stderr, "run_peers: %s: wrong picture by %s (%s equal)\n",
-                   row.name.c_str(), complaint.peer.c_str(),
-                   digits(complaint.share_equal, 4).c_str());
+                   row.name.c_str(), wrong.peer.c_str(),
+                   digits(wrong.share_equal, 4).c_str());
       good = false;
     }
   }

@@ -31,9 +31,8 @@ function(halfspace_unity_group target group)
 endfunction()
 
 # The tests of a room, beside which this CMakeLists.txt stands: they are listed
-# there and nowhere else, and are one unity group.
+# there and nowhere else. Each is compiled alone, for what they name for
+# themselves is often the same.
 function(halfspace_test_room target)
   target_sources(${target} PRIVATE ${ARGN})
-  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME name)
-  halfspace_unity_group(${target} ${name} ${ARGN})
 endfunction()

@@ -25,7 +25,7 @@ struct Planes {
 /// Compares the relation to the plane of `q`, and the parts where it spans;
 /// goes on with one of them.
 void cut(const Scene& scene, const Planes& planes, Fragments& fragment,
-         PolygonId q, bool keep_up, const std::string& text) {
+         PolygonId q, bool keep_up, const fuzz::Shown& text) {
   fast::FilterStats stats;
   const auto& plane = planes.reference[static_cast<std::size_t>(q)];
   const Relation relation = ref::relation(fragment.reference, plane);
@@ -65,7 +65,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const Scene& scene = made.scene;
   const auto count = static_cast<PolygonId>(scene.polygon_count());
   if (count == 0) return 0;
-  const std::string text = write_scene({scene, std::nullopt, {}});
+  const SceneFile view{scene, std::nullopt, {}};
+  const fuzz::Shown text{view};
   const std::uint64_t which = order.word();
   Planes planes;
   for (PolygonId p = 0; p < count; ++p) {

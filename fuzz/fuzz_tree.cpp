@@ -19,7 +19,7 @@ auto into(Order& order) {
 
 /// Both trees have the same names, sizes and orders of display.
 void expect_same(const SceneFile& view, const ref::BspTree& tree,
-                 const fast::BspTree& other, const std::string& text) {
+                 const fast::BspTree& other, const fuzz::Shown& text) {
   HALFSPACE_FUZZ_EXPECT(fast::name_of(other) == ref::name_of(tree), text);
   HALFSPACE_FUZZ_EXPECT(fast::stats(other) == ref::stats(tree), text);
   Order near_first, far_first, other_near_first, other_far_first;
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   fuzz::Bytes bytes(data, size);
   const BuildOptions options = fuzz::build_options_of(bytes);
   const SceneFile view = fuzz::view_of(bytes);
-  const std::string text = write_scene(view);
+  const fuzz::Shown text{view};
   const ref::BspTree tree = ref::build(view.scene, options);
   const TreeName name = ref::name_of(tree);
   HALFSPACE_FUZZ_EXPECT(definition::build(view.scene, options) == name, text);

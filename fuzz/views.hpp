@@ -4,6 +4,7 @@
 #include "generate/shapes.hpp"
 #include "generate/viewpoints.hpp"
 #include "halfspace/bsp_tree.hpp"
+#include "halfspace/scene_file.hpp"
 
 /// What the bytes of a fuzzer mean to the generators of proptest/.
 namespace halfspace::fuzz {
@@ -61,5 +62,11 @@ inline SceneFile view_of(Bytes& bytes) {
   const generate::ViewRecipe view = view_recipe_of(bytes);
   return generate::make(generate::make(scene_recipe_of(bytes)), view);
 }
+
+/// The scene's text, written only where something is not so.
+struct Shown {
+  const SceneFile& view;
+  explicit operator std::string() const { return write_scene(view); }
+};
 
 }  // namespace halfspace::fuzz

@@ -34,6 +34,7 @@ LIBRARIES = {
     "io": {"spec", "io"},
     "shadow": {"spec", "ref", "fast", "shadow"},
     "csg": {"spec", "ref", "fast", "io", "csg"},
+    "face": {"spec", "fast", "io", "csg", "face"},
 }
 PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples")
 
@@ -152,11 +153,16 @@ def find(root, path, name, known):
     return None
 
 
-def check_include(path, name, target, all_rooms):
+def check_include(path, name, target, all_rooms, known):
     """What is wrong with an include of `target`, if it is a known file."""
     library = re.fullmatch(r"halfspace/(?:(\w+)/(?:\w+/)*)?\w+\.hpp", name)
     if library:
-        other = library[1] or "spec"
+        # Types have no folder of their own: the vocabulary's, and the face's.
+        other = library[1] or next(
+            (top for top in ("spec", "face")
+             if pathlib.Path(top, "include", name) in known), None)
+        if other is None:
+            return "no such file"
         top = path.parts[0]
         if top in LIBRARIES and owner(path) != f"{top}/test" and \
                 other not in LIBRARIES[top]:
@@ -196,7 +202,7 @@ def check_includes(root, files):
         for name in INCLUDE.findall((root / path).read_text()):
             target = None if name.startswith("halfspace/") else find(
                 root, path, name, known)
-            said = check_include(path, name, target, all_rooms)
+            said = check_include(path, name, target, all_rooms, known)
             if said and (str(path), name) in WAITING:
                 waiting.add((str(path), name))
             elif said:

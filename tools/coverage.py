@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Measures what the tests reach in ref/ and the core of fast/, by clang 19.
 
-  tools/coverage.py                     all of it, and writes docs/coverage.md
+  tools/coverage.py                     all of it, into out/coverage.md
   tools/coverage.py --tests ref_test,vectors_test     by these tests only
   tools/coverage.py --no-build          by what build/coverage holds
   tools/coverage.py --no-run            by what was noted last
-  tools/coverage.py --print             to the terminal, not into the document
+  tools/coverage.py --print             to the terminal
 
 Lines, branches (every outcome of every condition) and MC/DC (every condition
 seen to decide by itself). What cannot happen is marked in the source, on the
@@ -33,6 +33,8 @@ import re
 import subprocess
 import sys
 
+from mutate import suites_of
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FLAGS = ("-O1 -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc "
          "-fprofile-update=atomic")  # or threads lose counts
@@ -41,26 +43,31 @@ TESTS = {
     "ref_test": "*", "vectors_test": "*Implementations*",
     "exhaustive_test": "*", "agree_tree_test": "*", "agree_image_test": "*",
     "agree_display_tree_test": "*", "agree_boolean_test": "*",
-    "fast_test": "FastRender*:Insert*:Build*:DisplayTree.O*:DisplayTree.L*:"
-                 "FastBoolean*:FastChain*:FastResolve*:FastNonsense*:"
+    "fast_test": suites_of("tree", "table", "solid", "intersect", "boolean") +
+                 ":DynamicScreen*:FastRender*:DisplayTree.O*:DisplayTree.L*"
                  "-*ManyPairs*",
 }
 SOURCES = {
     "The reference": ["ref/src", "ref/include"],
     "The core of the fast library": [
         f"fast/src/{name}" for name in (
-            "dynamic_screen.cpp", "screen.cpp", "split.cpp", "cut.hpp", "geometry.cpp",
-            "geometry.hpp", "predicate.cpp", "filter.hpp", "exact.hpp",
-            "splitter.cpp", "root_rule.hpp", "build.cpp", "tree_builder.cpp",
-            "tree_builder.hpp", "insert.cpp", "traverse.cpp", "walk.hpp",
-            "boolean_truth.hpp", "boolean_parts.cpp", "boolean_parts.hpp",
-            "boolean_emit.cpp", "boolean_faces.cpp",
-            "boolean_result.cpp")],
+            "raster/dynamic_screen.cpp",
+            "raster/kernel/generic/coverage_merge.hpp",
+            "exact/filter.hpp", "exact/exact_plane.hpp", "tree/split.cpp",
+            "tree/split_walk.hpp", "tree/scene_planes.cpp",
+            "tree/scene_planes.hpp", "tree/predicate.cpp", "tree/splitter.cpp",
+            "tree/choose_root.hpp", "tree/build.cpp",
+            "tree/fragment_splitter.cpp", "tree/fragment_splitter.hpp",
+            "tree/insert.cpp", "tree/traverse.cpp", "tree/traversal.hpp",
+            "intersect/candidates.cpp", "intersect/candidates.hpp",
+            "boolean/membership.hpp", "boolean/emit.cpp",
+            "boolean/assemble.cpp", "solid/loops.cpp")],
 }
 # Those of which MC/DC is asked: merging, sides, classes, traversal.
 DECISIONS = re.compile(
-    r"/(screen|merge|predicate|geometry|filter|classify|traverse|walk|cut"
-    r"|split|boolean_truth|boolean_parts|boolean_emit|boolean_faces)\.")
+    r"/(screen|dynamic_screen|coverage_merge|predicate|scene_planes|filter"
+    r"|classify|traverse|traversal|split_walk|split|membership|candidates|emit"
+    r"|assemble)\.")
 MARK = re.compile(r"// Never (true|false|alone|reached): (.*)")
 
 
@@ -328,14 +335,10 @@ def report(files, tests):
     return "\n".join(parts), len(missing)
 
 
-BEGIN, END = "<!-- made by tools/coverage.py -->", "<!-- end -->"
-
-
-def write(text):
-    path = ROOT / "docs/coverage.md"
-    head, rest = path.read_text().split(BEGIN)
-    path.write_text(head + BEGIN + "\n\n" + text + "\n" + END +
-                    rest.split(END)[1])
+def absent():
+    """The sources that are not there: they have been moved or renamed."""
+    return [name for names in SOURCES.values() for name in names
+            if not (ROOT / name).exists()]
 
 
 def main():
@@ -346,6 +349,8 @@ def main():
     parser.add_argument("--no-run", action="store_true")
     parser.add_argument("--print", action="store_true")
     arguments = parser.parse_args()
+    if absent():
+        sys.exit(f"coverage.py: not there: {', '.join(absent())}")
     tests = arguments.tests.split(",")
     folder = ROOT / "build/coverage"
     if not arguments.no_build and not arguments.no_run:
@@ -361,7 +366,8 @@ def main():
     if arguments.print:
         print(text)
     else:
-        write(text)
+        (ROOT / "out").mkdir(exist_ok=True)
+        (ROOT / "out/coverage.md").write_text(text)
     print("\n".join(wrong + [f"{missing} missing, {len(wrong)} marks wrong"]))
     return 2 if wrong else 1 if missing else 0
 

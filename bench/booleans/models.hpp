@@ -6,7 +6,7 @@
 
 #include "halfspace/boolean.hpp"
 
-/// Solids made in code, so that anyone can measure on the same ones.
+/// Solids made in code, so that measurements can be repeated anywhere.
 namespace halfspace::bench {
 
 /// A closed surface of triangles on the grid.
@@ -15,15 +15,15 @@ struct Triangles {
   std::vector<std::array<VertexId, 3>> corners;
 };
 
-/// How a sphere lies. Units: grid steps; radians.
+/// The position of a sphere. Units: grid steps; radians.
 struct Placement {
   std::array<double, 3> centre{};
   double radius = 0x1p23;
   double turn = 0;  ///< about the axis (1, 2, 3)
 };
 
-/// A sphere of 4 n (n - 1) triangles: n bands of 2n triangles or pairs of
-/// them, every corner rounded to the grid.
+/// A sphere of 4 n (n - 1) triangles in n bands, every corner rounded to the
+/// grid.
 Triangles sphere(int bands, const Placement& placement);
 
 /// The number of bands with which a sphere has about as many triangles.
@@ -36,16 +36,15 @@ Triangles block(const GridPoint& low, const GridPoint& high);
 Triangles prism(int corners, const GridPoint& base, std::int64_t radius,
                 std::int64_t height);
 
-/// The pyramid with the tip, over the square of that side on the plane z = 0
-/// from the origin on.
+/// The pyramid over the square with corners (0, 0, 0) and (side, side, 0).
 /// Requires: the tip is above that plane.
 Triangles pyramid(std::int64_t side, const GridPoint& tip);
 
-/// The square bars that make a Menger sponge of the level out of a block of
-/// 3^level a side, at the origin, times `scale`: coarse ones first.
+/// The square bars that, taken away from the block from the origin to 3^level
+/// on every axis, leave a Menger sponge; all times `scale`, coarse bars first.
 std::vector<Triangles> menger_bars(int level, std::int64_t scale);
 
-/// The same as a valid solid, of one colour.
+/// The surface as a valid solid of one colour.
 GridSolid solid_of(const Triangles& triangles);
 
 }  // namespace halfspace::bench

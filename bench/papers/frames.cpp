@@ -52,7 +52,7 @@ const std::vector<std::string> kHead = {"figure",         "S",
                                         "Gouraud, back",  "Gouraud, front",
                                         "front / back",   "paper"};
 
-/// What the paper's text says of a point of its figures; empty if nothing.
+/// The paper's text on a point of its figures; empty if it has none.
 struct Said {
   const char* constant;
   const char* gouraud;

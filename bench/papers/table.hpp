@@ -19,7 +19,7 @@ std::string to_csv(const Table& table);
 /// The table as Markdown, columns as wide as their widest cell.
 std::string to_markdown(const Table& table);
 
-/// `value` with so many digits in all, but whole numbers in full.
+/// `value` with at most `count` significant digits; integers in full.
 std::string digits(double value, int count = 3);
 
 /// Writes `text`; false where the file cannot be written.

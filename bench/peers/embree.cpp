@@ -16,7 +16,7 @@ namespace {
 constexpr std::int32_t kStreamWidth = 16;
 constexpr std::int32_t kStreamHeight = 8;
 
-/// What a packet hit, lane by lane.
+/// The hits of a packet, lane by lane.
 struct Hits {
   const unsigned* triangles;
   const float* u;

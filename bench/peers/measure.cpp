@@ -12,11 +12,11 @@ namespace {
 class Bench {
  public:
   Bench(const Soup& soup, const Checks& checks, const Repeats& repeats,
-        std::vector<Complaint>& complaints)
+        std::vector<WrongPicture>& wrong_pictures)
       : soup_(soup),
         checks_(checks),
         repeats_(repeats),
-        complaints_(complaints) {}
+        wrong_pictures_(wrong_pictures) {}
 
   PeerCosts costs() {
     plain_peers();
@@ -43,7 +43,7 @@ class Bench {
       }
       share = share_equal(items, expected);
     }
-    if (share < checks_.share_least) complaints_.push_back({name, share});
+    if (share < checks_.share_least) wrong_pictures_.push_back({name, share});
   }
 
   void plain_peers() {
@@ -66,7 +66,7 @@ class Bench {
       std::string why;
       const auto peer = make_llvmpipe(soup_, order_of(soup_, order), true, why);
       if (!peer) {
-        complaints_.push_back({"llvmpipe: " + why, 0});
+        wrong_pictures_.push_back({"llvmpipe: " + why, 0});
         return;
       }
       check(*peer, std::string("llvmpipe, ") + name, true);
@@ -82,7 +82,7 @@ class Bench {
     std::string why;
     const auto peer =
         make_llvmpipe(soup_, order_of(soup_, Order::kBackToFront), false, why);
-    if (!peer) return;  // llvmpipe() has complained
+    if (!peer) return;  // llvmpipe() has reported it
     check(*peer, "llvmpipe without depth", checks_.painters_agree);
     costs_.llvmpipe_no_depth = time(*peer, Look::kFlat);
   }
@@ -109,7 +109,7 @@ class Bench {
   const Soup& soup_;
   const Checks& checks_;
   Repeats repeats_;
-  std::vector<Complaint>& complaints_;
+  std::vector<WrongPicture>& wrong_pictures_;
   PeerCosts costs_;
 };
 
@@ -117,8 +117,8 @@ class Bench {
 
 PeerCosts measure_peers(const Soup& soup, const Checks& checks,
                         const Repeats& repeats,
-                        std::vector<Complaint>& complaints) {
-  return Bench(soup, checks, repeats, complaints).costs();
+                        std::vector<WrongPicture>& wrong_pictures) {
+  return Bench(soup, checks, repeats, wrong_pictures).costs();
 }
 
 }  // namespace halfspace::bench

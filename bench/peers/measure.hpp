@@ -11,7 +11,7 @@
 
 namespace halfspace::bench {
 
-/// What one workload costs the peers. Units: ms of processor time a frame, in
+/// The peers' costs for one workload. Units: ms of processor time a frame, in
 /// one thread; nothing where it was not measured.
 struct PeerCosts {
   std::optional<double> llvmpipe_flat;      ///< z-buffer, the best of orders
@@ -26,18 +26,18 @@ struct PeerCosts {
   std::string embree_packets;
 };
 
-/// Peers that drew something other than what they should have.
-struct Complaint {
+/// A peer whose picture is wrong.
+struct WrongPicture {
   std::string peer;
   double share_equal;  ///< of the pixels that are compared
 };
 
 /// Which pictures are compared.
 struct Checks {
-  /// The item image that everyone should agree with, but for rounding.
+  /// The item image that all peers should give, up to rounding.
   std::vector<PolygonId> items;
-  /// Whether whole triangles back to front give that image, too; where they do
-  /// not, painters are only compared in what is background.
+  /// Whether painting whole triangles back to front gives that image. Else only
+  /// the background of painters' pictures is compared.
   bool painters_agree;
   /// The least share of equal pixels.
   double share_least = 0.99;
@@ -46,6 +46,6 @@ struct Checks {
 /// Measures every peer on the soup, and checks what each draws.
 PeerCosts measure_peers(const Soup& soup, const Checks& checks,
                         const Repeats& repeats,
-                        std::vector<Complaint>& complaints);
+                        std::vector<WrongPicture>& wrong_pictures);
 
 }  // namespace halfspace::bench

@@ -8,16 +8,16 @@
 
 namespace halfspace::bench {
 
-/// What a frame shows.
+/// The content of a frame.
 enum class Look {
   kFlat,    ///< the colour of each triangle
   kSmooth,  ///< corner colours, interpolated
-  kIds,     ///< id_pixel() of each triangle, to check what is measured
+  kIds,     ///< id_pixel() of each triangle, to check the picture
 };
 
-/// A program that draws the same picture some other way, set up for one scene
-/// and one camera. What a tree holds beforehand, a peer may hold beforehand
-/// too: vertex buffers, a sorted order, a ray tracer's own tree.
+/// Another program that draws the same picture, set up for one scene and one
+/// camera. Like our tree, vertex buffers, a sorted order or a ray tracer's
+/// hierarchy are made beforehand.
 class Peer {
  public:
   Peer() = default;

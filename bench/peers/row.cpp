@@ -32,7 +32,8 @@ constexpr std::size_t kMostPainted = 10'000;
 
 void measure_painter(const Scene& scene, const Camera& camera, const Plan& plan,
                      const fast::Rendering& flat, const fast::Rendering& smooth,
-                     OurCosts& costs, std::vector<Complaint>& complaints) {
+                     OurCosts& costs,
+                     std::vector<WrongPicture>& wrong_pictures) {
   const Built built = build_by_rule(scene, {});
   Ours ours(scene, built.tree, camera);
   const auto time = [&](Shading shading) {
@@ -40,17 +41,17 @@ void measure_painter(const Scene& scene, const Camera& camera, const Plan& plan,
   };
   costs.painter_flat = time(Shading::kFlat);
   if (ours.frame().colors != flat.colors) {
-    complaints.push_back({"ours, back to front, flat", 0});
+    wrong_pictures.push_back({"ours, back to front, flat", 0});
   }
   costs.painter_smooth = time(Shading::kGouraud);
   if (ours.frame().colors != smooth.colors) {
-    complaints.push_back({"ours, back to front, smooth", 0});
+    wrong_pictures.push_back({"ours, back to front, smooth", 0});
   }
 }
 
 OurCosts measure_ours(const Scene& scene, const Camera& camera,
                       const Plan& plan, std::vector<PolygonId>& items,
-                      std::vector<Complaint>& complaints) {
+                      std::vector<WrongPicture>& wrong_pictures) {
   OurCosts costs;
   forget_peak();
   const Built built = build_for_display(scene);
@@ -72,18 +73,18 @@ OurCosts measure_ours(const Scene& scene, const Camera& camera,
   const fast::Rendering flat_frame = ours.frame();
   if (smooth_colors != smooth_frame.colors ||
       flat_colors != flat_frame.colors) {
-    complaints.push_back({"ours, colours alone", 0});
+    wrong_pictures.push_back({"ours, colours alone", 0});
   }
   items = flat_frame.items.pixels;
   costs.elapsed_one = elapsed_time(flat, plan.repeats).least;
   costs.elapsed_two =
       elapsed_time([&] { ours.draw(Shading::kFlat, 2); }, plan.repeats).least;
   if (ours.frame().colors != flat_frame.colors) {
-    complaints.push_back({"ours, two threads", 0});
+    wrong_pictures.push_back({"ours, two threads", 0});
   }
   if (plan.back_to_front && scene.polygon_count() <= kMostPainted) {
     measure_painter(scene, camera, plan, flat_frame, smooth_frame, costs,
-                    complaints);
+                    wrong_pictures);
   }
   return costs;
 }
@@ -97,7 +98,7 @@ Row measure_row(const Workload& workload, const Scene& scene,
   row.polygons = scene.polygon_count();
   const Camera camera = workload.camera(scene, plan.view, plan.size_px);
   std::vector<PolygonId> items;
-  row.ours = measure_ours(scene, camera, plan, items, row.complaints);
+  row.ours = measure_ours(scene, camera, plan, items, row.wrong_pictures);
 
   std::unordered_set<PolygonId> seen(items.begin(), items.end());
   seen.erase(kBackground);
@@ -106,7 +107,7 @@ Row measure_row(const Workload& workload, const Scene& scene,
   row.overdraw = overdraw_of(soup);
   const Checks checks = {items, workload.parallel && plan.view == View::kFront};
   if (plan.peers) {
-    row.peers = measure_peers(soup, checks, plan.repeats, row.complaints);
+    row.peers = measure_peers(soup, checks, plan.repeats, row.wrong_pictures);
   }
   return row;
 }

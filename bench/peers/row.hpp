@@ -12,8 +12,8 @@
 
 namespace halfspace::bench {
 
-/// What a workload costs the fast library. Units: ms of processor time in one
-/// thread, but for the two elapsed times.
+/// The fast library's costs for a workload. Units: ms of processor time in one
+/// thread, except the two elapsed times.
 struct OurCosts {
   double flat = 0;
   double smooth = 0;
@@ -27,7 +27,7 @@ struct OurCosts {
   TreeStats stats;
 };
 
-/// What to measure.
+/// The measurements to make.
 struct Plan {
   View view = View::kFront;
   std::int32_t size_px = 1500;
@@ -44,7 +44,7 @@ struct Row {
   std::size_t visible = 0;  ///< polygons that are seen somewhere
   OurCosts ours;
   PeerCosts peers;
-  std::vector<Complaint> complaints;
+  std::vector<WrongPicture> wrong_pictures;
 };
 
 /// Measures the workload with all programs, and checks every picture: those of

@@ -16,7 +16,7 @@ struct SharedVertex {
 };
 
 /// Triangles as vertices and three indices each, every vertex transformed once
-/// a frame: the best form for whoever transforms vertices.
+/// a frame: the best form for programs that transform vertices.
 struct SharedVertices {
   std::vector<SharedVertex> vertices;
   std::vector<std::uint32_t> indices;

@@ -14,11 +14,11 @@ TEST(BenchPeers, EveryPeerDrawsTheExactImage) {
   const Camera camera = universe_camera(View::kFront, 120);
   const Soup soup = make_soup(scene, camera);
   const Checks checks = {ref::zbuffer(scene, camera, {}).items.pixels, true};
-  std::vector<Complaint> complaints;
+  std::vector<WrongPicture> wrong_pictures;
   const PeerCosts costs =
-      measure_peers(soup, checks, {.most = 1, .budget_ms = 1}, complaints);
-  for (const Complaint& complaint : complaints) {
-    ADD_FAILURE() << complaint.peer << ": " << complaint.share_equal;
+      measure_peers(soup, checks, {.most = 1, .budget_ms = 1}, wrong_pictures);
+  for (const WrongPicture& wrong : wrong_pictures) {
+    ADD_FAILURE() << wrong.peer << ": " << wrong.share_equal;
   }
   for (const auto& cost :
        {costs.llvmpipe_flat, costs.llvmpipe_smooth, costs.llvmpipe_no_depth,
@@ -35,9 +35,9 @@ TEST(BenchPeers, AnEmptyPictureIsAComplaint) {
   const Soup soup = make_soup(scene, camera);
   const Checks checks = {
       std::vector<PolygonId>(std::size_t{120} * 120, kBackground), true};
-  std::vector<Complaint> complaints;
-  measure_peers(soup, checks, {.most = 1, .budget_ms = 1}, complaints);
-  EXPECT_EQ(complaints.size(), 9u);
+  std::vector<WrongPicture> wrong_pictures;
+  measure_peers(soup, checks, {.most = 1, .budget_ms = 1}, wrong_pictures);
+  EXPECT_EQ(wrong_pictures.size(), 9u);
 }
 
 }  // namespace

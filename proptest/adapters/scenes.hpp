@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "halfspace/plane.hpp"
 #include "halfspace/scene.hpp"
 
 /// What several laws make of a scene.

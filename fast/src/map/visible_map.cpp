@@ -133,7 +133,7 @@ Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
   bool too_many = false;
   const auto show = [&](const Node& node, int sign) {
     return for_fragments(tree, node, [&](const TreeFragment& fragment) {
-      const int eye_sign = fragment.turned != 0 ? -sign : sign;
+      const int eye_sign = fragment.flipped != 0 ? -sign : sign;
       if (options.cull && eye_sign < 0) return true;
       cells.light(sides.of(fragment, eye_sign), fragment.source);
       too_many = cells.cell_count() > limits.most_cells;

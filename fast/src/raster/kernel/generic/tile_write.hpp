@@ -253,6 +253,8 @@ struct TileWrite : Shade<Simd> {
 
   /// Tiles of up to this many masks are put together in the image. Lines there
   /// begin anywhere, which makes more masks slower than a tile of its own.
+  /// Without them frames with items and smooth colours of large triangles take
+  /// 2 to 5 % longer.
   static constexpr std::int32_t kMasksInImage = 3;
 
   /// Whether few masks, and `covered`, cover all of a tile.

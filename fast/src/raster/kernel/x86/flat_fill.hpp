@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#if defined(__AVX512F__)
+#if defined(__AVX512VBMI__)
 #include "raster/kernel/x86/color_store_avx512.hpp"
 #else
 #include "raster/kernel/x86/color_store_avx2.hpp"
@@ -58,7 +58,8 @@ struct FlatFill : ColorStore {
     FlatColor color;
   };
 
-  /// More parts than this are put together part by part.
+  /// More parts than this are put together part by part. Without this path flat
+  /// frames of large triangles take 4 to 5 % more instructions.
   static constexpr int kMostFlatParts = 6;
 
   /// The parts of a tile: what is `at_hand`, if any, and its masks; what was

@@ -245,7 +245,8 @@ struct GouraudBlocks : GouraudLines {
     }
   }
 
-  /// Fewer eights of pixels are faster divided.
+  /// Fewer eights of pixels are faster divided. Without blocks smooth frames of
+  /// large triangles take 14 to 16 % more instructions.
   static constexpr int kFewEights = 8;
 
   /// Colours the pixels `bits` of a tile by the gradient and gives those in

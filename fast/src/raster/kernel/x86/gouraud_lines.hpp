@@ -23,8 +23,9 @@ struct GouraudLines : FlatFill {
     std::int32_t doubt;
   };
 
-  /// Gets ready for the pixels `bits` of the lines `rows`; false: better line
-  /// by line.
+  /// Prepares the pixels `bits` of the lines `rows`; false: they are better
+  /// coloured line by line. One preparation for all lines saves 5 to 11 % of
+  /// the instructions of smooth frames of small triangles.
   ///
   /// As shade_line(), from the pixel on that is the leftmost of all, in the
   /// first line: with j lines from there and a denominator 1 + d k + d' j. Let
