@@ -22,6 +22,20 @@ install(EXPORT halfspaceTargets
         NAMESPACE halfspace::
         DESTINATION ${HALFSPACE_PACKAGE_DIR})
 
+# For users without CMake: what a static library needs goes with it.
+set(HALFSPACE_PC_LIBS "-lhalfspace")
+if(NOT HALFSPACE_SHARED)
+  string(APPEND HALFSPACE_PC_LIBS " -lhalfspace_csg -lhalfspace_fast"
+         " -lhalfspace_io -lhalfspace_ref -lhalfspace_spec -ltbb -lpng -lz")
+  if(HALFSPACE_REF_NUMBER STREQUAL "gmp")
+    string(APPEND HALFSPACE_PC_LIBS " -lgmp")
+  endif()
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/halfspace.pc.in
+               ${CMAKE_CURRENT_BINARY_DIR}/halfspace.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/halfspace.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/halfspaceConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/halfspaceConfig.cmake

@@ -213,6 +213,7 @@ void Planner::take_item(const Raw& from, Step& step) {
   // Turned inside out, the plane would face the other way.
   const bool mirrored = determinant_sign(matrix) < 0;
   Plane plane;
+  plane.half = from.node->item;
   plane.place = step.place;
   for (std::size_t i = 0; i < 3; ++i)
     plane.points[i] = image_of(matrix, points[mirrored ? 2 - i : i]);

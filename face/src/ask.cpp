@@ -113,11 +113,10 @@ Result<Mesh> Solid::mesh(const MeshOptions& options) const {
     mesh.vertices.push_back({v[0], v[1], v[2]});
   mesh.first_corner = exported.first_corner;
   mesh.corners = exported.corners;
-  const auto operands = static_cast<std::int32_t>((*evaluation)->uses.size());
   for (const std::int32_t f : exported.faces) {
     const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
     mesh.origins.push_back(
-        face.part < operands ? Origin{face.part, face.polygon} : Origin{});
+        {static_cast<std::uint32_t>(face.part), face.polygon});
   }
   detail::carry_properties(**evaluation, solid, exported, mesh);
   return mesh;
@@ -149,6 +148,8 @@ Result<std::vector<Solid>> Solid::operands() const {
   std::vector<Solid> solids;
   for (const Evaluation::Use& use : (*evaluation)->uses)
     solids.push_back(SolidNode::solid_of(use.node));
+  for (const Evaluation::Cut& cut : (*evaluation)->cuts)
+    solids.push_back(SolidNode::solid_of(cut.node));
   return solids;
 }
 

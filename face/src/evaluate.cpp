@@ -17,6 +17,7 @@ using Node = std::shared_ptr<const SolidNode>;
 struct Lowered {
   csg::Script script;
   std::vector<Node> leaves;  ///< by file of the script
+  std::vector<Node> halves;  ///< by half-space of the script
 };
 
 /// Puts the nodes below `root` after their operands. No recursion.
@@ -56,6 +57,7 @@ class Lowering {
     } else if (node->kind == csg::NodeKind::kHalf) {
       made.item = static_cast<std::int32_t>(script.halves.size());
       script.halves.push_back(node->half);
+      result_.halves.push_back(node);
     } else if (node->kind == csg::NodeKind::kTransform) {
       made.item = static_cast<std::int32_t>(script.transforms.size());
       script.transforms.push_back(node->matrix);
@@ -112,6 +114,12 @@ Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
                       std::pow(static_cast<double>(report.unit.base),
                                static_cast<double>(report.unit.exponent)),
                       report.grid_bits};
+  for (std::size_t i = 0; i < plan->planes.size(); ++i) {
+    const auto half = static_cast<std::size_t>(plan->planes[i].half);
+    const auto points = operands->plane(static_cast<std::int32_t>(i));
+    if (!points) return points.error();
+    result->cuts.push_back({lowered->halves[half], *points});
+  }
   return result;
 }
 

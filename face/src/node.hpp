@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -54,6 +55,13 @@ struct Evaluation {
     csg::Matrix matrix;
   };
   std::vector<Use> uses;
+  /// By plane of the plan: the half-space, and points of the plane on the grid,
+  /// counterclockwise as seen from outside.
+  struct Cut {
+    std::shared_ptr<const SolidNode> node;
+    std::array<GridPoint, 3> points;
+  };
+  std::vector<Cut> cuts;
   RoundingReport rounding;
   std::mutex mutex;
 };

@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "halfspace/glm.hpp"
 #include "halfspace/halfspace.hpp"
 
 namespace halfspace {
@@ -119,7 +120,7 @@ TEST(FaceSolid, OriginsNameOperandsAndPolygons) {
   ASSERT_EQ(mesh.origins.size(), mesh.polygon_count());
   std::size_t of_plate = 0, of_drill = 0;
   for (const Origin& origin : mesh.origins) {
-    const Solid& from = operands[static_cast<std::size_t>(origin.operand)];
+    const Solid& from = operands[origin.operand];
     of_plate += from == plate ? 1u : 0u;
     of_drill += from.name() == "drill" ? 1u : 0u;
   }
@@ -196,6 +197,12 @@ TEST(FaceSolid, HullsAndPrismsAreExact) {
   EXPECT_EQ(*hull.exact_volume(), "0.064");
   EXPECT_EQ(hull.mesh()->polygon_count(), 6u);
   EXPECT_EQ(hull.rounding()->moved, 0u);
+  // Products are not the decimals; rounded to a grid they have its steps,
+  // though they are multiples of longer ones there.
+  for (Point& p : points) p = {0.1 * (10 * p.x), 0.1 * (10 * p.y), p.z};
+  const Solid computed = Solid::hull(points);
+  EXPECT_NEAR(*computed.volume(), 0.064, 1e-11);
+  EXPECT_GT(computed.rounding()->moved, 0u);
   const Outline outline{{{0, 0}, {4, 0}, {4, 3}, {2, 1}, {0, 3}},
                         {{{1, 0.5}, {3, 0.5}, {2, 0.75}}}};
   EXPECT_EQ(*Solid::prism(outline, 0.5).exact_volume(), "3.875");
@@ -217,6 +224,46 @@ TEST(FaceSolid, PointsAreInsideOnAndOutside) {
   EXPECT_FALSE(*cube(1).contains(cube(2)));
   EXPECT_FALSE(*cube(1).overlaps(cube(1).translated({1, 0, 0})));
   EXPECT_TRUE(*cube(1).overlaps(cube(1).translated({0.9, 0, 0})));
+}
+
+TEST(FaceSolid, MatricesOfGlmAreMaps) {
+  glm::dmat4 matrix(1);
+  matrix[3] = {1, 2, 3, 1};
+  matrix[0][0] = 2;
+  const Solid moved = cube(1).transformed(to_map(matrix));
+  EXPECT_EQ(*moved.bounds(), (Bounds{{1, 2, 3}, {3, 3, 4}}));
+  EXPECT_EQ(to_point(to_glm({1, 2, 3})), (Point{1, 2, 3}));
+}
+
+TEST(FaceSolid, ClosedSolidsTouchWhereTheyHaveAPoint) {
+  const Solid a = cube(1);
+  EXPECT_TRUE(*a.touches(cube(1).translated({1, 0, 0})));        // a face
+  EXPECT_TRUE(*a.touches(cube(0.5).translated({1, 0.1, 0.2})));  // in a face
+  EXPECT_TRUE(*a.touches(cube(1).translated({1, 1, 0.3})));      // an edge
+  EXPECT_TRUE(*a.touches(cube(1).translated({1, 1, 1})));        // a corner
+  EXPECT_TRUE(*a.touches(cube(1).translated({0.5, 0.5, 0.5})));
+  EXPECT_FALSE(*a.touches(cube(1).translated({1.0001, 0, 0})));
+  EXPECT_FALSE(*a.touches(Solid()));
+  // An edge across a face, with no corner of either on the other.
+  const Solid roof = Solid::prism({{{1, 0.5}, {3, -1}, {3, 2}}}, 4);
+  EXPECT_TRUE(*a.touches(roof.translated({0, 0, -2})));
+  EXPECT_FALSE(*a.touches(roof.translated({0.001, 0, -2})));
+}
+
+TEST(FaceSolid, SectionsAreRegionsWithHoles) {
+  const Solid pipe =
+      Solid::box({0, 0, 0}, {4, 4, 9}) - Solid::box({1, 1, -1}, {3, 3, 10});
+  const auto across = *pipe.section({{0, 0, 1}, 4.5});
+  ASSERT_EQ(across.size(), 1u);
+  EXPECT_EQ(across[0].boundary.size(), 4u);
+  ASSERT_EQ(across[0].holes.size(), 1u);
+  EXPECT_EQ(across[0].holes[0].size(), 4u);
+  for (const Point& p : across[0].boundary) EXPECT_EQ(p.z, 4.5);
+  EXPECT_EQ(pipe.section({{1, 0, 0}, 2})->size(), 2u);
+  // At its top the solid is below, and at its bottom it is not.
+  EXPECT_EQ(pipe.section({{0, 0, 1}, 9})->size(), 1u);
+  EXPECT_EQ(pipe.section({{0, 0, 1}, 0})->size(), 0u);
+  EXPECT_EQ(pipe.section({{0, 0, 1}, 20})->size(), 0u);
 }
 
 TEST(FaceSolid, TextAndFilesAreOperands) {

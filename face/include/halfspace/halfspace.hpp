@@ -1,5 +1,7 @@
 #pragma once
 
 /// The library in one header (docs/library.md): solids, meshes, pictures.
+#include "halfspace/display.hpp"
 #include "halfspace/mesh.hpp"
 #include "halfspace/solid.hpp"
+#include "halfspace/version.hpp"

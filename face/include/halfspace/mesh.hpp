@@ -34,10 +34,10 @@ struct Bounds {
 
 /// Where a polygon of a result comes from.
 struct Origin {
-  /// Index in Solid::operands(); -1: a half-space, which has no polygons.
-  std::int32_t operand = -1;
-  /// The polygon of that operand; of faces that were made one, the first.
-  std::int32_t polygon = -1;
+  std::uint32_t operand = 0;  ///< index in Solid::operands()
+  /// The polygon of that operand: of faces that were made one, the first; of a
+  /// half-space 0.
+  std::int32_t polygon = 0;
   friend bool operator==(const Origin&, const Origin&) = default;
 };
 

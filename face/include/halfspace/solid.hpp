@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "halfspace/api.hpp"
 #include "halfspace/mesh.hpp"
 #include "halfspace/result.hpp"
 
@@ -28,7 +29,7 @@ struct WorkOptions {
   int threads = 0;  ///< 0: as many as the machine has
   /// Receives the share that is done, 0 to 1, one call at a time; where it
   /// returns false the work stops, with the error kStopped.
-  std::function<bool(double)> progress;
+  std::function<bool(double)> progress = {};
 };
 
 /// How a mesh or a file becomes a solid.
@@ -68,7 +69,7 @@ using AffineMap = std::array<std::array<double, 4>, 3>;
 /// joined to its first.
 struct Outline {
   std::vector<Point2> points;
-  std::vector<std::vector<Point2>> holes;
+  std::vector<std::vector<Point2>> holes = {};
 };
 
 /// The plane normal . p = offset; its negative side is where normal . p is
@@ -112,7 +113,7 @@ struct RoundingReport {
 ///   codes of reading; kOutOfRange (no grid holds all operands); kOpen,
 ///   kInsideOut, kSelfCrossing (an operand is no solid; the message names it
 ///   and where); kUnbounded (a result that reaches infinitely far).
-class Solid {
+class HALFSPACE_API Solid {
  public:
   /// The empty solid.
   Solid();
@@ -172,11 +173,11 @@ class Solid {
 
   /// Union, difference, intersection, symmetric difference, complement; all
   /// regularised. Of faces that coincide the first solid's is kept.
-  friend Solid operator+(const Solid& a, const Solid& b);
-  friend Solid operator-(const Solid& a, const Solid& b);
-  friend Solid operator&(const Solid& a, const Solid& b);
-  friend Solid operator^(const Solid& a, const Solid& b);
-  friend Solid operator~(const Solid& a);
+  friend HALFSPACE_API Solid operator+(const Solid& a, const Solid& b);
+  friend HALFSPACE_API Solid operator-(const Solid& a, const Solid& b);
+  friend HALFSPACE_API Solid operator&(const Solid& a, const Solid& b);
+  friend HALFSPACE_API Solid operator^(const Solid& a, const Solid& b);
+  friend HALFSPACE_API Solid operator~(const Solid& a);
   Solid& operator+=(const Solid& other) { return *this = *this + other; }
   Solid& operator-=(const Solid& other) { return *this = *this - other; }
   Solid& operator&=(const Solid& other) { return *this = *this & other; }
@@ -202,7 +203,7 @@ class Solid {
   /// are written exactly. Errors: kUnwritable, kUnknownFormat, too.
   Result<Done> save(const std::filesystem::path& path,
                     const MeshOptions& options = {}) const;
-  /// The operands that the result was made of, in the order that
+  /// The operands that the result was made of, unmoved, half-spaces last: as
   /// Origin::operand counts.
   Result<std::vector<Solid>> operands() const;
   /// What rounding did to the operands.

@@ -5,6 +5,34 @@
 namespace halfspace::fast {
 namespace {
 
+/// A fragment of a tree as the only one of another.
+BspTree tree_of(const Scene& scene, const BspTree& tree,
+                const TreeFragment& fragment) {
+  const auto points = static_cast<std::int32_t>(scene.data().vertices.size());
+  const auto polygons = static_cast<PlaneId>(scene.polygon_count());
+  BspTree result;
+  for (std::uint32_t k = 0; k < fragment.corner_count; ++k) {
+    Corner corner = tree.corners[fragment.first_corner + k];
+    if (corner.vertex >= points) {
+      const auto cut = static_cast<std::size_t>(corner.vertex - points);
+      corner.vertex =
+          points + static_cast<std::int32_t>(result.cut_vertices.size());
+      result.cut_vertices.push_back(tree.cut_vertices[cut]);
+    }
+    const PlaneId plane = -1 - corner.edge;
+    if (corner.edge < 0 && plane >= polygons) {
+      corner.edge =
+          -1 - polygons - static_cast<PlaneId>(result.free_planes.size());
+      result.free_planes.push_back(
+          tree.free_planes[static_cast<std::size_t>(plane - polygons)]);
+    }
+    result.corners.push_back(corner);
+  }
+  result.fragments.push_back(fragment);
+  result.fragments[0].first_corner = 0;
+  return result;
+}
+
 /// The fragment as the only one of a tree.
 BspTree tree_of(const Scene& scene, const Fragment& fragment) {
   BspTree tree;
@@ -36,16 +64,14 @@ std::vector<ObjectSegment> segments_of(const ItemImage& items, PolygonId id) {
   return segments;
 }
 
-}  // namespace
-
-std::vector<ObjectSegment> scan_convert(const Scene& scene,
-                                        const Fragment& fragment,
-                                        const Camera& camera,
-                                        FilterStats& stats, SimdLevel simd) {
+/// Of the tree's only fragment.
+std::vector<ObjectSegment> segments_of(const Scene& scene, const BspTree& tree,
+                                       const Camera& camera, FilterStats& stats,
+                                       SimdLevel simd) {
   const CameraData& data = camera.data();
-  const Side side = side_of_eye(scene, fragment.source, camera, stats);
+  const PolygonId source = tree.fragments[0].source;
+  const Side side = side_of_eye(scene, source, camera, stats);
   if (side == Side::kOn) return {};
-  const BspTree tree = tree_of(scene, fragment);
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
   const ImageOptions options;
@@ -60,7 +86,24 @@ std::vector<ObjectSegment> scan_convert(const Scene& scene,
     rasterizer.draw(tree.fragments[0], static_cast<int>(side));
     stats.add(rasterizer.stats());
   });
-  return segments_of(image.items, fragment.source);
+  return segments_of(image.items, source);
+}
+
+}  // namespace
+
+std::vector<ObjectSegment> scan_convert(const Scene& scene,
+                                        const Fragment& fragment,
+                                        const Camera& camera,
+                                        FilterStats& stats, SimdLevel simd) {
+  return segments_of(scene, tree_of(scene, fragment), camera, stats, simd);
+}
+
+std::vector<ObjectSegment> scan_convert(const Scene& scene, const BspTree& tree,
+                                        const TreeFragment& fragment,
+                                        const Camera& camera,
+                                        FilterStats& stats) {
+  return segments_of(scene, tree_of(scene, tree, fragment), camera, stats,
+                     SimdLevel::kBest);
 }
 
 }  // namespace halfspace::fast

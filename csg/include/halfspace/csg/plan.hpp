@@ -25,6 +25,7 @@ struct Leaf {
 /// A half-space, moved.
 struct Plane {
   HalfSpace points;
+  std::int32_t half = -1;  ///< of the script's
   Place place;
 };
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "halfspace/camera.hpp"
+#include "halfspace/fast/build.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/simd.hpp"
@@ -23,5 +24,11 @@ std::vector<ObjectSegment> scan_convert(const Scene& scene,
                                         const Camera& camera,
                                         FilterStats& stats,
                                         SimdLevel simd = SimdLevel::kBest);
+
+/// The same of a fragment of the scene's tree, which free planes may have cut.
+std::vector<ObjectSegment> scan_convert(const Scene& scene, const BspTree& tree,
+                                        const TreeFragment& fragment,
+                                        const Camera& camera,
+                                        FilterStats& stats);
 
 }  // namespace halfspace::fast

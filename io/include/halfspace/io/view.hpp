@@ -12,7 +12,7 @@ namespace halfspace::io {
 
 /// A camera in the terms in which one is usually described. Units: model units.
 struct ViewOptions {
-  glm::dvec3 eye{0, 0, 1};
+  glm::dvec3 eye{1, -2, 1};
   glm::dvec3 target{0, 0, 0};  ///< seen in the middle of the image
   glm::dvec3 up{0, 0, 1};      ///< points upwards in the image
   double fov_deg = 40;         ///< of perspective views, from top to bottom

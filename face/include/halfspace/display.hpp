@@ -1,0 +1,145 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "halfspace/api.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/mesh.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/solid.hpp"
+
+namespace halfspace {
+
+/// From where something is seen, and how. The default sees all of it from above
+/// and to one side, z upwards. Units: model units, degrees, pixels.
+struct View {
+  std::optional<Point> eye = {};     ///< nothing: so that all is seen
+  std::optional<Point> target = {};  ///< in the middle of the image
+  std::optional<Point> up = {};      ///< upwards there; nothing: z, or else y
+  double fov_deg = 30;               ///< of perspective views, top to bottom
+  bool orthographic = false;
+  double ortho_height = 2;          ///< of orthographic views, top to bottom
+  std::optional<double> near = {};  ///< what is not farther is not seen
+  std::int32_t width_px = 640;
+  std::int32_t height_px = 480;
+  bool cull = false;  ///< polygons seen from behind are not there
+  Rgb background = {255, 255, 255};
+  int threads = 0;  ///< 0: as many as the machine has
+};
+
+/// A picture: at each pixel its colour, and the polygon that is seen.
+struct HALFSPACE_API Picture {
+  ColorImage colors;
+  ItemImage polygons;  ///< kBackground where there is none
+
+  /// Writes the colours as PNG. Error: kUnwritable.
+  Result<Done> save(const std::filesystem::path& path) const;
+};
+
+/// A run of pixels of one line: `first` to `last`, both in it.
+struct PixelSpan {
+  std::int32_t line = 0;
+  std::int32_t first = 0;
+  std::int32_t last = 0;
+  friend bool operator==(const PixelSpan&, const PixelSpan&) = default;
+};
+
+/// A part of a polygon, as a traversal hands it out. Valid during the call.
+struct HALFSPACE_API SeenPolygon {
+  std::int32_t polygon = 0;  ///< of the display's mesh
+  Rgb color;
+  /// Its corners, and those of what is in front of the eye in the image, where
+  /// y grows downwards: maybe none, maybe beyond the image's edges. Within a
+  /// few ulps.
+  std::vector<Point> points;
+  std::vector<Point2> projected;
+
+  /// The pixels whose centres it covers, line by line. Exact.
+  /// Cost: that of a small picture.
+  std::vector<PixelSpan> spans() const;
+
+  struct Source;
+  const Source* source = nullptr;  ///< for spans()
+};
+
+/// Receives parts of polygons in order; false ends the traversal.
+using Visit = std::function<bool(const SeenPolygon&)>;
+
+/// The polygon seen at a pixel, and the solid that it belongs to.
+struct Pick {
+  std::int32_t polygon = 0;
+  std::int32_t solid = 0;  ///< of those that the display was made of
+};
+
+/// Polygons to look at, with a BSP tree of them: made once, for any number of
+/// views. All that is asked of it may be asked from several threads at once.
+class HALFSPACE_API Display {
+ public:
+  /// Of polygons, which need not bound a solid. What is not planar or not
+  /// convex is cut into triangles. Errors: kEmpty, kBadIndex, kNotFinite,
+  /// kOutOfRange.
+  static Result<Display> of(Mesh mesh);
+  /// Of solids. Errors: theirs; kEmpty.
+  static Result<Display> of(const Solid& solid);
+  static Result<Display> of(std::span<const Solid> solids);
+  /// Of an OBJ, STL, PLY, OFF or scene file. Errors: those of reading; kEmpty.
+  static Result<Display> of_file(const std::filesystem::path& path);
+
+  Display(Display&&) noexcept;
+  Display& operator=(Display&&) noexcept;
+  ~Display();
+
+  /// How many polygons there are; they are numbered as they were given.
+  std::size_t polygon_count() const;
+
+  /// The picture. Exact, whatever the number of threads: at each pixel the
+  /// nearest polygon (S5.1). Errors: kBadCamera, kNotFinite, kOutOfRange.
+  Result<Picture> render(const View& view = {}) const;
+  /// What is seen at a pixel; nothing at the background, and off the image.
+  Result<std::optional<Pick>> pick(const View& view, std::int32_t x,
+                                   std::int32_t y) const;
+
+  /// Hands out parts of polygons so that none hides one before it, or one after
+  /// it (S3.7). Polygons seen edge-on may be left out.
+  /// Cost: the first time, a tree without leaves.
+  Result<Done> front_to_back(const View& view, const Visit& visit) const;
+  Result<Done> back_to_front(const View& view, const Visit& visit) const;
+
+  /// Adds polygons, numbered after those that are there, to the tree (S3.6), or
+  /// makes a new tree where they need another grid.
+  /// Errors: kBadIndex, kNotFinite, kOutOfRange; nothing is changed then.
+  Result<Done> insert(const Mesh& mesh);
+
+ private:
+  struct State;
+  explicit Display(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// Which pixels of an image are still unlit (F2B's dynamic screen, S4.8), for
+/// renderers of one's own that go from front to back.
+class HALFSPACE_API DynamicScreen {
+ public:
+  /// Requires: 1 <= width_px, height_px <= 65,536.
+  DynamicScreen(std::int32_t width_px, std::int32_t height_px);
+  DynamicScreen(DynamicScreen&&) noexcept;
+  DynamicScreen& operator=(DynamicScreen&&) noexcept;
+  ~DynamicScreen();
+
+  /// Lights spans, and gives those parts of them that were unlit.
+  std::vector<PixelSpan> light(std::span<const PixelSpan> spans);
+  /// Whether every pixel is lit.
+  bool is_full() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace halfspace

@@ -1,0 +1,437 @@
+#include "halfspace/display.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/render.hpp"
+#include "halfspace/fast/scan.hpp"
+#include "halfspace/fast/traverse.hpp"
+#include "halfspace/io/import.hpp"
+#include "halfspace/io/load_scene.hpp"
+#include "halfspace/io/picture.hpp"
+#include "halfspace/io/read_mesh.hpp"
+#include "halfspace/io/view.hpp"
+#include "import.hpp"
+#include "node.hpp"
+#include "number.hpp"
+
+namespace halfspace {
+namespace {
+
+using glm::dvec3;
+
+/// A camera's lattice is 2^8 times finer than the grid (S4.1), so small
+/// integers need a finer grid for a smooth choice of eyes: of 20 bits an eye
+/// moves by less than a millionth of the scene.
+constexpr int kRefineBits = 20;
+
+/// What a camera's image point is in the image, as a matrix: with it the
+/// direction to a point becomes (t x, t y, t).
+class Projection {
+ public:
+  Projection(const Camera& camera, double step) : data_(camera.data()) {
+    const dvec3 sx = vector_of(data_.sx), sy = vector_of(data_.sy);
+    const dvec3 eye = vector_of(data_.eye);
+    const dvec3 s0 = vector_of(data_.s0);
+    origin_ = data_.perspective ? eye : s0;
+    to_image_ =
+        glm::inverse(glm::dmat3(sx, sy, data_.perspective ? s0 - eye : -eye));
+    scale_ = kSteps / step;
+  }
+
+  /// The polygon in the image, cut where it reaches behind the eye.
+  std::vector<Point2> projected(const std::vector<Point>& points) const {
+    std::vector<dvec3> at;
+    for (const Point& p : points)
+      at.push_back(to_image_ * (scale_ * dvec3(p.x, p.y, p.z) - origin_));
+    std::vector<Point2> result;
+    if (!data_.perspective) {
+      for (const dvec3& p : at) result.push_back({p.x, p.y});
+      return result;
+    }
+    double most = 0;
+    for (const dvec3& p : at) most = std::max(most, std::abs(p.z));
+    const double least = most * 1e-9;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const dvec3& p = at[i];
+      const dvec3& q = at[(i + 1) % at.size()];
+      if (p.z > least) result.push_back({p.x / p.z, p.y / p.z});
+      if ((p.z > least) != (q.z > least)) {
+        const dvec3 cut = p + (least - p.z) / (q.z - p.z) * (q - p);
+        result.push_back({cut.x / least, cut.y / least});
+      }
+    }
+    return result;
+  }
+
+ private:
+  static constexpr double kSteps = 1 << kLatticeBits;
+  static dvec3 vector_of(const LatticeVector& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y),
+            static_cast<double>(v.z)};
+  }
+
+  const CameraData& data_;
+  dvec3 origin_;
+  glm::dmat3 to_image_;
+  double scale_ = 1;
+};
+
+double step_of(const Unit& unit) {
+  return io::to_double({1, unit.exponent, unit.base == 10 ? unit.exponent : 0});
+}
+
+dvec3 vector_of(const Point& p) { return {p.x, p.y, p.z}; }
+
+Result<Camera> camera_of(const Scene& scene, const View& view) {
+  if (view.width_px < 1 || view.height_px < 1) {
+    return Error{ErrorCode::kOutOfRange,
+                 "the picture has no columns or no rows"};
+  }
+  io::ViewOptions options;
+  if (!view.eye || !view.target) {
+    const auto automatic =
+        io::automatic_view(scene, view.width_px, view.height_px);
+    if (!automatic) return automatic.error();
+    options = automatic->options;
+  }
+  if (view.eye) options.eye = vector_of(*view.eye);
+  if (view.target) options.target = vector_of(*view.target);
+  const bool vertical =
+      options.eye.x == options.target.x && options.eye.y == options.target.y;
+  options.up = view.up ? vector_of(*view.up)
+                       : dvec3(0, vertical ? 1 : 0, vertical ? 0 : 1);
+  options.fov_deg = view.fov_deg;
+  options.orthographic = view.orthographic;
+  options.ortho_height = view.ortho_height;
+  options.near = view.near;
+  options.width_px = view.width_px;
+  options.height_px = view.height_px;
+  auto viewed = io::look_at(scene, options);
+  if (!viewed) return viewed.error();
+  return viewed->camera;
+}
+
+ImageOptions image_options(const View& view) {
+  ImageOptions options;
+  options.cull = view.cull;
+  options.background = view.background;
+  return options;
+}
+
+io::Mesh exact_mesh(const Mesh& mesh) {
+  detail::ExactPoints exact = detail::exact_points(mesh.vertices);
+  io::Mesh result;
+  result.vertices = std::move(exact.points);
+  result.decimal = exact.decimal;
+  result.first_corner = mesh.first_corner;
+  result.corners = mesh.corners;
+  result.face_colors.assign(mesh.colors.begin(), mesh.colors.end());
+  return result;
+}
+
+/// Adds the polygons of one mesh to another.
+void append(const io::Mesh& from, io::Mesh& to) {
+  const auto first = static_cast<VertexId>(to.vertices.size());
+  to.face_colors.resize(to.face_count());
+  to.vertex_colors.clear();
+  to.vertices.insert(to.vertices.end(), from.vertices.begin(),
+                     from.vertices.end());
+  for (std::size_t p = 0; p < from.face_count(); ++p) {
+    for (std::size_t i = from.first_corner[p]; i < from.first_corner[p + 1];
+         ++i)
+      to.corners.push_back(first + from.corners[i]);
+    to.first_corner.push_back(static_cast<std::uint32_t>(to.corners.size()));
+    to.face_colors.push_back(from.face_colors.empty() ? std::nullopt
+                                                      : from.face_colors[p]);
+  }
+}
+
+}  // namespace
+
+struct Display::State {
+  io::Mesh mesh;  ///< empty of a scene file
+  Scene scene;
+  std::vector<PolygonId> faces;  ///< by polygon of the scene
+  std::size_t polygon_count = 0;
+  std::vector<std::int32_t> solid_starts = {0};  ///< its first polygon
+
+  /// The tree for pictures, and one without leaves; made when first needed.
+  std::mutex mutex;
+  std::optional<fast::BspTree> tree;
+  std::optional<fast::BspTree> ordered;
+
+  static Result<std::unique_ptr<State>> of(io::Mesh mesh) {
+    auto state = std::make_unique<State>();
+    io::ImportOptions options;
+    options.refine_bits = kRefineBits;
+    Result<io::Imported> imported = io::import_scene(mesh, options);
+    if (!imported) return imported.error();
+    if (imported->scene.polygon_count() == 0) {
+      return Error{ErrorCode::kEmpty, "there are no polygons to look at"};
+    }
+    state->polygon_count = mesh.face_count();
+    state->mesh = std::move(mesh);
+    state->scene = std::move(imported->scene);
+    state->faces = std::move(imported->faces);
+    return state;
+  }
+
+  const fast::BspTree& picture_tree(int threads) {
+    const std::lock_guard lock(mutex);
+    if (tree) return *tree;
+    fast::DisplayTreeOptions options;
+    options.threads = std::max(threads, 0);
+    tree = fast::build_display_tree(scene, options);
+    return *tree;
+  }
+  const fast::BspTree& ordered_tree() {
+    const fast::BspTree& made = picture_tree(0);
+    const std::lock_guard lock(mutex);
+    if (!ordered) {
+      ordered = made;
+      fast::divide_leaves(*ordered, scene);
+    }
+    return *ordered;
+  }
+  Result<fast::Rendering> rendered(const View& view,
+                                   const std::optional<fast::Rectangle>& part) {
+    const Result<Camera> camera = camera_of(scene, view);
+    if (!camera) return camera.error();
+    fast::RenderOptions how;
+    how.threads = detail::thread_count(view.threads);
+    how.rectangle = part;
+    fast::Rendering image = fast::render(scene, picture_tree(view.threads),
+                                         *camera, image_options(view), how);
+    for (PolygonId& id : image.items.pixels) {
+      if (id != kBackground) id = faces[static_cast<std::size_t>(id)];
+    }
+    return image;
+  }
+};
+
+struct SeenPolygon::Source {
+  const Scene& scene;
+  const fast::BspTree& tree;
+  const fast::TreeFragment& fragment;
+  const Camera& camera;
+};
+
+std::vector<PixelSpan> SeenPolygon::spans() const {
+  fast::FilterStats stats;
+  std::vector<PixelSpan> result;
+  for (const fast::ObjectSegment& segment :
+       fast::scan_convert(source->scene, source->tree, source->fragment,
+                          source->camera, stats))
+    result.push_back({segment.line, segment.span.first, segment.span.last});
+  return result;
+}
+
+Result<Done> Picture::save(const std::filesystem::path& path) const {
+  return io::write_png(path, colors);
+}
+
+Display::Display(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Display::Display(Display&&) noexcept = default;
+Display& Display::operator=(Display&&) noexcept = default;
+Display::~Display() = default;
+
+Result<Display> Display::of(Mesh mesh) {
+  if (const auto fault = detail::fault_of(mesh)) return *fault;
+  auto state = State::of(exact_mesh(mesh));
+  if (!state) return state.error();
+  return Display(*std::move(state));
+}
+
+Result<Display> Display::of(const Solid& solid) {
+  return of(std::span(&solid, 1));
+}
+
+Result<Display> Display::of(std::span<const Solid> solids) {
+  io::Mesh all;
+  std::vector<std::int32_t> starts;
+  for (const Solid& solid : solids) {
+    const Result<Mesh> mesh = solid.mesh();
+    if (!mesh) return mesh.error();
+    const io::Mesh exact = exact_mesh(*mesh);
+    all.decimal = exact.decimal && (starts.empty() || all.decimal);
+    starts.push_back(static_cast<std::int32_t>(all.face_count()));
+    append(exact, all);
+  }
+  auto state = State::of(std::move(all));
+  if (!state) return state.error();
+  (*state)->solid_starts = std::move(starts);
+  return Display(*std::move(state));
+}
+
+Result<Display> Display::of_file(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  if (!io::is_scene_name(path)) {
+    Result<io::Mesh> mesh = io::read_mesh(path);
+    if (!mesh) return mesh.error();
+    auto state = State::of(*std::move(mesh));
+    if (!state) return io::error_about(name, state.error());
+    return Display(*std::move(state));
+  }
+  Result<io::LoadedScene> loaded = io::load_scene(name, {});
+  if (!loaded) return loaded.error();
+  auto state = std::make_unique<State>();
+  state->scene = std::move(loaded->file.scene);
+  state->faces = std::move(loaded->polygons);
+  state->polygon_count = state->scene.polygon_count();
+  return Display(std::move(state));
+}
+
+std::size_t Display::polygon_count() const { return state_->polygon_count; }
+
+Result<Picture> Display::render(const View& view) const {
+  Result<fast::Rendering> image = state_->rendered(view, std::nullopt);
+  if (!image) return image.error();
+  return Picture{std::move(image->colors), std::move(image->items)};
+}
+
+Result<std::optional<Pick>> Display::pick(const View& view, std::int32_t x,
+                                          std::int32_t y) const {
+  if (x < 0 || y < 0 || x >= view.width_px || y >= view.height_px)
+    return std::optional<Pick>();
+  const Result<fast::Rendering> image =
+      state_->rendered(view, fast::Rectangle{x, y, x + 1, y + 1});
+  if (!image) return image.error();
+  const PolygonId polygon = image->items.pixels.front();
+  if (polygon == kBackground) return std::optional<Pick>();
+  const auto& starts = state_->solid_starts;
+  // Solids without polygons begin where the next one does.
+  const auto next = std::upper_bound(starts.begin(), starts.end(), polygon);
+  return std::optional(
+      Pick{polygon, static_cast<std::int32_t>(next - starts.begin()) - 1});
+}
+
+namespace {
+
+/// Hands out the fragments that a traversal finds.
+template <class Traverse>
+Result<Done> visit_all(const Scene& scene, const fast::BspTree& tree,
+                       const std::vector<PolygonId>& faces, const View& view,
+                       const Visit& visit, const Traverse& traverse) {
+  const Result<Camera> camera = camera_of(scene, view);
+  if (!camera) return camera.error();
+  const double step = step_of(scene.unit());
+  const Projection projection(*camera, step);
+  const auto point_count = scene.data().vertices.size();
+  const auto point_of = [&](std::int32_t vertex) -> Point {
+    const auto v = static_cast<std::size_t>(vertex);
+    if (v < point_count) {
+      const GridPoint& p = scene.data().vertices[v];
+      return {step * static_cast<double>(p.x), step * static_cast<double>(p.y),
+              step * static_cast<double>(p.z)};
+    }
+    const fast::Vertex& p = tree.cut_vertices[v - point_count];
+    return {step * p.x, step * p.y, step * p.z};
+  };
+  SeenPolygon seen;
+  traverse(tree, scene, *camera,
+           [&](const fast::Node&, const fast::TreeFragment& fragment) {
+             const SeenPolygon::Source source{scene, tree, fragment, *camera};
+             seen.polygon = faces[static_cast<std::size_t>(fragment.source)];
+             seen.color = scene.color(fragment.source);
+             seen.points.clear();
+             for (std::uint32_t k = 0; k < fragment.corner_count; ++k)
+               seen.points.push_back(
+                   point_of(tree.corners[fragment.first_corner + k].vertex));
+             seen.projected = projection.projected(seen.points);
+             seen.source = &source;
+             return visit(seen);
+           });
+  return Done{};
+}
+
+}  // namespace
+
+Result<Done> Display::front_to_back(const View& view,
+                                    const Visit& visit) const {
+  return visit_all(state_->scene, state_->ordered_tree(), state_->faces, view,
+                   visit, fast::front_to_back);
+}
+
+Result<Done> Display::back_to_front(const View& view,
+                                    const Visit& visit) const {
+  return visit_all(state_->scene, state_->ordered_tree(), state_->faces, view,
+                   visit, fast::back_to_front);
+}
+
+Result<Done> Display::insert(const Mesh& mesh) {
+  if (const auto fault = detail::fault_of(mesh)) return *fault;
+  if (state_->mesh.face_count() == 0) {
+    return Error{ErrorCode::kUnknownFormat,
+                 "a display of a scene file takes no more polygons"};
+  }
+  const io::Mesh more = exact_mesh(mesh);
+  io::Mesh all = state_->mesh;
+  all.decimal = all.decimal && more.decimal;
+  append(more, all);
+  auto next = State::of(std::move(all));
+  if (!next) return next.error();
+  (*next)->solid_starts = state_->solid_starts;
+  const Scene& before = state_->scene;
+  const Scene& after = (*next)->scene;
+  // The polygons that were there are the first ones, in the same steps.
+  if (state_->ordered && before.unit() == after.unit() &&
+      before.grid_bits() == after.grid_bits()) {
+    fast::BspTree tree = std::move(*state_->ordered);
+    // Vertices are numbered anew, for cuts come after those of the scene.
+    const auto more_points = static_cast<std::int32_t>(
+        after.data().vertices.size() - before.data().vertices.size());
+    const auto points =
+        static_cast<std::int32_t>(before.data().vertices.size());
+    const auto polygons = static_cast<std::int32_t>(before.polygon_count());
+    const auto more_polygons =
+        static_cast<std::int32_t>(after.polygon_count()) - polygons;
+    for (fast::Corner& corner : tree.corners) {
+      if (corner.vertex >= points) corner.vertex += more_points;
+      if (-1 - corner.edge >= polygons) corner.edge -= more_polygons;
+    }
+    for (fast::Node& node : tree.nodes) {
+      if (node.splitter >= polygons) node.splitter += more_polygons;
+    }
+    tree.boxes.clear();
+    tree.triangles.clear();
+    tree.quadrangles.clear();
+    tree.first_blocks.clear();
+    for (std::int32_t p = 0; p < more_polygons; ++p)
+      fast::insert(tree, after, polygons + p);
+    (*next)->tree = tree;
+    (*next)->ordered = std::move(tree);
+  }
+  state_ = *std::move(next);
+  return Done{};
+}
+
+struct DynamicScreen::State {
+  fast::DynamicScreen screen;
+};
+
+DynamicScreen::DynamicScreen(std::int32_t width_px, std::int32_t height_px)
+    : state_(new State{fast::DynamicScreen(width_px, height_px)}) {}
+DynamicScreen::DynamicScreen(DynamicScreen&&) noexcept = default;
+DynamicScreen& DynamicScreen::operator=(DynamicScreen&&) noexcept = default;
+DynamicScreen::~DynamicScreen() = default;
+
+std::vector<PixelSpan> DynamicScreen::light(std::span<const PixelSpan> spans) {
+  std::vector<fast::ObjectSegment> objects;
+  for (const PixelSpan& s : spans)
+    objects.push_back({s.line, {s.first, s.last}});
+  std::vector<PixelSpan> lit;
+  for (const fast::ObjectSegment& s : state_->screen.light(objects))
+    lit.push_back({s.line, s.span.first, s.span.last});
+  return lit;
+}
+
+bool DynamicScreen::is_full() const { return state_->screen.full(); }
+
+}  // namespace halfspace

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/halfspace.hpp"
+
+namespace halfspace {
+namespace {
+
+Solid knot() {
+  return Solid::torus(3, 1, 16, 8) + Solid::box({-1, -1, -2}, {1, 1, 3});
+}
+
+View small_view() {
+  View view;
+  view.width_px = 64;
+  view.height_px = 48;
+  return view;
+}
+
+TEST(FaceDisplay, AScanLineRendererGetsThePicture) {
+  const Display display = *Display::of(knot());
+  const View view = small_view();
+  const Picture picture = *display.render(view);
+  ItemImage items(64, 48, kBackground);
+  DynamicScreen screen(64, 48);
+  ASSERT_TRUE(display.front_to_back(view, [&](const SeenPolygon& polygon) {
+    for (const PixelSpan& lit : screen.light(polygon.spans())) {
+      for (std::int32_t x = lit.first; x <= lit.last; ++x) {
+        items.at(x, lit.line) = polygon.polygon;
+        EXPECT_EQ(picture.colors.at(x, lit.line), polygon.color);
+      }
+    }
+    return !screen.is_full();
+  }));
+  EXPECT_EQ(items, picture.polygons);
+}
+
+TEST(FaceDisplay, APainterGetsThePicture) {
+  const Display display = *Display::of(knot());
+  const View view = small_view();
+  ItemImage items(64, 48, kBackground);
+  ASSERT_TRUE(display.back_to_front(view, [&](const SeenPolygon& polygon) {
+    for (const PixelSpan& span : polygon.spans()) {
+      for (std::int32_t x = span.first; x <= span.last; ++x)
+        items.at(x, span.line) = polygon.polygon;
+    }
+    return true;
+  }));
+  EXPECT_EQ(items, display.render(view)->polygons);
+}
+
+TEST(FaceDisplay, ProjectedCornersAreWhereTheSpansAre) {
+  const Display display = *Display::of(knot());
+  std::size_t seen = 0;
+  ASSERT_TRUE(
+      display.front_to_back(small_view(), [&](const SeenPolygon& polygon) {
+        for (const PixelSpan& span : polygon.spans()) {
+          double low = 1e9, high = -1e9;
+          for (const Point2& p : polygon.projected) {
+            low = std::min(low, p.x);
+            high = std::max(high, p.x);
+          }
+          EXPECT_LE(low, span.first + 0.5 + 1e-6);
+          EXPECT_GE(high, span.last + 0.5 - 1e-6);
+          ++seen;
+        }
+        return true;
+      }));
+  EXPECT_GT(seen, 100u);
+}
+
+TEST(FaceDisplay, PicksNameTheSolid) {
+  const std::vector<Solid> solids = {
+      Solid::box({0, 0, 0}, {1, 1, 1}), Solid(),
+      Solid::box({0, 0, 0}, {1, 1, 1}).translated({3, 0, 0})};
+  const Display display = *Display::of(solids);
+  View view = small_view();
+  view.eye = Point{0.5, -10, 0.5};
+  view.target = Point{0.5, 0, 0.5};
+  EXPECT_EQ((*display.pick(view, 32, 24))->solid, 0);
+  view.eye = Point{3.5, -10, 0.5};
+  view.target = Point{3.5, 0, 0.5};
+  EXPECT_EQ((*display.pick(view, 32, 24))->solid, 2);
+  EXPECT_FALSE(display.pick(view, 0, 0)->has_value());
+  EXPECT_FALSE(display.pick(view, -1, 99)->has_value());
+}
+
+TEST(FaceDisplay, InsertedPolygonsAreSeenAsIfTheyHadBeenThere) {
+  const Mesh base = *knot().mesh();
+  Mesh roof;
+  roof.vertices = {{-4, -4, 1.5}, {4, -4, 0.5}, {0, 4, 2}};
+  roof.add({0, 1, 2});
+  roof.colors = {{200, 20, 20}};
+  Mesh all = base;
+  all.origins.clear();
+  all.vertices.insert(all.vertices.end(), roof.vertices.begin(),
+                      roof.vertices.end());
+  const auto first = static_cast<std::int32_t>(base.vertices.size());
+  all.add({first, first + 1, first + 2});
+  const Display together = *Display::of(all);
+  for (const bool is_ordered : {false, true}) {
+    Display display = *Display::of(base);
+    if (is_ordered) {
+      ASSERT_TRUE(
+          display.front_to_back({}, [](const SeenPolygon&) { return false; }));
+    }
+    ASSERT_TRUE(display.insert(roof));
+    View view = small_view();
+    view.eye = Point{6, -9, 8};
+    EXPECT_EQ(display.render(view)->polygons, together.render(view)->polygons);
+    EXPECT_EQ(display.polygon_count(), base.polygon_count() + 1);
+  }
+}
+
+TEST(FaceDisplay, BadViewsAndMeshesAreErrors) {
+  const Display display = *Display::of(knot());
+  View view = small_view();
+  view.width_px = 0;
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+  view = small_view();
+  view.fov_deg = 180;
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kBadCamera);
+  EXPECT_EQ(Display::of(Mesh{}).error().code, ErrorCode::kEmpty);
+  EXPECT_EQ(Display::of(Solid()).error().code, ErrorCode::kEmpty);
+  EXPECT_EQ(Display::of_file("no.off").error().code, ErrorCode::kUnreadable);
+}
+
+}  // namespace
+}  // namespace halfspace
