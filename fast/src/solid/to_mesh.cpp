@@ -65,7 +65,7 @@ bool add_triangle(const Solid& solid, std::size_t f, Polygons& polygons) {
 /// Whether a convex loop goes straight on at a vertex.
 bool has_straight_corner(const Solid& solid, const Face& face,
                          std::span<const std::int32_t> loop) {
-  const FaceView view(solid, face);
+  const FaceProjection view(solid, face);
   for (std::size_t i = 0; i < loop.size(); ++i) {
     if (view.turn(loop[i], loop[(i + 1) % loop.size()],
                   loop[(i + 2) % loop.size()]) == 0)
