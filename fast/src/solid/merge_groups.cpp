@@ -30,7 +30,7 @@ bool may_merge(const Face& f, const Face& g, Merge rule) {
   return true;
 }
 
-/// Puts entries in the order of `low`, which is less than `count`, and leaves
+/// Puts entries in the order of `low`, which is less than `count`, and exits
 /// those with one `low` in their order.
 void sort_by_low(std::vector<EdgeOfFace>& entries, std::size_t count) {
   std::vector<std::uint32_t> place(count + 1);
@@ -125,7 +125,7 @@ std::vector<EdgeOfFace> entries_of(const Solid& solid) {
 
 }  // namespace
 
-FaceGroups::FaceGroups(const Solid& solid, Merge rule)
+CoplanarGroups::CoplanarGroups(const Solid& solid, Merge rule)
     : sets_(solid.faces.size()),
       merges_(solid.faces.size()),
       dropped_(solid.edges.size()) {
