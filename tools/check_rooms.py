@@ -155,7 +155,7 @@ def find(root, path, name, known):
 
 def check_include(path, name, target, all_rooms, known):
     """What is wrong with an include of `target`, if it is a known file."""
-    library = re.fullmatch(r"halfspace/(?:(\w+)/(?:\w+/)*)?\w+\.hpp", name)
+    library = re.fullmatch(r"halfspace/(?:(\w+)/(?:\w+/)*)?\w+\.h(?:pp)?", name)
     if library:
         # Types have no folder of their own: the vocabulary's, and the face's.
         other = library[1] or next(

@@ -3,7 +3,7 @@
 import pathlib
 import re
 
-SOURCES = (".cpp", ".hpp", ".inc")
+SOURCES = (".cpp", ".hpp", ".h", ".inc")
 
 
 def listed_in(folder, below=()):
@@ -11,7 +11,8 @@ def listed_in(folder, below=()):
 
     ${stem}_test.cpp lists those of `below` for which there is such a word.
     """
-    text = re.sub(r"#[^\n]*", "", (folder / "CMakeLists.txt").read_text())
+    text = re.sub(r"#[^\n]*|\b(message|file)\([^)]*\)", "",
+                  (folder / "CMakeLists.txt").read_text())
     words = set(re.findall(r"[^\s()\"]+", text))
     made = re.findall(r"OUTPUT (\S+)", text)
     words -= {*made, *("${CMAKE_CURRENT_BINARY_DIR}/" + name for name in made)}

@@ -1,10 +1,15 @@
+#include "boolean/assemble.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "boolean/engine.hpp"
+#include "boolean/classify.hpp"
+#include "boolean/emit.hpp"
+#include "halfspace/assert.hpp"
+#include "intersect/far_rows.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -17,15 +22,56 @@ bool is_row(std::span<const SolidEdge> edges) {
   return true;
 }
 
-}  // namespace
+/// Step 3 of a boolean: copies the faces that the other operand does not touch,
+/// adds the far edges of the others in runs, and joins the directed edges to
+/// faces.
+class Assembler {
+ public:
+  Assembler(Arrangement& arrangement, Classifier& classifier,
+            List<DirectedEdge> pieces)
+      : common_(arrangement),
+        classifier_(classifier),
+        operands_(arrangement.operands),
+        table_(arrangement.table),
+        scratch_(arrangement.scratch),
+        pieces_(std::move(pieces)) {}
 
-Solid Engine::result() {
+  Assembled run();
+
+ private:
+  void begin_face(std::size_t o, std::int32_t face, bool flipped,
+                  Solid& result) const;
+  void copy_untouched(std::size_t o, Solid& result);
+  void copy_whole(std::size_t o, std::int32_t face, bool is_near,
+                  Solid& result);
+  bool is_far(std::size_t o, std::int32_t face) const;
+  std::int32_t copy_far(std::size_t o, std::int32_t first, Solid& result);
+  void copy_row(std::size_t o, std::int32_t first, std::int32_t last,
+                Solid& result);
+  void add_runs(std::size_t o);
+  void add_run(std::size_t o, std::int32_t face, bool beyond,
+               const FarRows::Row& row);
+  void add_edge(const DirectedEdge& piece, Solid& result);
+  void end_face(Solid& result);
+
+  Arrangement& common_;
+  Classifier& classifier_;
+  std::array<Operand, 2>& operands_;
+  GeometryTable& table_;
+  BooleanScratch& scratch_;
+  List<DirectedEdge> pieces_;
+  EdgePackets result_blocks_;
+  /// Those of the current face that are known.
+  std::vector<EdgePacket> known_blocks_;
+};
+
+Assembled Assembler::run() {
   // Step 1: the faces that meet nothing, as they are.
   Solid result;
   result.unit = operands_[0].solid->unit;
   result.table = operands_[0].solid->table;
-  result.is_conforming = is_conforming_[0] && is_conforming_[1];
-  result.unbounded = is_member(operation_, operands_[0].solid->unbounded,
+  result.is_conforming = common_.is_conforming(0) && common_.is_conforming(1);
+  result.unbounded = is_member(common_.operation, operands_[0].solid->unbounded,
                                operands_[1].solid->unbounded);
   scratch_.kept.clear();
   std::size_t faces = 0, edges = 0;
@@ -40,17 +86,17 @@ Solid Engine::result() {
   // Step 2: what is left of the others.
   const auto is_pinned = [this](std::int32_t v) {
     if (scratch_.kept.get(v, 0) != 0) return true;
-    // A vertex that is beyond an operand may be one of faces that are not here.
-    // Of two edges in line there, one goes on beyond: a run, or pinned.
+    // A vertex beyond an operand may belong to faces that are not here. If two
+    // edges in line meet there, one goes on as a run or is kept.
     for (const std::size_t o : {0u, 1u}) {
       // Of a solid, true only if doubles are too coarse to tell such an edge.
-      if (is_beyond_other(o, v)) return true;
+      if (common_.is_beyond_other(o, v)) return true;
     }
     return false;
   };
-  straighten(pieces_, is_pinned, table_);
+  drop_collinear_vertices(pieces_, is_pinned, table_);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Piece& piece = pieces_[i];
+    const DirectedEdge& piece = pieces_[i];
     if (i == 0 || piece.bucket != pieces_[i - 1].bucket) {
       if (i > 0) end_face(result);
       const auto o = static_cast<std::size_t>(piece.bucket >> 40);
@@ -61,11 +107,11 @@ Solid Engine::result() {
     add_edge(piece, result);
   }
   if (!pieces_.empty()) end_face(result);
-  return result;
+  return {std::move(result), std::move(result_blocks_)};
 }
 
 /// Adds an edge to the last face, or the run that the piece stands for.
-void Engine::add_edge(const Piece& piece, Solid& result) {
+void Assembler::add_edge(const DirectedEdge& piece, Solid& result) {
   const std::uint32_t at = result.faces.back().edge_count;
   result.faces.back().edge_count += std::max(piece.run_count, 1u);
   if (piece.run_count == 0) {
@@ -84,13 +130,13 @@ void Engine::add_edge(const Piece& piece, Solid& result) {
   result.edges.insert(result.edges.end(), run.begin(), run.end());
   // The blocks that are in the run whole are the new face's, too.
   const std::int32_t f = result.faces.back().source;
-  const BlockList* list = operand.blocks->of(f);
+  const PacketList* list = operand.blocks->of(f);
   if (list == nullptr) return;
   const std::uint32_t first = piece.run_first - operand.face(f).first_edge;
   const auto blocks = list->blocks();
   auto block = std::partition_point(
       blocks.begin(), blocks.end(),
-      [first](const EdgeBlock& b) { return b.first < first; });
+      [first](const EdgePacket& b) { return b.first < first; });
   for (; block != blocks.end() &&
          block->first + block->count <= first + piece.run_count;
        ++block) {
@@ -100,10 +146,10 @@ void Engine::add_edge(const Piece& piece, Solid& result) {
 }
 
 /// Finds the last face's box, from that of its blocks if it has any.
-void Engine::end_face(Solid& result) {
+void Assembler::end_face(Solid& result) {
   Face& face = result.faces.back();
-  if (EdgeBlocks::has_many(face)) {
-    auto list = std::make_shared<const BlockList>(result, face, known_blocks_);
+  if (EdgePackets::has_many(face)) {
+    auto list = std::make_shared<const PacketList>(result, face, known_blocks_);
     face.box = list->box();
     result_blocks_.set(result.faces.size() - 1, std::move(list));
   } else {
@@ -114,11 +160,11 @@ void Engine::end_face(Solid& result) {
 
 /// Adds the far edges of the faces that the other operand touches, if they
 /// bound the result, in rows as long as can be.
-void Engine::add_runs(std::size_t o) {
+void Assembler::add_runs(std::size_t o) {
   const Operand& operand = operands_[o];
   const bool member = operands_[1 - o].solid->unbounded;
-  const bool beyond = apply(o, false, member);
-  if (apply(o, true, member) == beyond) return;
+  const bool beyond = common_.is_in_result(o, false, member);
+  if (common_.is_in_result(o, true, member) == beyond) return;
   for (const std::int32_t f : operand.active) {
     if (operand.touched[static_cast<std::size_t>(f)] == 0) continue;
     FarRows rows(operand, f);
@@ -126,12 +172,12 @@ void Engine::add_runs(std::size_t o) {
   }
 }
 
-void Engine::add_run(std::size_t o, std::int32_t f, bool beyond,
-                     const FarRows::Row& row) {
+void Assembler::add_run(std::size_t o, std::int32_t f, bool beyond,
+                        const FarRows::Row& row) {
   const Face& face = operands_[o].face(f);
   const SolidEdge* edges = operands_[o].edges_of(f);
-  Piece run{bucket_of(o, f, beyond), face.plane, edges[row.first].from,
-            edges[row.last - 1].to};
+  DirectedEdge run{bucket_of(o, f, beyond), face.plane, edges[row.first].from,
+                   edges[row.last - 1].to};
   if (beyond) std::swap(run.from, run.to);
   run.run_first = face.first_edge + row.first;
   run.run_count = row.last - row.first;
@@ -141,8 +187,8 @@ void Engine::add_run(std::size_t o, std::int32_t f, bool beyond,
 }
 
 /// Begins a face of the result that is a part of face `f`.
-void Engine::begin_face(std::size_t o, std::int32_t f, bool flipped,
-                        Solid& result) const {
+void Assembler::begin_face(std::size_t o, std::int32_t f, bool flipped,
+                           Solid& result) const {
   Face face = operands_[o].face(f);
   face.flipped = face.flipped != flipped;
   face.from_first = o == 0;
@@ -154,15 +200,15 @@ void Engine::begin_face(std::size_t o, std::int32_t f, bool flipped,
 
 /// Adds a face of which all is on one side of the other operand, if it bounds
 /// the result.
-void Engine::copy_whole(std::size_t o, std::int32_t f, bool is_near,
-                        Solid& result) {
+void Assembler::copy_whole(std::size_t o, std::int32_t f, bool is_near,
+                           Solid& result) {
   const std::uint32_t size = operands_[o].face(f).edge_count;
   if (size == 0) return;
   const SolidEdge* edges = operands_[o].edges_of(f);
-  const bool member =
-      is_near ? is_inside(o, edges[0].from) : operands_[1 - o].solid->unbounded;
-  const bool beyond = apply(o, false, member);
-  if (apply(o, true, member) == beyond) return;
+  const bool member = is_near ? classifier_.is_inside(o, edges[0].from)
+                              : operands_[1 - o].solid->unbounded;
+  const bool beyond = common_.is_in_result(o, false, member);
+  if (common_.is_in_result(o, true, member) == beyond) return;
   begin_face(o, f, beyond, result);
   result.faces.back().edge_count = size;
   if (beyond) {
@@ -177,17 +223,17 @@ void Engine::copy_whole(std::size_t o, std::int32_t f, bool is_near,
     scratch_.kept.set(edges[i].from, 1);
 }
 
-/// Whether the face is beyond the other operand, which cannot touch it then.
-bool Engine::is_far(std::size_t o, std::int32_t f) const {
+/// Whether the face is outside the other operand's box.
+bool Assembler::is_far(std::size_t o, std::int32_t f) const {
   const Operand& operand = operands_[o];
   return !overlap(operand.face(f).box, operand.reach);
 }
 
-/// Adds faces that are far, from number `first` on, if they bound the result:
-/// those whose edges stand in a row, but not so many that they are no longer at
-/// hand when they have been copied. The number of the next face.
-std::int32_t Engine::copy_far(std::size_t o, std::int32_t first,
-                              Solid& result) {
+/// Adds up to 256 far faces from number `first` on, if they bound the result:
+/// as long as their edges stand in a row, and few enough to be in the cache
+/// when they are copied. Returns the number of the next face.
+std::int32_t Assembler::copy_far(std::size_t o, std::int32_t first,
+                                 Solid& result) {
   constexpr std::size_t kMost = 256;
   const Operand& operand = operands_[o];
   const auto count = static_cast<std::int32_t>(std::min(
@@ -200,8 +246,8 @@ std::int32_t Engine::copy_far(std::size_t o, std::int32_t first,
   } while (last < count && is_far(o, last) &&
            operand.face(last).first_edge == edge);
   const bool member = operands_[1 - o].solid->unbounded;
-  const bool beyond = apply(o, false, member);
-  if (apply(o, true, member) == beyond) return last;
+  const bool beyond = common_.is_in_result(o, false, member);
+  if (common_.is_in_result(o, true, member) == beyond) return last;
   if (!beyond) {
     copy_row(o, first, last, result);
   } else {
@@ -213,8 +259,8 @@ std::int32_t Engine::copy_far(std::size_t o, std::int32_t first,
 
 /// Adds the faces from number `first` to before `last` as they are.
 /// Requires: their edges stand in a row.
-void Engine::copy_row(std::size_t o, std::int32_t first, std::int32_t last,
-                      Solid& result) {
+void Assembler::copy_row(std::size_t o, std::int32_t first, std::int32_t last,
+                         Solid& result) {
   const Operand& operand = operands_[o];
   const auto faces = std::span(operand.solid->faces)
                          .subspan(static_cast<std::size_t>(first),
@@ -240,7 +286,7 @@ void Engine::copy_row(std::size_t o, std::int32_t first, std::int32_t last,
 
 /// Adds the faces of an operand that the other one does not touch, if they
 /// bound the result, and notes their vertices.
-void Engine::copy_untouched(std::size_t o, Solid& result) {
+void Assembler::copy_untouched(std::size_t o, Solid& result) {
   const auto count =
       static_cast<std::int32_t>(operands_[o].solid->faces.size());
   std::vector<bool> member;  // by edge
@@ -262,14 +308,15 @@ void Engine::copy_untouched(std::size_t o, Solid& result) {
     member.clear();
     for (std::uint32_t i = 0; i < size; ++i) {
       const bool goes_on = i > 0 && edges[i - 1].to == edges[i].from;
-      member.push_back(goes_on ? member.back() : is_inside(o, edges[i].from));
+      member.push_back(goes_on ? member.back()
+                               : classifier_.is_inside(o, edges[i].from));
     }
     for (const bool beyond : {false, true}) {
       bool begun = false;
       for (std::uint32_t i = 0; i < size; ++i) {
         const std::uint32_t at = beyond ? size - 1 - i : i;
-        if (apply(o, false, member[at]) != beyond ||
-            apply(o, true, member[at]) == beyond)
+        if (common_.is_in_result(o, false, member[at]) != beyond ||
+            common_.is_in_result(o, true, member[at]) == beyond)
           continue;
         if (!begun) begin_face(o, f, beyond, result);
         begun = true;
@@ -289,6 +336,16 @@ void Engine::copy_untouched(std::size_t o, Solid& result) {
       }
     }
   }
+}
+
+}  // namespace
+
+Assembled assembled(Arrangement& arrangement) {
+  HALFSPACE_ASSERT(arrangement.conforms(0) && arrangement.conforms(1));
+  arrangement.index();
+  Classifier classifier(arrangement);
+  List<DirectedEdge> pieces = Emitter(arrangement, classifier).run();
+  return Assembler(arrangement, classifier, std::move(pieces)).run();
 }
 
 }  // namespace halfspace::fast

@@ -1,23 +1,24 @@
 #include "halfspace/fast/boolean.hpp"
 
-#include "boolean/engine.hpp"
+#include "boolean/assemble.hpp"
+#include "boolean/conform.hpp"
 #include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-/// Of solids in the lease's table.
+/// The boolean of solids in the lease's table.
 Solid carried_out(BooleanOp operation, const Solid& a, const Solid& b,
                   TableLease& lease, int threads) {
-  Engine engine(operation, a, b, lease, threads);
-  engine.find_contacts();
-  if (engine.has_nodes(0) && engine.has_nodes(1)) return engine.run();
-  const Solid first = engine.has_nodes(0) ? a : conforming(a, lease);
-  const Solid second = engine.has_nodes(1) ? b : conforming(b, lease);
+  Arrangement found(operation, a, b, lease, threads);
+  found.find_contacts();
+  if (found.conforms(0) && found.conforms(1)) return assembled(found).solid;
+  const Solid first = found.conforms(0) ? a : conforming(a, lease);
+  const Solid second = found.conforms(1) ? b : conforming(b, lease);
   Solid result = carried_out(operation, first, second, lease, threads);
   for (Face& face : result.faces) {
     const Solid& from = face.from_first ? first : second;
-    if (!engine.has_nodes(face.from_first ? 0 : 1))
+    if (!found.conforms(face.from_first ? 0 : 1))
       face.source = from.faces[static_cast<std::size_t>(face.source)].source;
   }
   return result;

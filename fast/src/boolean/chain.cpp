@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "boolean/engine.hpp"
+#include "boolean/assemble.hpp"
+#include "boolean/conform.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "solid/dynamic_bvh.hpp"
@@ -52,19 +53,19 @@ Solid with_faces(const Solid& solid, const std::vector<std::int32_t>& faces) {
 /// their edges until those are.
 struct Chain::State {
   explicit State(Solid first) : solid(std::move(first)) {
-    line_up(solid);
+    pack_edges(solid);
     restart();
   }
 
   /// With another solid.
   void restart() {
     solid.is_conforming = is_known_conforming(solid);
-    blocks = std::make_shared<EdgeBlocks>(solid);
+    blocks = std::make_shared<EdgePackets>(solid);
     begin();
   }
   void begin() {
     extent = kEmptyBox;
-    index = FaceIndex();
+    index = DynamicBvh();
     index.reserve(solid.faces.size());
     is_indexed = false;
     is_fresh = true;
@@ -87,17 +88,17 @@ struct Chain::State {
   std::vector<std::int32_t> faces_near(const Box& reach);
   void apply(BooleanOp operation, const Solid& other, TableLease& lease);
   void exchange(const std::vector<std::int32_t>& near, const Solid& result,
-                Engine& engine);
+                const EdgePackets& result_blocks, const Arrangement& found);
   void drop_gone_edges();
   void drop_gone_faces();
 
   Solid solid;
-  FaceIndex index;
+  DynamicBvh index;
   /// One boolean is quicker without an index: it is made for the second one.
   bool is_indexed = false;
   bool is_fresh = true;
   Box extent;
-  std::shared_ptr<EdgeBlocks> blocks;
+  std::shared_ptr<EdgePackets> blocks;
   std::size_t gone_faces = 0;
   std::size_t gone_edges = 0;
 };
@@ -131,21 +132,21 @@ void Chain::State::apply(BooleanOp operation, const Solid& other,
   const bool all_near = near.size() == solid.faces.size() ||
                         (!is_indexed && 2 * near.size() > solid.faces.size());
   const Solid part = all_near ? without_faces(solid) : with_faces(solid, near);
-  Engine::Whole whole{&solid, is_indexed ? &index : nullptr, extent, blocks,
-                      blocks};
+  Arrangement::Whole whole{&solid, is_indexed ? &index : nullptr, extent,
+                           blocks, blocks};
   if (!all_near)
-    whole.part_blocks = std::make_shared<const EdgeBlocks>(*blocks, near);
+    whole.part_blocks = std::make_shared<const EdgePackets>(*blocks, near);
   // Step 2: what becomes of them.
-  Engine engine(operation, all_near ? solid : part, other, lease, whole);
-  engine.find_contacts();
-  if (!engine.has_nodes(0)) {
+  Arrangement found(operation, all_near ? solid : part, other, lease, whole);
+  found.find_contacts();
+  if (!found.conforms(0)) {
     solid = conforming(present(), lease);
     restart();
     return apply(operation, other, lease);
   }
-  if (!engine.has_nodes(1))
+  if (!found.conforms(1))
     return apply(operation, conforming(other, lease), lease);
-  Solid result = engine.run();
+  auto [result, result_blocks] = assembled(found);
   solid.is_conforming = solid.is_conforming && result.is_conforming;
   // Step 3: the others are all beyond the other solid's box.
   const bool beyond = other.unbounded;
@@ -155,21 +156,23 @@ void Chain::State::apply(BooleanOp operation, const Solid& other,
   if (!stay || all_near) {
     result.is_conforming = solid.is_conforming;
     solid = std::move(result);
-    *blocks = std::move(engine.blocks());
+    *blocks = std::move(result_blocks);
     begin();
     return;
   }
-  exchange(near, result, engine);
+  exchange(near, result, result_blocks, found);
 }
 
 /// Puts the result in the place of the near faces; what is as it was stays.
 void Chain::State::exchange(const std::vector<std::int32_t>& near,
-                            const Solid& result, Engine& engine) {
+                            const Solid& result,
+                            const EdgePackets& result_blocks,
+                            const Arrangement& found) {
   std::vector<std::uint8_t> stays(near.size());
   const auto first = static_cast<std::int32_t>(solid.faces.size());
   for (std::size_t f = 0; f < result.faces.size(); ++f) {
     const Face& face = result.faces[f];
-    if (face.from_first && engine.is_untouched(face.source)) {
+    if (face.from_first && !found.is_touched(0, face.source)) {
       const auto at = static_cast<std::size_t>(face.source);
       const Face& old = solid.faces[static_cast<std::size_t>(near[at])];
       if (old.edge_count == face.edge_count && old.flipped == face.flipped) {
@@ -180,7 +183,7 @@ void Chain::State::exchange(const std::vector<std::int32_t>& near,
     append(result, face, solid);
     extend(extent, face.box);
     blocks->set(solid.faces.size() - 1,
-                engine.blocks().shared(static_cast<std::int32_t>(f)));
+                result_blocks.shared(static_cast<std::int32_t>(f)));
   }
   for (std::size_t i = 0; i < near.size(); ++i) {
     if (stays[i] != 0) continue;
@@ -226,7 +229,7 @@ void Chain::State::drop_gone_faces() {
   for (std::size_t i = 0; i < faces.size(); ++i)
     solid.faces[i] = solid.faces[static_cast<std::size_t>(faces[i])];
   solid.faces.resize(faces.size());
-  *blocks = EdgeBlocks(*blocks, faces);
+  *blocks = EdgePackets(*blocks, faces);
   begin();
 }
 
@@ -274,8 +277,8 @@ Solid paired(BooleanOp operation, std::vector<Solid> level, int threads) {
   return std::move(level[0]);
 }
 
-/// What becomes of each block of solids, in one table. Blocks of 2^k in a row
-/// are what pairs of pairs come to.
+/// The boolean of each block of solids, all in one table. Blocks of 2^k in a
+/// row are what pairs of pairs come to.
 std::vector<Solid> blocks_of(BooleanOp operation,
                              const std::vector<Solid>& solids, int threads) {
   constexpr std::size_t kBlock = 8;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "intersect/self_intersections.hpp"
 #include "intersect/self_radial_order.hpp"
 #include "solid/move_to_table.hpp"
 
@@ -59,20 +60,21 @@ Error crossed(const Solid& solid, const std::vector<SelfIntersection>& found) {
 
 /// Where a surface does not pass through itself, each connected part of it has
 /// one winding number in front of all its faces, which must be 0 (S6.6).
-Result<Done> check_windings(const Solid& solid, SelfWings& wings) {
-  const auto parts = parts_of_surface(
-      wings.contacts().operand, std::vector<std::uint8_t>(solid.faces.size()));
+Result<Done> check_windings(const Solid& solid, SelfRadialOrder& half_faces) {
+  const auto parts =
+      parts_of_surface(half_faces.contacts().operand,
+                       std::vector<std::uint8_t>(solid.faces.size()));
   std::size_t wrong = 0;
   Error error;
   for (std::size_t f = 0; f < parts.size(); ++f) {
     const Face& face = solid.faces[f];
     const auto id = static_cast<std::int32_t>(f);
     if (parts[f] != id || face.edge_count == 0) continue;
-    const int level = wings.level_outside(id);
-    if (level == 0 || ++wrong > 1) continue;
+    const int winding = half_faces.winding_outside(id);
+    if (winding == 0 || ++wrong > 1) continue;
     const std::string polygon = "polygon " + polygon_of(solid, id);
-    error = {level < 0 ? ErrorCode::kInsideOut : ErrorCode::kSelfCrossing,
-             level < 0
+    error = {winding < 0 ? ErrorCode::kInsideOut : ErrorCode::kSelfCrossing,
+             winding < 0
                  ? "the surface is inside out: " + polygon + " faces inwards"
                  : "the surface winds round a place twice: " + polygon +
                        " is within the solid, and faces outwards",
@@ -111,10 +113,10 @@ Result<Done> check_operand(const Solid& solid) {
   }
   return with_lease(
       solid, [](const Solid& same, TableLease& lease) -> Result<Done> {
-        SelfWings wings(same, lease);
-        const auto found = self_intersections_of(wings.contacts());
+        SelfRadialOrder half_faces(same, lease);
+        const auto found = self_intersections_of(half_faces.contacts());
         if (!found.empty()) return crossed(same, found);
-        return check_windings(same, wings);
+        return check_windings(same, half_faces);
       });
 }
 

@@ -13,6 +13,7 @@
 #include "halfspace/fast/bad_edges.hpp"
 #include "intersect/line_section.hpp"
 #include "intersect/radial_order.hpp"
+#include "intersect/transversal_plane.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -37,20 +38,20 @@ Box box_of(const GeometryTable& table, std::int32_t low, std::int32_t high) {
 }
 
 /// Finds where an operand touches itself on the other one's surface.
-class Noder {
+class Conformer {
  public:
-  Noder(std::size_t o, std::array<Operand, 2>& operands,
-        std::vector<Trace>& traces, GeometryTable& table)
+  Conformer(std::size_t o, std::array<Operand, 2>& operands,
+            std::vector<IntersectionSegment>& segments, GeometryTable& table)
       : o_(o),
         operand_(operands[o]),
         other_(operands[1 - o]),
-        traces_(traces),
+        segments_(segments),
         table_(table),
         section_(table) {}
 
   bool run() {
     if (!operand_.covers.empty() && !cut_covered_edges()) return false;
-    if (!traces_.empty()) split_traces();
+    if (!segments_.empty()) split_segments();
     return true;
   }
 
@@ -60,16 +61,16 @@ class Noder {
   int side_of(std::int32_t face, std::int32_t vertex) const;
   std::span<const SolidEdge> edges_near(std::int32_t face, std::int32_t plane);
   bool add_points(std::int32_t edge, std::int32_t face);
-  void split_traces();
-  void find_cuts_on_traces();
-  void find_vertices_on_traces();
-  void find_on_trace(std::size_t trace, std::int32_t vertex);
-  void find_on_any_trace(std::int32_t vertex);
-  std::int32_t own_face(const Trace& trace) const {
-    return o_ == 0 ? trace.first : trace.second;
+  void split_segments();
+  void find_cuts_on_segments();
+  void find_vertices_on_segments();
+  void find_on_segment(std::size_t segment, std::int32_t vertex);
+  void find_on_any_segment(std::int32_t vertex);
+  std::int32_t own_face(const IntersectionSegment& segment) const {
+    return o_ == 0 ? segment.first : segment.second;
   }
-  std::int32_t other_face(const Trace& trace) const {
-    return o_ == 0 ? trace.second : trace.first;
+  std::int32_t other_face(const IntersectionSegment& segment) const {
+    return o_ == 0 ? segment.second : segment.first;
   }
   bool is_between(int axis, std::int32_t low, std::int32_t v,
                   std::int32_t high) const {
@@ -80,28 +81,28 @@ class Noder {
   std::size_t o_;
   Operand& operand_;
   const Operand& other_;
-  std::vector<Trace>& traces_;
+  std::vector<IntersectionSegment>& segments_;
   GeometryTable& table_;
-  Section section_;
-  std::vector<SolidEdge> near_edges_;  ///< of the face at hand
+  LineFaceSection section_;
+  std::vector<SolidEdge> near_edges_;  ///< of the current face
   /// Covered edges and points within them.
   std::vector<std::pair<std::int32_t, std::int32_t>> points_;
-  std::optional<BoxTree> trace_tree_;
+  std::optional<BoxTree> segment_bvh_;
   /// Traces and points within them.
   std::vector<std::pair<std::size_t, std::int32_t>> nodes_;
 };
 
 /// False: there is an edge of which a part lies in a face that has it not.
-bool Noder::cut_covered_edges() {
+bool Conformer::cut_covered_edges() {
   const BoxTree tree(
       [&](std::int32_t f) -> const Box& { return operand_.face(f).box; },
       operand_.active);
   std::vector<std::uint8_t> is_done(operand_.edges.size());
-  for (const Cover& cover : operand_.covers) {
+  for (const EdgeInFace& cover : operand_.covers) {
     std::uint8_t& done = is_done[static_cast<std::size_t>(cover.edge)];
     if (done != 0) continue;
     done = 1;
-    const LineEdge& edge = operand_.edge(cover.edge);
+    const OperandEdge& edge = operand_.edge(cover.edge);
     bool is_alone = true;
     tree.find(box_of(table_, edge.low, edge.high), [&](std::int32_t f) {
       is_alone = is_alone && add_points(cover.edge, f);
@@ -113,10 +114,10 @@ bool Noder::cut_covered_edges() {
 }
 
 /// Cuts the edges at the points, where they are covered.
-void Noder::add_cuts() {
-  std::vector<Cut>& cuts = operand_.cuts;
+void Conformer::add_cuts() {
+  std::vector<EdgeFaceIntersection>& cuts = operand_.cuts;
   std::sort(points_.begin(), points_.end());
-  for (const Cover& cover : operand_.covers) {
+  for (const EdgeInFace& cover : operand_.covers) {
     const int axis = operand_.edge(cover.edge).axis;
     auto point = std::lower_bound(
         points_.begin(), points_.end(), cover.edge,
@@ -127,20 +128,24 @@ void Noder::add_cuts() {
     }
   }
   // Some were known.
-  const auto key = [](const Cut& cut) {
+  const auto key = [](const EdgeFaceIntersection& cut) {
     return std::tie(cut.edge, cut.vertex, cut.face);
   };
   std::sort(cuts.begin(), cuts.end(),
-            [&](const Cut& x, const Cut& y) { return key(x) < key(y); });
-  cuts.erase(
-      std::unique(cuts.begin(), cuts.end(),
-                  [&](const Cut& x, const Cut& y) { return key(x) == key(y); }),
-      cuts.end());
+            [&](const EdgeFaceIntersection& x, const EdgeFaceIntersection& y) {
+              return key(x) < key(y);
+            });
+  cuts.erase(std::unique(cuts.begin(), cuts.end(),
+                         [&](const EdgeFaceIntersection& x,
+                             const EdgeFaceIntersection& y) {
+                           return key(x) == key(y);
+                         }),
+             cuts.end());
 }
 
 /// On which side of a face's plane the vertex is. Most are asked of the faces
 /// around them.
-int Noder::side_of(std::int32_t f, std::int32_t vertex) const {
+int Conformer::side_of(std::int32_t f, std::int32_t vertex) const {
   constexpr std::uint32_t kFew = 8;
   const Face& face = operand_.face(f);
   const SolidEdge* edges = operand_.edges_of(f);
@@ -151,18 +156,18 @@ int Noder::side_of(std::int32_t f, std::int32_t vertex) const {
 }
 
 /// Those edges of a face that may meet a plane, in their order.
-std::span<const SolidEdge> Noder::edges_near(std::int32_t f,
-                                             std::int32_t plane) {
+std::span<const SolidEdge> Conformer::edges_near(std::int32_t f,
+                                                 std::int32_t plane) {
   const SolidEdge* edges = operand_.edges_of(f);
-  const BlockList* list = operand_.blocks->of(f);
+  const PacketList* list = operand_.blocks->of(f);
   if (list == nullptr) return {edges, operand_.face(f).edge_count};
   near_edges_.clear();
   list->visit(
       [&](const Box& box) {
-        return known_side(table_.plane(plane).filter, box, table_.rounding()) ==
-               0;
+        return filtered_side(table_.plane(plane).filter, box,
+                             table_.rounding()) == 0;
       },
-      [&](const EdgeBlock& block) {
+      [&](const EdgePacket& block) {
         near_edges_.insert(near_edges_.end(), edges + block.first,
                            edges + block.first + block.count);
       });
@@ -171,8 +176,8 @@ std::span<const SolidEdge> Noder::edges_near(std::int32_t f,
 
 /// Adds the points within an edge at which a face that has it not touches it.
 /// False if it has more of the edge in it than points.
-bool Noder::add_points(std::int32_t id, std::int32_t f) {
-  LineEdge& edge = operand_.edge(id);
+bool Conformer::add_points(std::int32_t id, std::int32_t f) {
+  OperandEdge& edge = operand_.edge(id);
   for (std::uint32_t u = 0; u < edge.use_count; ++u) {
     if (operand_.uses[edge.first_use + u].face == f) return true;
   }
@@ -182,7 +187,7 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
   // At an end there is a vertex of the edge.
   if (low * high > 0 || (low == 0) != (high == 0)) return true;
   const std::array<std::int32_t, 2> planes{
-      edge.plane, second_plane(edge, operand_, table_)};
+      edge.plane, transversal_plane(edge, operand_, table_)};
   const std::int32_t across = other_than(face.plane, planes);
   const auto edges = edges_near(f, across);
   if (low != 0) {
@@ -208,92 +213,94 @@ bool Noder::add_points(std::int32_t id, std::int32_t f) {
       });
 }
 
-/// Within a trace neither of its faces has a vertex.
-void Noder::split_traces() {
-  find_cuts_on_traces();
-  find_vertices_on_traces();
+/// Within a segment neither of its faces has a vertex.
+void Conformer::split_segments() {
+  find_cuts_on_segments();
+  find_vertices_on_segments();
   std::sort(nodes_.begin(), nodes_.end(), [&](const auto& x, const auto& y) {
     if (x.first != y.first) return x.first < y.first;
-    return table_.compare(traces_[x.first].axis, x.second, y.second) < 0;
+    return table_.compare(segments_[x.first].axis, x.second, y.second) < 0;
   });
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
   for (const auto& [t, vertex] : nodes_) {
     // The part up to the point stands aside, what is left here.
-    Trace part = traces_[t];
+    IntersectionSegment part = segments_[t];
     part.high = vertex;
-    traces_[t].low = vertex;
-    traces_.push_back(part);
+    segments_[t].low = vertex;
+    segments_.push_back(part);
   }
 }
 
-/// If the point is within the trace, notes that.
-void Noder::find_on_trace(std::size_t t, std::int32_t vertex) {
-  const Trace& trace = traces_[t];
-  if (vertex == trace.low || vertex == trace.high) return;
-  if (is_between(trace.axis, trace.low, vertex, trace.high) &&
-      table_.side(operand_.face(own_face(trace)).plane, vertex) == 0 &&
-      table_.side(other_.face(other_face(trace)).plane, vertex) == 0)
+/// If the point is within the segment, notes that.
+void Conformer::find_on_segment(std::size_t t, std::int32_t vertex) {
+  const IntersectionSegment& segment = segments_[t];
+  if (vertex == segment.low || vertex == segment.high) return;
+  if (is_between(segment.axis, segment.low, vertex, segment.high) &&
+      table_.side(operand_.face(own_face(segment)).plane, vertex) == 0 &&
+      table_.side(other_.face(other_face(segment)).plane, vertex) == 0)
     nodes_.emplace_back(t, vertex);
 }
 
-void Noder::find_on_any_trace(std::int32_t vertex) {
-  if (!trace_tree_) {
+void Conformer::find_on_any_segment(std::int32_t vertex) {
+  if (!segment_bvh_) {
     std::vector<Box> boxes;
-    for (const Trace& trace : traces_)
-      boxes.push_back(box_of(table_, trace.low, trace.high));
+    for (const IntersectionSegment& segment : segments_)
+      boxes.push_back(box_of(table_, segment.low, segment.high));
     std::vector<std::int32_t> items(boxes.size());
     std::iota(items.begin(), items.end(), 0);
-    trace_tree_.emplace(
+    segment_bvh_.emplace(
         [&](std::int32_t t) { return boxes[static_cast<std::size_t>(t)]; },
         items);
   }
-  trace_tree_->find(box_of(table_, vertex, vertex), [&](std::int32_t t) {
-    find_on_trace(static_cast<std::size_t>(t), vertex);
+  segment_bvh_->find(box_of(table_, vertex, vertex), [&](std::int32_t t) {
+    find_on_segment(static_cast<std::size_t>(t), vertex);
   });
 }
 
-/// Where edges meet the other operand's faces, those may have traces.
-void Noder::find_cuts_on_traces() {
+/// Where edges meet the other operand's faces, those may have segments.
+void Conformer::find_cuts_on_segments() {
   if (operand_.cuts.empty()) return;
-  // Step 1: the traces by the other operand's faces.
+  // Step 1: the segments by the other operand's faces.
   std::vector<std::uint32_t> first(other_.solid->faces.size() + 1);
   const auto count_of = [&](std::int32_t f) -> std::uint32_t& {
     return first[static_cast<std::size_t>(f) + 1];
   };
-  for (const Trace& trace : traces_) ++count_of(other_face(trace));
+  for (const IntersectionSegment& segment : segments_)
+    ++count_of(other_face(segment));
   std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<std::uint32_t> by_face(traces_.size());
-  for (std::size_t t = traces_.size(); t-- > 0;) {
-    by_face[--count_of(other_face(traces_[t]))] = static_cast<std::uint32_t>(t);
+  std::vector<std::uint32_t> by_face(segments_.size());
+  for (std::size_t t = segments_.size(); t-- > 0;) {
+    by_face[--count_of(other_face(segments_[t]))] =
+        static_cast<std::uint32_t>(t);
   }
-  // Step 2: the points on each. Its traces begin now where those of the face
+  // Step 2: the points on each. Its segments begin now where those of the face
   // before it end.
   constexpr std::uint32_t kMany = 16;
-  for (const Cut& cut : operand_.cuts) {
+  for (const EdgeFaceIntersection& cut : operand_.cuts) {
     const std::uint32_t begin = count_of(cut.face);
     const auto f = static_cast<std::size_t>(cut.face);
-    const std::uint32_t end = f + 2 < first.size()
-                                  ? first[f + 2]
-                                  : static_cast<std::uint32_t>(traces_.size());
+    const std::uint32_t end =
+        f + 2 < first.size() ? first[f + 2]
+                             : static_cast<std::uint32_t>(segments_.size());
     if (end - begin > kMany) {
-      find_on_any_trace(cut.vertex);
+      find_on_any_segment(cut.vertex);
       continue;
     }
     for (std::uint32_t i = begin; i < end; ++i)
-      find_on_trace(by_face[i], cut.vertex);
+      find_on_segment(by_face[i], cut.vertex);
   }
 }
 
-void Noder::find_vertices_on_traces() {
+void Conformer::find_vertices_on_segments() {
   std::vector<std::int32_t> vertices;
-  for (const LineEdge& edge : operand_.edges) {
+  for (const OperandEdge& edge : operand_.edges) {
     for (const std::int32_t v : {edge.low, edge.high}) {
       if (operand_.is_on_other(v)) vertices.push_back(v);
     }
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for (const std::int32_t v : vertices) find_on_any_trace(v);
+  for (const std::int32_t v : vertices) find_on_any_segment(v);
 }
 
 }  // namespace
@@ -305,9 +312,10 @@ bool is_known_conforming(const Solid& solid) {
          (solid.faces.size() * solid.edges.size() <= kMost && is_convex(solid));
 }
 
-bool add_nodes(std::size_t o, std::array<Operand, 2>& operands,
-               std::vector<Trace>& traces, GeometryTable& table) {
-  return Noder(o, operands, traces, table).run();
+bool conform_contacts(std::size_t o, std::array<Operand, 2>& operands,
+                      std::vector<IntersectionSegment>& segments,
+                      GeometryTable& table) {
+  return Conformer(o, operands, segments, table).run();
 }
 
 Solid conforming(const Solid& solid, TableLease& lease) {

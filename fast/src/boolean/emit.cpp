@@ -1,19 +1,30 @@
-#include <algorithm>
-#include <utility>
+#include "boolean/emit.hpp"
 
-#include "boolean/engine.hpp"
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "halfspace/assert.hpp"
+#include "intersect/transversal_plane.hpp"
 
 namespace halfspace::fast {
 
-Wing Engine::wing_of(std::size_t o, std::int32_t f, int turn) const {
+List<DirectedEdge> Emitter::run() {
+  emit_edges(0);
+  emit_edges(1);
+  emit_intersection_segments();
+  return std::move(pieces_);
+}
+
+HalfFace Emitter::half_face_of(std::size_t o, std::int32_t f, int turn) const {
   const Face& face = operands_[o].face(f);
   return {static_cast<std::int32_t>(o), f, face.plane, turn, face.flipped};
 }
 
-void Engine::emit_edges(std::size_t o) {
+void Emitter::emit_edges(std::size_t o) {
   for (std::size_t e = 0; e < operands_[o].edges.size(); ++e) {
     const auto id = static_cast<std::int32_t>(e);
-    if (cuts_of(o, id).empty() && covers_of(o, id).empty()) {
+    if (common_.cuts_of(o, id).empty() && common_.covers_of(o, id).empty()) {
       emit_whole(o, id);
     } else {
       emit_parts(o, id);
@@ -22,38 +33,39 @@ void Engine::emit_edges(std::size_t o) {
 }
 
 /// An edge that does not meet the other operand's surface, but for its ends.
-void Engine::emit_whole(std::size_t o, std::int32_t id) {
+void Emitter::emit_whole(std::size_t o, std::int32_t id) {
   const Operand& operand = operands_[o];
-  const LineEdge& edge = operands_[o].edge(id);
+  const OperandEdge& edge = operands_[o].edge(id);
   const auto uses =
       std::span(operand.uses).subspan(edge.first_use, edge.use_count);
   const auto is_touched = [&](const EdgeUse& use) {
     return operand.touched[static_cast<std::size_t>(use.face)] != 0;
   };
   if (std::none_of(uses.begin(), uses.end(), is_touched)) return;
-  const bool member = is_part_inside(o, id, edge.low, edge.high);
-  const bool beyond = apply(o, false, member);
-  if (apply(o, true, member) == beyond) return;
+  const bool member = classifier_.is_part_inside(o, id, edge.low, edge.high);
+  const bool beyond = common_.is_in_result(o, false, member);
+  if (common_.is_in_result(o, true, member) == beyond) return;
   for (const EdgeUse& use : uses) {
     if (!is_touched(use)) continue;
     const std::int32_t plane = operand.face(use.face).plane;
-    Piece piece{bucket_of(o, use.face, beyond), plane, edge.low, edge.high,
-                other_than(plane, {edge.plane, edge.other})};
+    DirectedEdge piece{bucket_of(o, use.face, beyond), plane, edge.low,
+                       edge.high, other_than(plane, {edge.plane, edge.other})};
     if (use.forward == beyond) std::swap(piece.from, piece.to);
     pieces_.push_back(piece);
   }
 }
 
-void Engine::find_covered(std::size_t o, std::int32_t id) {
+void Emitter::find_covered(std::size_t o, std::int32_t id,
+                           const std::vector<std::int32_t>& points) {
   covered_.clear();
-  const auto covers = covers_of(o, id);
+  const auto covers = common_.covers_of(o, id);
   if (covers.empty()) return;
   const int axis = operands_[o].edge(id).axis;
   const auto place = [&](std::int32_t v) {
     const auto at = std::partition_point(
-        points_.begin(), points_.end(),
+        points.begin(), points.end(),
         [&](std::int32_t u) { return table_.compare(axis, u, v) < 0; });
-    return static_cast<std::size_t>(at - points_.begin());
+    return static_cast<std::size_t>(at - points.begin());
   };
   for (std::size_t c = 0; c < covers.size(); ++c) {
     const std::size_t end = place(covers[c].high);
@@ -64,48 +76,47 @@ void Engine::find_covered(std::size_t o, std::int32_t id) {
 }
 
 /// An edge that is cut, or lies in the other operand's surface in part.
-void Engine::emit_parts(std::size_t o, std::int32_t id) {
-  const LineEdge edge = operands_[o].edge(id);
-  find_points(o, id);
-  find_covered(o, id);
+void Emitter::emit_parts(std::size_t o, std::int32_t id) {
+  const OperandEdge edge = operands_[o].edge(id);
+  const std::vector<std::int32_t>& points = classifier_.points_on(o, id);
+  find_covered(o, id, points);
   auto covered = covered_.begin();
-  std::optional<KnownPart> last;
-  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-    wings_.clear();
+  std::optional<Classifier::KnownPart> last;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    half_faces_.clear();
     bool twice = false;
     for (; covered != covered_.end() && covered->first == i; ++covered) {
-      const Cover& cover = covers_of(o, id)[covered->second];
-      if (cover.left) wings_.push_back(wing_of(1 - o, cover.face, 1));
-      if (cover.right) wings_.push_back(wing_of(1 - o, cover.face, -1));
+      const EdgeInFace& cover = common_.covers_of(o, id)[covered->second];
+      if (cover.left) half_faces_.push_back(half_face_of(1 - o, cover.face, 1));
+      if (cover.right)
+        half_faces_.push_back(half_face_of(1 - o, cover.face, -1));
       twice = twice || cover.on_edge;
     }
-    // A segment of edges of both operands is the first one's affair.
+    // A segment of edges of both operands is emitted with the first one.
     if (o == 1 && twice) continue;
     std::array<bool, 2> member{};
-    if (wings_.empty()) {
-      auto told = told_inside(o, id, points_[i], points_[i + 1]);
-      if (!told && last) told = carried_inside(o, id, *last, i);
-      if (!told) told = locator(1 - o).is_inside(points_[i], points_[i + 1]);
-      last = {i, *told};
-      member[1 - o] = *told;
+    if (half_faces_.empty()) {
+      member[1 - o] = classifier_.is_part_inside(o, id, i, last);
+      last = {i, member[1 - o]};
     }
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
       const EdgeUse& use = operands_[o].uses[edge.first_use + u];
       const bool flipped = operands_[o].face(use.face).flipped;
-      wings_.push_back(wing_of(o, use.face, use.forward != flipped ? 1 : -1));
+      half_faces_.push_back(
+          half_face_of(o, use.face, use.forward != flipped ? 1 : -1));
     }
     const std::int32_t other =
-        second_plane(operands_[o].edge(id), operands_[o], table_);
-    emit({points_[i], points_[i + 1], edge.axis, {edge.plane, other}}, member);
+        transversal_plane(operands_[o].edge(id), operands_[o], table_);
+    emit({points[i], points[i + 1], edge.axis, {edge.plane, other}}, member);
   }
 }
 
-void Engine::emit_traces() {
-  for (const Trace& trace : traces_) {
-    wings_.clear();
+void Emitter::emit_intersection_segments() {
+  for (const IntersectionSegment& trace : common_.segments) {
+    half_faces_.clear();
     for (const int turn : {1, -1}) {
-      wings_.push_back(wing_of(0, trace.first, turn));
-      wings_.push_back(wing_of(1, trace.second, turn));
+      half_faces_.push_back(half_face_of(0, trace.first, turn));
+      half_faces_.push_back(half_face_of(1, trace.second, turn));
     }
     emit({trace.low,
           trace.high,
@@ -116,47 +127,53 @@ void Engine::emit_traces() {
   }
 }
 
-/// Whether the wedge before the first wing is inside the operand: if the first
-/// of its own wings leaves it, for none of its faces overlap (S6.2).
-bool Engine::is_before_inside(std::size_t o, bool member) const {
+/// Whether the wedge before the first half-face is inside the operand: it is if
+/// the first of its own half-faces exits it, for none of its faces overlap
+/// (S6.2).
+bool Emitter::is_before_inside(std::size_t o, bool member) const {
   const auto first = std::find_if(
-      wings_.begin(), wings_.end(),
-      [o](const Wing& w) { return w.operand == static_cast<std::int32_t>(o); });
-  return first == wings_.end() ? member : leaves(*first);
+      half_faces_.begin(), half_faces_.end(), [o](const HalfFace& w) {
+        return w.operand == static_cast<std::int32_t>(o);
+      });
+  return first == half_faces_.end() ? member : exits(*first);
 }
 
-/// Of the wings from `first` to before `last`, which stand in one place, the
-/// one that the result's face is a part of: the first operand's (S6.4), which
-/// never has to be flipped for that. No operand has two.
-const Wing& Engine::source_of(std::size_t first, std::size_t last) const {
-  return wings_[wings_[first].operand == 0 ? first : last - 1];
+/// The half-face that the result's face is a part of, among those from `first`
+/// to before `last`, which coincide: the first operand's (S6.4), which never
+/// has to be flipped for that. No operand has two.
+const HalfFace& Emitter::source_of(std::size_t first, std::size_t last) const {
+  return half_faces_[half_faces_[first].operand == 0 ? first : last - 1];
 }
 
-/// Adds the pieces of the result's faces along the segment, at which the wings
-/// are. `member`: whether it is inside an operand that has no wing there.
-void Engine::emit(const Segment& segment, const std::array<bool, 2>& member) {
-  // Step 1: the wings counter-clockwise round the segment.
-  sort_wings(wings_, segment.axis, table_);
-  // Step 2: inside which operands the wedge before the first wing is.
+/// Adds the directed edges of the result's faces along the segment, round which
+/// half_faces_ are. `member`: whether the segment is inside an operand that has
+/// no half-face there.
+void Emitter::emit(const Segment& segment, const std::array<bool, 2>& member) {
+  HALFSPACE_ASSERT(!half_faces_.empty());
+  HALFSPACE_ASSERT(segment.low != segment.high);
+  // Step 1: the half-faces counter-clockwise round the segment.
+  radial_sort(half_faces_, segment.axis, table_);
+  // Step 2: inside which operands the wedge before the first half_face is.
   std::array<bool, 2> inside{is_before_inside(0, member[0]),
                              is_before_inside(1, member[1])};
   // Step 3: where the result begins or ends, there is a face of it.
   const std::size_t before_any = pieces_.size();
-  for (std::size_t i = 0; i < wings_.size();) {
-    const bool before = is_member(operation_, inside[0], inside[1]);
+  for (std::size_t i = 0; i < half_faces_.size();) {
+    const bool before = is_member(common_.operation, inside[0], inside[1]);
     std::size_t j = i;
     do {
-      inside[static_cast<std::size_t>(wings_[j].operand)] = !leaves(wings_[j]);
+      inside[static_cast<std::size_t>(half_faces_[j].operand)] =
+          !exits(half_faces_[j]);
       ++j;
-    } while (j < wings_.size() && as_last(wings_, j));
-    if (before != is_member(operation_, inside[0], inside[1])) {
+    } while (j < half_faces_.size() && as_last(half_faces_, j));
+    if (before != is_member(common_.operation, inside[0], inside[1])) {
       // Outwards is on from here where the result ends, else back.
-      const bool flipped = wings_[i].turn == (before ? -1 : 1);
-      const Wing& source = source_of(i, j);
-      Piece piece{bucket_of(static_cast<std::size_t>(source.operand),
-                            source.face, source.flipped != flipped),
-                  source.plane, segment.low, segment.high,
-                  other_than(source.plane, segment.planes)};
+      const bool flipped = half_faces_[i].turn == (before ? -1 : 1);
+      const HalfFace& source = source_of(i, j);
+      DirectedEdge piece{bucket_of(static_cast<std::size_t>(source.operand),
+                                   source.face, source.flipped != flipped),
+                         source.plane, segment.low, segment.high,
+                         other_than(source.plane, segment.planes)};
       if (!before) std::swap(piece.from, piece.to);
       pieces_.push_back(piece);
     }

@@ -4,29 +4,33 @@
 #include <set>
 #include <utility>
 
+#include "intersect/self_intersections.hpp"
 #include "intersect/self_radial_order.hpp"
+#include "intersect/transversal_plane.hpp"
 #include "solid/loops.hpp"
 #include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-/// Parts a surface along all lines on which its faces meet, and keeps what has
-/// winding number 0 on one side and 1 or more on the other.
+/// Cuts a surface along all segments on which its faces meet, and keeps what
+/// has winding number 0 or less in front and 1 or more behind (S6.7).
 ///
-/// As in a boolean, every segment's surroundings tell which faces of the
-/// result have an edge there: but how often the surface winds round the wedges
-/// between its wings is counted from outside.
+/// As in a boolean, the half-faces round every segment decide which faces of
+/// the result have an edge there; here the wedges between them carry winding
+/// numbers.
 class Resolver {
  public:
   Resolver(const Solid& solid, TableLease& lease)
       : solid_(solid),
         table_(lease.table()),
-        wings_(solid, lease),
-        contacts_(wings_.contacts()),
+        half_faces_(solid, lease),
+        contacts_(half_faces_.contacts()),
         operand_(contacts_.operand) {
     std::sort(operand_.cuts.begin(), operand_.cuts.end(),
-              [](const Cut& x, const Cut& y) { return x.edge < y.edge; });
+              [](const EdgeFaceIntersection& x, const EdgeFaceIntersection& y) {
+                return x.edge < y.edge;
+              });
   }
 
   Resolved run() {
@@ -34,8 +38,8 @@ class Resolver {
     resolved.self_intersections = self_intersections_of(contacts_);
     mark_cut_faces();
     for (std::size_t e = 0; e < operand_.edges.size(); ++e) emit_edge(e);
-    for (const Trace& trace : contacts_.traces) {
-      if (trace.first < trace.second) emit_trace(trace);
+    for (const IntersectionSegment& trace : contacts_.segments) {
+      if (trace.first < trace.second) emit_intersection_segment(trace);
     }
     resolved.solid = result(resolved);
     return resolved;
@@ -49,7 +53,7 @@ class Resolver {
 
   void mark_cut_faces();
   void emit_edge(std::size_t e);
-  void emit_trace(const Trace& trace);
+  void emit_intersection_segment(const IntersectionSegment& trace);
   void emit_segments(Segment line);
   void emit(const Segment& segment);
   void add_points(const Segment& line);
@@ -59,37 +63,38 @@ class Resolver {
 
   const Solid& solid_;
   GeometryTable& table_;
-  SelfWings wings_;
+  SelfRadialOrder half_faces_;
   SelfContacts& contacts_;
   Operand& operand_;
   std::vector<std::uint8_t> is_cut_;  ///< by face: something crosses it
   std::vector<std::int32_t> points_;
   std::set<std::pair<std::int32_t, std::int32_t>> done_;  ///< segments
-  List<Piece> pieces_;
+  List<DirectedEdge> pieces_;
 };
 
-/// What meets another face but at vertices and edges that both have is cut.
+/// Marks faces that meet another one elsewhere than in shared vertices and
+/// edges.
 void Resolver::mark_cut_faces() {
   is_cut_.assign(solid_.faces.size(), 0);
   const auto mark = [this](std::int32_t f) {
     is_cut_[static_cast<std::size_t>(f)] = 1;
   };
-  const auto mark_uses = [&](const LineEdge& edge) {
+  const auto mark_uses = [&](const OperandEdge& edge) {
     for (std::uint32_t u = 0; u < edge.use_count; ++u)
       mark(operand_.uses[edge.first_use + u].face);
   };
-  for (const Trace& trace : contacts_.traces) {
+  for (const IntersectionSegment& trace : contacts_.segments) {
     mark(trace.first);
     mark(trace.second);
   }
-  for (const Cut& cut : operand_.cuts) {
-    const LineEdge& edge = operand_.edge(cut.edge);
+  for (const EdgeFaceIntersection& cut : operand_.cuts) {
+    const OperandEdge& edge = operand_.edge(cut.edge);
     if (cut.vertex == edge.low || cut.vertex == edge.high) continue;
     mark_uses(edge);
     mark(cut.face);
   }
-  for (const Cover& cover : operand_.covers) {
-    const LineEdge& edge = operand_.edge(cover.edge);
+  for (const EdgeInFace& cover : operand_.covers) {
+    const OperandEdge& edge = operand_.edge(cover.edge);
     bool is_own = false;
     for (std::uint32_t u = 0; u < edge.use_count; ++u)
       is_own = is_own || operand_.uses[edge.first_use + u].face == cover.face;
@@ -107,19 +112,19 @@ void Resolver::mark_cut_faces() {
 void Resolver::emit_edge(std::size_t e) {
   const auto id = static_cast<std::int32_t>(e);
   bool any = false;
-  LineEdge& edge = operand_.edge(id);
+  OperandEdge& edge = operand_.edge(id);
   for (std::uint32_t u = 0; u < edge.use_count; ++u)
     any = any || is_cut(operand_.uses[edge.first_use + u].face);
   if (!any) return;
   points_.clear();
-  const std::int32_t other = second_plane(edge, operand_, table_);
+  const std::int32_t other = transversal_plane(edge, operand_, table_);
   const Segment line{edge.low, edge.high, edge.axis, {edge.plane, other}};
   add_points(line);
   emit_segments(line);
 }
 
 /// A segment in two faces' interiors.
-void Resolver::emit_trace(const Trace& trace) {
+void Resolver::emit_intersection_segment(const IntersectionSegment& trace) {
   points_.clear();
   const Segment line{trace.low,
                      trace.high,
@@ -130,14 +135,14 @@ void Resolver::emit_trace(const Trace& trace) {
 }
 
 /// Where another face may cross the line, or has a point on it. Edges and
-/// traces that have a part in common are parted there at the same points, for
+/// segments that have a part in common are parted there at the same points, for
 /// they are a matter of the point and one face.
 void Resolver::add_points(const Segment& line) {
   Box box = kEmptyBox;
   extend(box, table_.vertex(line.low).approximate);
   extend(box, table_.vertex(line.high).approximate);
   std::vector<std::int32_t> near;
-  wings_.index().find(box, [&](std::int32_t f) { near.push_back(f); });
+  half_faces_.index().find(box, [&](std::int32_t f) { near.push_back(f); });
   for (const std::int32_t f : near) add_points_of(f, line);
 }
 
@@ -177,9 +182,9 @@ void Resolver::add_points_of(std::int32_t f, const Segment& line) {
     const std::uint32_t at = face(f).first_edge + i;
     add(solid_.edges[at].from);
     const std::int32_t id = operand_.edge_of[at];
-    auto cut = std::lower_bound(
-        operand_.cuts.begin(), operand_.cuts.end(), id,
-        [](const Cut& c, std::int32_t key) { return c.edge < key; });
+    auto cut = std::lower_bound(operand_.cuts.begin(), operand_.cuts.end(), id,
+                                [](const EdgeFaceIntersection& c,
+                                   std::int32_t key) { return c.edge < key; });
     for (; cut != operand_.cuts.end() && cut->edge == id; ++cut)
       add(cut->vertex);
   }
@@ -198,31 +203,33 @@ void Resolver::emit_segments(Segment line) {
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     line.low = points_[i];
     line.high = points_[i + 1];
-    // Edges and traces may share a segment.
+    // Edges and segments may ray_contribution a segment.
     if (done_.insert(std::minmax(line.low, line.high)).second) emit(line);
   }
 }
 
 void Resolver::emit(const Segment& segment) {
-  const std::vector<Wing>& wings = wings_.at(segment);
-  if (wings.empty()) return;
-  int level = wings_.level_before_first(segment);
+  const std::vector<HalfFace>& half_faces = half_faces_.at(segment);
+  if (half_faces.empty()) return;
+  int winding = half_faces_.winding_before_first(segment);
   const std::size_t before_any = pieces_.size();
-  for (std::size_t i = 0; i < wings.size();) {
-    const bool before = level > 0;
+  for (std::size_t i = 0; i < half_faces.size();) {
+    const bool before = winding > 0;
     const std::size_t first = i;
     do {
-      level += change(wings[i]);
+      winding += change(half_faces[i]);
       ++i;
-    } while (i < wings.size() && as_last(wings, i));
-    const bool after = level > 0;
+    } while (i < half_faces.size() && as_last(half_faces, i));
+    const bool after = winding > 0;
     if (before == after) continue;
-    // One of the wings looks outwards there, where the result ends or begins.
+    // One of the half-faces looks outwards there, where the result ends or
+    // begins.
     std::size_t source = first;
-    while (change(wings[source]) != (before ? -1 : 1)) ++source;
-    const Wing& wing = wings[source];
-    Piece piece{wing.face, wing.plane, segment.low, segment.high,
-                other_than(wing.plane, segment.planes)};
+    while (change(half_faces[source]) != (before ? -1 : 1)) ++source;
+    const HalfFace& half_face = half_faces[source];
+    DirectedEdge piece{half_face.face, half_face.plane, segment.low,
+                       segment.high,
+                       other_than(half_face.plane, segment.planes)};
     if (!before) std::swap(piece.from, piece.to);
     pieces_.push_back(piece);
   }
@@ -249,7 +256,7 @@ Solid Resolver::result(Resolved& resolved) {
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(part.size()); ++f) {
     if (is_cut(f)) continue;
     const auto at = static_cast<std::size_t>(f);
-    stay[at] = part[at] == f ? wings_.level_outside(f) == 0
+    stay[at] = part[at] == f ? half_faces_.winding_outside(f) == 0
                              : stay[static_cast<std::size_t>(part[at])] != 0;
     if (stay[at] == 0) continue;
     begin(f);
@@ -260,10 +267,10 @@ Solid Resolver::result(Resolved& resolved) {
     }
   }
   // Step 2: what is left of the others.
-  std::erase_if(pieces_, [&](const Piece& piece) {
+  std::erase_if(pieces_, [&](const DirectedEdge& piece) {
     return !is_cut(static_cast<std::int32_t>(piece.bucket));
   });
-  straighten(
+  drop_collinear_vertices(
       pieces_, [&](std::int32_t v) { return pinned.count(v) != 0; }, table_);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const auto f = static_cast<std::int32_t>(pieces_[i].bucket);

@@ -18,16 +18,15 @@ void prepare(Operand& a, Operand& b, BooleanScratch& scratch) {
     operand->edge_of.assign(solid.edges.size(), -1);
     operand->on_other = &scratch.on_other;
     if (!operand->blocks)
-      operand->blocks = std::make_shared<const EdgeBlocks>(solid);
+      operand->blocks = std::make_shared<const EdgePackets>(solid);
   }
   scratch.on_other.clear();
   a.reach = b.extent;
   b.reach = a.extent;
 }
 
-std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
-                                                              Operand& b,
-                                                              int threads) {
+std::vector<std::pair<std::int32_t, std::int32_t>> candidate_pairs(
+    Operand& a, Operand& b, int threads) {
   const auto near = [](const Operand& of) {
     std::vector<std::int32_t> items;
     for (std::size_t f = 0; f < of.solid->faces.size(); ++f) {
@@ -46,7 +45,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(Operand& a,
     common.low[k] = std::max(common.low[k], b.reach.low[k]);
     common.high[k] = std::min(common.high[k], b.reach.high[k]);
   }
-  drop_lonely(*a.solid, faces, *b.solid, others, common);
+  grid_prefilter(*a.solid, faces, *b.solid, others, common);
   const BoxTree tree(box_of, others);
   // Step 1: the pairs, block by block of the first operand's faces.
   using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
@@ -101,14 +100,14 @@ void add_edges(Operand& operand, const GeometryTable& table) {
         entries.push_back({at, f});
       }
     };
-    const BlockList* list = operand.blocks->of(f);
+    const PacketList* list = operand.blocks->of(f);
     if (list == nullptr) {
       add(face.first_edge, face.edge_count);
       continue;
     }
     list->visit(
         [&](const Box& box) { return overlap(box, operand.reach); },
-        [&](const EdgeBlock& b) { add(face.first_edge + b.first, b.count); });
+        [&](const EdgePacket& b) { add(face.first_edge + b.first, b.count); });
   }
   sort_by_key(keyed);
   // Step 2: name each once, in the direction of an axis.
@@ -116,8 +115,8 @@ void add_edges(Operand& operand, const GeometryTable& table) {
   for (std::size_t i = 0; i < keyed.size();) {
     const std::uint64_t ends = keyed[i].key;
     const Entry& first = entries[keyed[i].index];
-    LineEdge edge{static_cast<std::int32_t>(ends >> 32),
-                  static_cast<std::int32_t>(ends & 0xffffffff)};
+    OperandEdge edge{static_cast<std::int32_t>(ends >> 32),
+                     static_cast<std::int32_t>(ends & 0xffffffff)};
     edge.axis = table.edge_axis(edge.low, edge.high);
     if (table.compare(edge.axis, edge.low, edge.high) > 0)
       std::swap(edge.low, edge.high);
@@ -136,82 +135,6 @@ void add_edges(Operand& operand, const GeometryTable& table) {
     }
     operand.edges.push_back(edge);
   }
-}
-
-/// How many edges from this one on are known to be far at once, and go on from
-/// each other or are whole loops; `loop` is where the loop at hand begins.
-std::uint32_t FarRows::far_from(std::uint32_t edge, std::uint32_t& loop) {
-  if (list_ != nullptr) {
-    const auto blocks = list_->blocks();
-    while (block_ < blocks.size() && blocks[block_].first < edge) ++block_;
-    if (block_ < blocks.size() && blocks[block_].first == edge &&
-        !overlap(blocks[block_].box, operand_.reach)) {
-      const EdgeBlock& block = blocks[block_];
-      const bool is_whole = block.is_closed && edge == loop;
-      if (is_whole) loop = edge + block.count;
-      if (is_whole || block.is_row) return block.count;
-    }
-  }
-  return operand_.edge_of[face_.first_edge + edge] < 0 ? 1 : 0;
-}
-
-std::optional<FarRows::Row> FarRows::next() {
-  if (rest_.first < rest_.last) return std::exchange(rest_, Row());
-  while (at_ < face_.edge_count) {
-    const std::uint32_t first = at_;
-    std::uint32_t loop = first;  // where the last loop of the row begins
-    while (at_ < face_.edge_count) {
-      if (at_ > loop && !goes_on(at_)) {
-        if (list_ == nullptr || edges_[at_ - 1].to != edges_[loop].from) break;
-        loop = at_;
-      }
-      const std::uint32_t count = far_from(at_, loop);
-      if (count == 0) break;
-      at_ += count;
-    }
-    if (at_ == first) {
-      ++at_;
-      continue;
-    }
-    const bool is_whole =
-        at_ == loop || edges_[at_ - 1].to == edges_[loop].from;
-    if (is_whole || loop == first) return Row{first, at_};
-    rest_ = {loop, at_};
-    return Row{first, loop};
-  }
-  return std::nullopt;
-}
-
-namespace {
-
-/// A plane through two points of the grid and along an axis that is not in the
-/// plane, which holds them: the one that its normal is most along.
-std::int32_t plane_beside(std::int32_t u, std::int32_t v, std::int32_t plane,
-                          GeometryTable& table) {
-  const Plane& n = table.plane(plane).filter.plane;
-  const std::array<double, 3> size{std::abs(n.a), std::abs(n.b), std::abs(n.c)};
-  const auto axis = std::max_element(size.begin(), size.end()) - size.begin();
-  return table.add_line_plane(u, v, static_cast<int>(axis));
-}
-
-}  // namespace
-
-std::int32_t second_plane(LineEdge& edge, const Operand& operand,
-                          GeometryTable& table) {
-  if (edge.other >= 0) return edge.other;
-  // Two planes of faces at one edge are equal, or meet along it.
-  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
-    const auto at = static_cast<std::size_t>(edge.first_use + u);
-    const std::int32_t plane = operand.face(operand.uses[at].face).plane;
-    if (plane != edge.plane) return edge.other = plane;
-  }
-  return edge.other = plane_beside(edge.low, edge.high, edge.plane, table);
-}
-
-std::int32_t plane_athwart(const SolidEdge& edge, const Face& face,
-                           GeometryTable& table) {
-  return edge.other >= 0 ? edge.other
-                         : plane_beside(edge.from, edge.to, face.plane, table);
 }
 
 }  // namespace halfspace::fast

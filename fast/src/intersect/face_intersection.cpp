@@ -1,11 +1,17 @@
 #include "intersect/face_intersection.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
+
+#include "halfspace/assert.hpp"
+#include "intersect/line_section.hpp"
+#include "intersect/transversal_plane.hpp"
 
 namespace halfspace::fast {
 
-void Contact::meet(std::int32_t face_a, std::int32_t face_b) {
+void FaceIntersector::meet(std::int32_t face_a, std::int32_t face_b) {
   if (!may_meet(face_a, face_b)) return;
   if (face(0).plane == face(1).plane) {
     meet_in_plane(0);
@@ -15,9 +21,124 @@ void Contact::meet(std::int32_t face_a, std::int32_t face_b) {
   }
 }
 
-void Contact::begin_line() {
-  marks_.clear();
-  // What has no edges is everywhere.
+bool FaceIntersector::may_meet(std::int32_t face_a, std::int32_t face_b) {
+  faces_ = {face_a, face_b};
+  const std::int32_t p = face(0).plane;
+  const std::int32_t q = face(1).plane;
+  if (p == q) return true;
+  // With edge packets, the line decides which edges matter.
+  const bool many = blocks_of(0) != nullptr || blocks_of(1) != nullptr;
+  if ((many && !table_.line_axis(p, q, axis_)) ||
+      !find_crossings(0, q, face(1).box) ||
+      !find_crossings(1, p, face(0).box) ||
+      (!many && !table_.line_axis(p, q, axis_)))
+    return false;
+  for (std::size_t o = 0; o < 2; ++o) measure(o, face(1 - o).plane);
+  return low_[0] <= high_[1] && low_[1] <= high_[0];
+}
+
+/// Notes which edges of face `o` meet the plane. Whether the face does. If they
+/// are many, only what matters to something in the box `near`, on the line in
+/// which the planes meet.
+bool FaceIntersector::find_crossings(std::size_t o, std::int32_t plane,
+                                     const Box& near) {
+  crossings_[o].clear();
+  before_[o] = {};
+  const PacketList* list = blocks_of(o);
+  if (list != nullptr) return find_near_crossings(o, plane, *list, near);
+  positive_ = negative_ = false;
+  const std::uint32_t count = face(o).edge_count;
+  if (count == 0) return true;
+  find_crossings(o, plane, 0, count);
+  return positive_ && negative_;
+}
+
+/// For a chain of edges before the box only the parity of its crossings
+/// matters; it is odd exactly if its ends are on different sides. Closed loops
+/// contribute nothing, nor does anything beyond the box.
+bool FaceIntersector::find_near_crossings(std::size_t o, std::int32_t plane,
+                                          const PacketList& list,
+                                          const Box& near) {
+  const FilterPlane& filter = table_.plane(plane).filter;
+  const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
+  const auto k = static_cast<std::size_t>(axis_);
+  const auto matters = [&](const Box& box) {
+    return box.low[k] <= near.high[k] &&
+           filtered_side(filter, box, table_.rounding()) == 0;
+  };
+  list.visit(matters, [&](const EdgePacket& block) {
+    const std::uint32_t last = block.first + block.count;
+    const bool is_before = block.box.high[k] < near.low[k];
+    if (is_before && block.is_closed) return;
+    if (!is_before || !block.is_row) {
+      find_crossings(o, plane, block.first, last);
+      return;
+    }
+    const int from = table_.side(plane, edges[block.first].from);
+    const int to = table_.side(plane, edges[last - 1].to);
+    toggle(before_[o], from, to);
+  });
+  return !crossings_[o].empty() || before_[o][0] || before_[o][1];
+}
+
+void FaceIntersector::find_crossings(std::size_t o, std::int32_t plane,
+                                     std::uint32_t first, std::uint32_t last) {
+  const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
+  const int start = table_.side(plane, edges[first].from);
+  int from = start;
+  for (std::uint32_t i = first; i < last; ++i) {
+    // The edges of a loop stand in a row, nearly always.
+    const bool is_last = i + 1 == last;
+    const std::int32_t to_vertex = edges[i].to;
+    const std::int32_t next = edges[is_last ? first : i + 1].from;
+    const int to =
+        is_last && next == to_vertex ? start : table_.side(plane, to_vertex);
+    positive_ = positive_ || from >= 0 || to >= 0;
+    negative_ = negative_ || from <= 0 || to <= 0;
+    if (from != to || from == 0) {
+      crossings_[o].push_back(
+          {i, static_cast<std::int8_t>(from), static_cast<std::int8_t>(to)});
+    }
+    if (!is_last) from = next == to_vertex ? to : table_.side(plane, next);
+  }
+}
+
+/// Measures the crossings of face `o` along the line, which it is to have met.
+void FaceIntersector::measure(std::size_t o, std::int32_t plane_id) {
+  const FilterPlane& plane = table_.plane(plane_id).filter;
+  const SolidEdge* edges = operands_[o]->edges_of(faces_[o]);
+  const double r = table_.rounding();
+  low_[o] = std::numeric_limits<double>::max();
+  high_[o] = -low_[o];
+  if (face(o).edge_count == 0) std::swap(low_[o], high_[o]);
+  for (EdgeCrossing& crossing : crossings_[o]) {
+    const Vertex& p = table_.vertex(edges[crossing.edge].from).approximate;
+    const Vertex& q = table_.vertex(edges[crossing.edge].to).approximate;
+    crossing.low = std::numeric_limits<double>::max();
+    crossing.high = -crossing.low;
+    const auto reach = [&](const Vertex& v) {
+      crossing.low = std::min(crossing.low, coordinate(v, axis_) - v.error);
+      crossing.high = std::max(crossing.high, coordinate(v, axis_) + v.error);
+    };
+    if (crossing.from == 0) reach(p);
+    if (crossing.to == 0) reach(q);
+    if (crossing.from * crossing.to < 0)
+      reach(fast::meet(p, value_at(plane, p, r), q, value_at(plane, q, r), r));
+    low_[o] = std::min(low_[o], crossing.low);
+    high_[o] = std::max(high_[o], crossing.high);
+  }
+  if (blocks_of(o) == nullptr) return;
+  // Where it begins or ends may be out of sight.
+  std::array<bool, 2> on = before_[o];
+  if (on[0] || on[1]) low_[o] = std::numeric_limits<double>::lowest();
+  for (const EdgeCrossing& crossing : crossings_[o])
+    toggle(on, crossing.from, crossing.to);
+  if (on[0] || on[1]) high_[o] = std::numeric_limits<double>::max();
+}
+
+void FaceIntersector::begin_line() {
+  events_.clear();
+  // A face without edges is all of its plane.
   for (std::size_t o = 0; o < 2; ++o) {
     start_[o] = before_[o];
     if (face(o).edge_count == 0) start_[o].fill(true);
@@ -26,80 +147,78 @@ void Contact::begin_line() {
   }
 }
 
-/// Adds the marks of face `o`, whose hits are measured, as is the other face.
-void Contact::add_marks(std::size_t o, std::int32_t across) {
-  for (const Hit& hit : hits_[o]) {
-    if (hit.low > high_[1 - o]) continue;
-    if (hit.high >= low_[1 - o]) {
-      add_mark(o, hit, across);
+/// Adds the events of face `o`, whose crossings are measured, as is the other
+/// face.
+void FaceIntersector::add_events(std::size_t o, std::int32_t across) {
+  for (const EdgeCrossing& crossing : crossings_[o]) {
+    if (crossing.low > high_[1 - o]) continue;
+    if (crossing.high >= low_[1 - o]) {
+      add_event(o, crossing, across);
       continue;
     }
-    toggle(start_[o], hit.from, hit.to);
+    toggle(start_[o], crossing.from, crossing.to);
   }
 }
 
 /// Where the edge meets a plane. Each of its faces asks, and few planes cut it.
-std::int32_t Contact::cut_of(std::size_t o, LineEdge& edge,
-                             std::int32_t across) {
+std::int32_t FaceIntersector::cut_of(std::size_t o, OperandEdge& edge,
+                                     std::int32_t across) {
   for (const std::size_t k : {0u, 1u}) {
     if (edge.cut_by[k] == across) return edge.cut_at[k];
   }
   const std::int32_t vertex = table_.meet(
-      edge.plane, second_plane(edge, *operands_[o], table_), across);
+      edge.plane, transversal_plane(edge, *operands_[o], table_), across);
   edge.cut_by = {across, edge.cut_by[0]};
   edge.cut_at = {vertex, edge.cut_at[0]};
   return vertex;
 }
 
-void Contact::add_mark(std::size_t o, const Hit& hit, std::int32_t across) {
+void FaceIntersector::add_event(std::size_t o, const EdgeCrossing& crossing,
+                                std::int32_t across) {
   Operand& operand = *operands_[o];
-  const SolidEdge& solid_edge = operand.edges_of(faces_[o])[hit.edge];
-  const std::int32_t id = operand.edge_of[face(o).first_edge + hit.edge];
-  Mark mark;
-  mark.present[o] = true;
-  if (hit.from == 0 && hit.to == 0) {
+  const SolidEdge& solid_edge = operand.edges_of(faces_[o])[crossing.edge];
+  const std::int32_t id = operand.edge_of[face(o).first_edge + crossing.edge];
+  SweepEvent event;
+  event.present[o] = true;
+  if (crossing.from == 0 && crossing.to == 0) {
     // A far edge is not on the other face, whatever doubles say.
     if (id < 0) return;
     // An edge at which the surface touches itself may be there twice.
     if (is_along_[o].get(id, 0) == 0) along_[o].push_back(id);
     is_along_[o].set(id, 1);
     for (const std::int32_t end : {solid_edge.from, solid_edge.to}) {
-      mark.vertex = end;
-      marks_.push_back(mark);
+      event.vertex = end;
+      events_.push_back(event);
     }
     return;
   }
-  toggle(mark.toggle[o], hit.from, hit.to);
-  if (!mark.toggle[o][0] && !mark.toggle[o][1]) return;
-  if (hit.from == 0) {
-    mark.vertex = solid_edge.from;
-  } else if (hit.to == 0) {
-    mark.vertex = solid_edge.to;
-  } else if (id < 0) {
-    mark.vertex = table_.meet(
-        face(o).plane, plane_athwart(solid_edge, face(o), table_), across);
+  toggle(event.toggle[o], crossing.from, crossing.to);
+  if (!event.toggle[o][0] && !event.toggle[o][1]) return;
+  if (id < 0 || crossing.from == 0 || crossing.to == 0) {
+    event.vertex = line_crossing(face(o), solid_edge, crossing.from,
+                                 crossing.to, across, table_);
   } else {
-    LineEdge& edge = operand.edge(id);
-    mark.edge[o] = id;
-    mark.vertex = cut_of(o, edge, across);
+    event.edge[o] = id;
+    event.vertex = cut_of(o, operand.edge(id), across);
   }
-  marks_.push_back(mark);
+  events_.push_back(event);
 }
 
-/// Puts the marks in order along the axis, and makes one of those at the same
+/// Puts the events in order along the axis, and makes one of those at the same
 /// point.
-void Contact::order_marks() {
-  std::sort(marks_.begin(), marks_.end(), [&](const Mark& x, const Mark& y) {
-    return table_.compare(axis_, x.vertex, y.vertex) < 0;
-  });
+void FaceIntersector::order_events() {
+  std::sort(events_.begin(), events_.end(),
+            [&](const SweepEvent& x, const SweepEvent& y) {
+              return table_.compare(axis_, x.vertex, y.vertex) < 0;
+            });
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < marks_.size(); ++i) {
-    if (kept == 0 || marks_[kept - 1].vertex != marks_[i].vertex) {
-      marks_[kept++] = marks_[i];
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    if (kept == 0 || events_[kept - 1].vertex != events_[i].vertex) {
+      events_[kept++] = events_[i];
       continue;
     }
-    Mark& to = marks_[kept - 1];
-    const Mark& from = marks_[i];
+    SweepEvent& to = events_[kept - 1];
+    const SweepEvent& from = events_[i];
     for (std::size_t o = 0; o < 2; ++o) {
       to.present[o] = to.present[o] || from.present[o];
       to.edge[o] = std::max(to.edge[o], from.edge[o]);
@@ -107,58 +226,58 @@ void Contact::order_marks() {
         to.toggle[o][s] = to.toggle[o][s] != from.toggle[o][s];
     }
   }
-  marks_.resize(kept);
+  events_.resize(kept);
   for (std::size_t o = 0; o < 2; ++o) {
     for (const std::int32_t id : along_[o]) {
-      const auto [first, last] = marks_at(operands_[o]->edge(id));
-      ++marks_[first].begun[o];
-      --marks_[last].begun[o];
+      const auto [first, last] = events_at(operands_[o]->edge(id));
+      ++events_[first].begun[o];
+      --events_[last].begun[o];
     }
   }
   State state = start_;
   std::array<std::int32_t, 2> along{};
-  for (Mark& mark : marks_) {
+  for (SweepEvent& event : events_) {
     for (std::size_t o = 0; o < 2; ++o) {
       for (std::size_t s = 0; s < 2; ++s)
-        state[o][s] = state[o][s] != mark.toggle[o][s];
-      along[o] += mark.begun[o];
-      mark.along[o] = along[o] > 0;
+        state[o][s] = state[o][s] != event.toggle[o][s];
+      along[o] += event.begun[o];
+      event.along[o] = along[o] > 0;
     }
-    mark.after = state;
+    event.after = state;
   }
 }
 
-/// Where the marks of an edge along the line are, in their order.
-std::pair<std::size_t, std::size_t> Contact::marks_at(
-    const LineEdge& edge) const {
+/// Where the events of an edge along the line are, in their order.
+std::pair<std::size_t, std::size_t> FaceIntersector::events_at(
+    const OperandEdge& edge) const {
   const auto at = [this](std::int32_t vertex) {
     const auto found = std::partition_point(
-        marks_.begin(), marks_.end(), [&](const Mark& mark) {
-          return table_.compare(axis_, mark.vertex, vertex) < 0;
+        events_.begin(), events_.end(), [&](const SweepEvent& event) {
+          return table_.compare(axis_, event.vertex, vertex) < 0;
         });
-    return static_cast<std::size_t>(found - marks_.begin());
+    return static_cast<std::size_t>(found - events_.begin());
   };
   // They may stand in the order of another axis.
   return std::minmax({at(edge.low), at(edge.high)});
 }
 
 /// The planes meet in a line, which both faces may reach at one point.
-void Contact::meet_across() {
+void FaceIntersector::meet_across() {
   begin_line();
-  for (std::size_t o = 0; o < 2; ++o) add_marks(o, face(1 - o).plane);
-  order_marks();
+  for (std::size_t o = 0; o < 2; ++o) add_events(o, face(1 - o).plane);
+  order_events();
   report_cuts();
-  for (std::size_t i = 0; i + 1 < marks_.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < events_.size(); ++i) {
     // Where no edge is along the line, both of its sides are alike.
-    const Mark& m = marks_[i];
+    const SweepEvent& m = events_[i];
     if (m.after[0][0] && m.after[1][0] && !m.along[0] && !m.along[1]) {
-      traces_.push_back(
-          {faces_[0], faces_[1], m.vertex, marks_[i + 1].vertex, axis_});
+      segments_.push_back(
+          {faces_[0], faces_[1], m.vertex, events_[i + 1].vertex, axis_});
     }
   }
   for (std::size_t o = 0; o < 2; ++o) {
     for (const std::int32_t id : along_[o]) {
-      const LineEdge& edge = operands_[o]->edge(id);
+      const OperandEdge& edge = operands_[o]->edge(id);
       if (edge.owner != faces_[o]) continue;
       report_along(
           o, id,
@@ -168,7 +287,7 @@ void Contact::meet_across() {
 }
 
 /// Both faces lie in one plane: the edges of face `o` against the other face.
-void Contact::meet_in_plane(std::size_t o) {
+void FaceIntersector::meet_in_plane(std::size_t o) {
   Operand& operand = *operands_[o];
   const Box& other = face(1 - o).box;
   const SolidEdge* edges = operand.edges_of(faces_[o]);
@@ -183,93 +302,94 @@ void Contact::meet_in_plane(std::size_t o) {
       meet_edge(o, id);
     }
   };
-  const BlockList* list = blocks_of(o);
+  const PacketList* list = blocks_of(o);
   if (list == nullptr) {
     meet_edges(0, face(o).edge_count);
     return;
   }
   list->visit(
       [&](const Box& box) { return overlap(box, other); },
-      [&](const EdgeBlock& block) { meet_edges(block.first, block.count); });
+      [&](const EdgePacket& block) { meet_edges(block.first, block.count); });
 }
 
-void Contact::meet_edge(std::size_t o, std::int32_t id) {
+void FaceIntersector::meet_edge(std::size_t o, std::int32_t id) {
   Operand& operand = *operands_[o];
   const std::size_t p = 1 - o;
-  const std::int32_t across = second_plane(operand.edge(id), operand, table_);
-  const LineEdge edge = operand.edge(id);
+  const std::int32_t across =
+      transversal_plane(operand.edge(id), operand, table_);
+  const OperandEdge edge = operand.edge(id);
   const Vertex& low = table_.vertex(edge.low).approximate;
   const Vertex& high = table_.vertex(edge.high).approximate;
   Box near = kEmptyBox;
   extend(near, low);
   extend(near, high);
   axis_ = edge.axis;
-  if (!find_hits(p, across, near)) return;
+  if (!find_crossings(p, across, near)) return;
   measure(p, across);
   low_[o] = coordinate(low, edge.axis) - low.error;
   high_[o] = coordinate(high, edge.axis) + high.error;
   if (low_[0] > high_[1] || low_[1] > high_[0]) return;
   begin_line();
-  add_marks(p, across);
+  add_events(p, across);
   for (const std::int32_t end : {edge.low, edge.high}) {
-    Mark mark;
-    mark.vertex = end;
-    mark.present[o] = true;
-    marks_.push_back(mark);
+    SweepEvent event;
+    event.vertex = end;
+    event.present[o] = true;
+    events_.push_back(event);
   }
-  order_marks();
-  for (const Mark& mark : marks_) {
-    if (mark.present[o] && mark.has(p)) put_on_other(o, mark.vertex);
+  order_events();
+  for (const SweepEvent& event : events_) {
+    if (event.present[o] && event.has(p)) put_on_other(o, event.vertex);
   }
   report_along(o, id, table_.cross_sign(edge.axis, across, face(p).plane) > 0);
 }
 
 /// The points at which either face meets the other.
-void Contact::report_cuts() {
-  for (const Mark& mark : marks_) {
+void FaceIntersector::report_cuts() {
+  for (const SweepEvent& event : events_) {
     for (std::size_t o = 0; o < 2; ++o) {
-      if (!mark.present[o] || !mark.has(1 - o)) continue;
-      if (mark.edge[o] < 0) {
-        put_on_other(o, mark.vertex);
+      if (!event.present[o] || !event.has(1 - o)) continue;
+      if (event.edge[o] < 0) {
+        put_on_other(o, event.vertex);
       } else {
-        cut(o, mark.edge[o], mark.vertex);
+        cut(o, event.edge[o], event.vertex);
       }
     }
   }
 }
 
-/// What an edge of face `o` along the line has in common with the other face.
-/// `positive_is_left`: the first of the line's sides, in the other face's
-/// plane, is on the edge's left as seen against that plane's normal.
-void Contact::report_along(std::size_t o, std::int32_t id,
-                           bool positive_is_left) {
+/// Reports what an edge of face `o` along the line has in common with the other
+/// face.
+void FaceIntersector::report_along(std::size_t o, std::int32_t id,
+                                   bool positive_is_left) {
   const std::size_t p = 1 - o;
-  const LineEdge edge = operands_[o]->edge(id);
-  const auto [first, last] = marks_at(edge);
-  const bool reversed = marks_[first].vertex == edge.high;
+  const OperandEdge edge = operands_[o]->edge(id);
+  const auto [first, last] = events_at(edge);
+  const bool reversed = events_[first].vertex == edge.high;
   for (std::size_t i = first; i < last; ++i) {
-    const Mark& mark = marks_[i];
-    if (i > first && mark.has(p)) cut(o, id, mark.vertex);
-    if (!mark.after[p][0] && !mark.after[p][1]) continue;
-    Cover cover{id, mark.vertex, marks_[i + 1].vertex, faces_[p]};
+    const SweepEvent& event = events_[i];
+    if (i > first && event.has(p)) cut(o, id, event.vertex);
+    if (!event.after[p][0] && !event.after[p][1]) continue;
+    EdgeInFace cover{id, event.vertex, events_[i + 1].vertex, faces_[p]};
     if (reversed) std::swap(cover.low, cover.high);
-    cover.left = mark.after[p][positive_is_left ? 0 : 1];
-    cover.right = mark.after[p][positive_is_left ? 1 : 0];
-    cover.on_edge = mark.along[p];
-    // The faces are touched: this one has the edge's end, or a cut, at the mark
-    // where the cover begins, and the other one is there.
+    cover.left = event.after[p][positive_is_left ? 0 : 1];
+    cover.right = event.after[p][positive_is_left ? 1 : 0];
+    cover.on_edge = event.along[p];
+    // The faces are touched: this one has the edge's end, or a cut, at the
+    // event where the cover begins, and the other one is there.
     operands_[o]->covers.push_back(cover);
   }
 }
 
-void Contact::cut(std::size_t o, std::int32_t edge, std::int32_t vertex) {
+void FaceIntersector::cut(std::size_t o, std::int32_t edge,
+                          std::int32_t vertex) {
   operands_[o]->touched[static_cast<std::size_t>(faces_[o])] = 1;
   operands_[1 - o]->touched[static_cast<std::size_t>(faces_[1 - o])] = 1;
   if (operands_[o]->edge(edge).owner == faces_[o])
     operands_[o]->cuts.push_back({edge, vertex, faces_[1 - o]});
 }
 
-void Contact::put_on_other(std::size_t o, std::int32_t vertex) {
+void FaceIntersector::put_on_other(std::size_t o, std::int32_t vertex) {
   operands_[o]->touched[static_cast<std::size_t>(faces_[o])] = 1;
   operands_[1 - o]->touched[static_cast<std::size_t>(faces_[1 - o])] = 1;
   operands_[o]->put_on_other(vertex);

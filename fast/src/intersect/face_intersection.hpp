@@ -10,46 +10,48 @@
 
 namespace halfspace::fast {
 
-/// What an edge from one side of a line to another changes: whether the face is
+/// How an edge from one side of a line to another changes whether the face is
 /// there right beside the line, on either side of it.
 inline void toggle(std::array<bool, 2>& on, int from, int to) {
   on[0] = on[0] != ((from > 0) != (to > 0));
   on[1] = on[1] != ((from < 0) != (to < 0));
 }
 
-/// Finds what a face of one operand has in common with a face of the other:
-/// cuts and covers of the edges of both, and traces.
+/// Intersects a face of one operand with a face of the other: cuts and covers
+/// of the edges of both, and intersection segments.
 ///
-/// A line is met by a face in intervals. Seen from right beside the line, on
-/// either side, the face begins and ends where an edge crosses that side; so a
-/// vertex on the line or an edge along it needs no case of its own: it counts
-/// on the side that it reaches. What happens to a face surely before the other
-/// one begins or after it has ended needs no exact point.
-class Contact {
+/// A face meets a line in intervals. Seen from right beside the line, on either
+/// side, the face begins and ends where an edge crosses that side. So a vertex
+/// on the line, or an edge along it, needs no case of its own: it counts on the
+/// side that it reaches. Events before the other face begins or after it ends
+/// need no exact point.
+class FaceIntersector {
  public:
-  Contact(Operand& a, Operand& b, GeometryTable& table,
-          std::vector<Trace>& traces)
-      : operands_{&a, &b}, table_(table), traces_(traces) {}
+  FaceIntersector(Operand& a, Operand& b, GeometryTable& table,
+                  std::vector<IntersectionSegment>& segments)
+      : operands_{&a, &b}, table_(table), segments_(segments) {}
 
   /// Whatever the two faces have in common is added to the operands' lists and
-  /// to the traces. Exact: yes.
+  /// to the segments. Exact: yes.
   void meet(std::int32_t face_a, std::int32_t face_b);
 
   /// Whether meet() may find anything: false for most faces that are near each
-  /// other. Adds nothing anywhere, so that others may ask likewise meanwhile.
+  /// other. Changes nothing but this object, so other threads may call it on
+  /// theirs.
   bool may_meet(std::int32_t face_a, std::int32_t face_b);
 
  private:
   /// A point on the line at which something happens to one of the faces.
-  struct Mark {
+  struct SweepEvent {
     std::int32_t vertex = 0;
     std::array<std::int32_t, 2> edge{-1, -1};  ///< that crosses the line here
     std::array<bool, 2> present{};             ///< in that face
     /// Whether face `o` begins or ends here, beside the line: [o][side].
     std::array<std::array<bool, 2>, 2> toggle{};
-    /// Whether it is there from here to the next mark.
+    /// Whether it is there from here to the next event.
     std::array<std::array<bool, 2>, 2> after{};
-    std::array<bool, 2> along{};  ///< it has an edge from here to the next mark
+    std::array<bool, 2>
+        along{};  ///< it has an edge from here to the next event
     /// How many of its edges along the line begin here, less those that end.
     std::array<std::int32_t, 2> begun{};
 
@@ -61,7 +63,7 @@ class Contact {
   /// An edge of a face that meets the plane that makes the line: the sides of
   /// its first end and its last, and from where to where it is on the line,
   /// in doubles.
-  struct Hit {
+  struct EdgeCrossing {
     std::uint32_t edge = 0;
     std::int8_t from = 0;
     std::int8_t to = 0;
@@ -74,21 +76,22 @@ class Contact {
   const Face& face(std::size_t o) const {
     return operands_[o]->face(faces_[o]);
   }
-  const BlockList* blocks_of(std::size_t o) const {
+  const PacketList* blocks_of(std::size_t o) const {
     return operands_[o]->blocks->of(faces_[o]);
   }
-  bool find_hits(std::size_t o, std::int32_t plane, const Box& near);
-  bool find_near_hits(std::size_t o, std::int32_t plane, const BlockList& list,
-                      const Box& near);
-  void find_hits(std::size_t o, std::int32_t plane, std::uint32_t first,
-                 std::uint32_t last);
+  bool find_crossings(std::size_t o, std::int32_t plane, const Box& near);
+  bool find_near_crossings(std::size_t o, std::int32_t plane,
+                           const PacketList& list, const Box& near);
+  void find_crossings(std::size_t o, std::int32_t plane, std::uint32_t first,
+                      std::uint32_t last);
   void measure(std::size_t o, std::int32_t plane);
-  void add_marks(std::size_t o, std::int32_t across);
-  std::int32_t cut_of(std::size_t o, LineEdge& edge, std::int32_t across);
-  void add_mark(std::size_t o, const Hit& hit, std::int32_t across);
+  void add_events(std::size_t o, std::int32_t across);
+  std::int32_t cut_of(std::size_t o, OperandEdge& edge, std::int32_t across);
+  void add_event(std::size_t o, const EdgeCrossing& crossing,
+                 std::int32_t across);
   void begin_line();
-  void order_marks();
-  std::pair<std::size_t, std::size_t> marks_at(const LineEdge& edge) const;
+  void order_events();
+  std::pair<std::size_t, std::size_t> events_at(const OperandEdge& edge) const;
   void meet_across();
   void meet_in_plane(std::size_t o);
   void meet_edge(std::size_t o, std::int32_t edge);
@@ -99,19 +102,19 @@ class Contact {
 
   std::array<Operand*, 2> operands_;
   GeometryTable& table_;
-  std::vector<Trace>& traces_;
+  std::vector<IntersectionSegment>& segments_;
   std::array<std::int32_t, 2> faces_{};
-  int axis_ = 0;  ///< along the line at hand
-  std::array<std::vector<Hit>, 2> hits_;
+  int axis_ = 0;  ///< along the current line
+  std::array<std::vector<EdgeCrossing>, 2> crossings_;
   bool positive_ = false, negative_ = false;  ///< sides that a face reaches
-  /// By face and side, whether it is there before all hits.
+  /// By face and side, whether it is there before all crossings.
   State before_{};
   /// From where to where either face is on the line, in doubles.
   std::array<double, 2> low_{}, high_{};
-  State start_{};                                     ///< before the first mark
-  std::array<std::vector<std::int32_t>, 2> along_;    ///< edges on the line
+  State start_{};                                   ///< before the first event
+  std::array<std::vector<std::int32_t>, 2> along_;  ///< edges on the line
   std::array<EpochArray<std::uint8_t>, 2> is_along_;  ///< by edge
-  std::vector<Mark> marks_;
+  std::vector<SweepEvent> events_;
 };
 
 }  // namespace halfspace::fast

@@ -2,12 +2,21 @@
 
 #include <algorithm>
 
-#include "intersect/candidates.hpp"
+#include "halfspace/assert.hpp"
+#include "intersect/transversal_plane.hpp"
 
 namespace halfspace::fast {
 
-void Section::find(const Face& face, std::span<const SolidEdge> edges,
-                   std::int32_t across, int axis) {
+std::int32_t line_crossing(const Face& face, const SolidEdge& edge, int from,
+                           int to, std::int32_t across, GeometryTable& table) {
+  HALFSPACE_ASSERT(from != to);
+  if (from == 0) return edge.from;
+  if (to == 0) return edge.to;
+  return table.meet(face.plane, transversal_plane(edge, face, table), across);
+}
+
+void LineFaceSection::find(const Face& face, std::span<const SolidEdge> edges,
+                           std::int32_t across, int axis) {
   parts_.clear();
   turns_.clear();
   for (const SolidEdge& edge : edges) add(face, edge, across);
@@ -25,17 +34,13 @@ void Section::find(const Face& face, std::span<const SolidEdge> edges,
 }
 
 /// Adds the point at which the edge and the line meet.
-void Section::add(const Face& face, const SolidEdge& edge,
-                  std::int32_t across) {
+void LineFaceSection::add(const Face& face, const SolidEdge& edge,
+                          std::int32_t across) {
   const int from = table_.side(across, edge.from);
   const int to = table_.side(across, edge.to);
-  // Along the line it is for those before and after it to tell.
+  // An edge along the line adds nothing: its neighbours cross the sides.
   if (from == to) return;
-  const std::int32_t at =
-      from == 0 ? edge.from
-      : to == 0
-          ? edge.to
-          : table_.meet(face.plane, plane_athwart(edge, face, table_), across);
+  const std::int32_t at = line_crossing(face, edge, from, to, across, table_);
   turns_.push_back({at, (from > 0) != (to > 0), (from < 0) != (to < 0)});
 }
 

@@ -10,11 +10,17 @@
 
 namespace halfspace::fast {
 
-/// What a face has in common with a line in its plane: points, and parts of the
-/// line from one to another.
-class Section {
+/// Where a face's edge meets the line in which the face's plane and `across`
+/// meet. `from`, `to`: the sides of `across` that its ends are on.
+/// Requires: the sides differ.
+std::int32_t line_crossing(const Face& face, const SolidEdge& edge, int from,
+                           int to, std::int32_t across, GeometryTable& table);
+
+/// The intersection of a face with a line in its plane: points, and parts of
+/// the line.
+class LineFaceSection {
  public:
-  explicit Section(GeometryTable& table) : table_(table) {}
+  explicit LineFaceSection(GeometryTable& table) : table_(table) {}
 
   /// With the line along `axis` in the face's plane and another one, `across`.
   void find(const Face& face, std::span<const SolidEdge> edges,

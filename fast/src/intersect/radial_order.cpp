@@ -5,12 +5,13 @@
 namespace halfspace::fast {
 namespace {
 
-/// The sign of the sine of the angle from one wing to another.
+/// The sign of the sine of the angle from one half-face to another.
 ///
-/// With unit vector d along the segment and normals m, n, wings point along
-/// m x d and n x d, times their turns. Their cross product is d det(m, n, d),
-/// and m x n is parallel to d: one component tells its sign.
-int cross(const Wing& w, const Wing& v, int axis, const GeometryTable& table) {
+/// With unit vector d along the segment and normals m, n, half-faces point
+/// along m x d and n x d, times their turns. Their cross product is d det(m, n,
+/// d), and m x n is parallel to d: the sign of one component decides.
+int cross(const HalfFace& w, const HalfFace& v, int axis,
+          const GeometryTable& table) {
   return w.plane == v.plane
              ? 0
              : w.turn * v.turn * table.cross_sign(axis, w.plane, v.plane);
@@ -18,34 +19,34 @@ int cross(const Wing& w, const Wing& v, int axis, const GeometryTable& table) {
 
 }  // namespace
 
-int part_of_turn(const Wing& first, const Wing& wing, int axis,
+int part_of_turn(const HalfFace& first, const HalfFace& half_face, int axis,
                  const GeometryTable& table) {
-  const int sign = cross(first, wing, axis, table);
-  if (sign == 0) return wing.turn == first.turn ? 0 : 2;
+  const int sign = cross(first, half_face, axis, table);
+  if (sign == 0) return half_face.turn == first.turn ? 0 : 2;
   return sign > 0 ? 1 : 3;
 }
 
-void sort_wings(std::vector<Wing>& wings, int axis,
-                const GeometryTable& table) {
+void radial_sort(std::vector<HalfFace>& half_faces, int axis,
+                 const GeometryTable& table) {
   // Beyond these something else is sooner than to sort where they stand.
   constexpr std::ptrdiff_t kFew = 8;
-  const Wing first = wings.front();
-  const auto before = [&](const Wing& w, const Wing& v) {
+  const HalfFace first = half_faces.front();
+  const auto before = [&](const HalfFace& w, const HalfFace& v) {
     const int p = part_of_turn(first, w, axis, table);
     const int q = part_of_turn(first, v, axis, table);
     return p != q ? p < q : cross(w, v, axis, table) > 0;
   };
   // None comes before the first.
-  const auto others = wings.begin() + 1;
-  if (wings.end() - others > kFew) {
-    std::stable_sort(others, wings.end(), before);
+  const auto others = half_faces.begin() + 1;
+  if (half_faces.end() - others > kFew) {
+    std::stable_sort(others, half_faces.end(), before);
     return;
   }
-  for (auto next = others; next != wings.end(); ++next) {
-    const Wing wing = *next;
+  for (auto next = others; next != half_faces.end(); ++next) {
+    const HalfFace half_face = *next;
     auto at = next;
-    for (; at != others && before(wing, *(at - 1)); --at) *at = *(at - 1);
-    *at = wing;
+    for (; at != others && before(half_face, *(at - 1)); --at) *at = *(at - 1);
+    *at = half_face;
   }
 }
 

@@ -6,12 +6,12 @@
 
 #include "table/shared_table.hpp"
 
-/// What is round a segment of a surface's edges.
+/// Half-faces round a segment, in radial order (WEI88).
 namespace halfspace::fast {
 
-/// A face at a segment: on the left of it (turn 1), as seen against its
-/// plane's normal, or on the right (-1).
-struct Wing {
+/// A half-face: a face at a segment, on its left (turn 1) as seen against the
+/// normal of the face's plane, or on its right (-1).
+struct HalfFace {
   std::int32_t operand;
   std::int32_t face;
   std::int32_t plane;
@@ -27,30 +27,33 @@ struct Segment {
   std::array<std::int32_t, 2> planes;
 };
 
-/// Of two planes through a line, one that is not `plane`.
+/// The one of two planes through a line that is not `plane`; the first if
+/// neither is.
 inline std::int32_t other_than(std::int32_t plane,
                                const std::array<std::int32_t, 2>& planes) {
   return planes[0] != plane ? planes[0] : planes[1];
 }
 
-/// Where the wing stands, from the first one on counter-clockwise as the axis
-/// has it: 0, as the first one; 1, within half a turn; 2, opposite; 3, beyond.
-int part_of_turn(const Wing& first, const Wing& wing, int axis,
+/// Where a half-face stands, counter-clockwise from the first one as seen
+/// against the axis: 0, as the first one; 1, within half a turn; 2, opposite;
+/// 3, beyond.
+int part_of_turn(const HalfFace& first, const HalfFace& half_face, int axis,
                  const GeometryTable& table);
 
-/// Sorts the wings by their angle round the axis, from the first one on.
-void sort_wings(std::vector<Wing>& wings, int axis, const GeometryTable& table);
+/// Sorts the half-faces by their angle round the axis, from the first one on.
+void radial_sort(std::vector<HalfFace>& half_faces, int axis,
+                 const GeometryTable& table);
 
-/// Whether wing `i` stands where the one before it does.
-inline bool as_last(const std::vector<Wing>& wings, std::size_t i) {
-  return i > 0 && wings[i].plane == wings[i - 1].plane &&
-         wings[i].turn == wings[i - 1].turn;
+/// Whether half_face `i` stands where the one before it does.
+inline bool as_last(const std::vector<HalfFace>& half_faces, std::size_t i) {
+  return i > 0 && half_faces[i].plane == half_faces[i - 1].plane &&
+         half_faces[i].turn == half_faces[i - 1].turn;
 }
 
-/// Whether its operand ends there, round the segment, or begins.
-inline bool leaves(const Wing& w) { return (w.turn > 0) != w.flipped; }
+/// Whether its operand ends at the half-face, going round the segment.
+inline bool exits(const HalfFace& w) { return (w.turn > 0) != w.flipped; }
 
-/// What a wing adds to how often its surface winds round what is there.
-inline int change(const Wing& w) { return leaves(w) ? -1 : 1; }
+/// By how much the winding number changes at a half-face.
+inline int change(const HalfFace& w) { return exits(w) ? -1 : 1; }
 
 }  // namespace halfspace::fast

@@ -4,18 +4,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "halfspace/fast/self_intersections.hpp"
-#include "intersect/candidates.hpp"
+#include "intersect/operand.hpp"
 #include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 
-/// What the faces of one solid have in common: every two of them met twice, as
-/// if each were of another operand. Cuts and covers include those at the
-/// vertices and edges that faces share by right.
+/// What the faces of one solid have in common: each two of them intersected
+/// twice, as if each were of another operand. Includes cuts and covers at the
+/// vertices and edges that faces share.
 struct SelfContacts {
   Operand operand;
-  std::vector<Trace> traces;  ///< each twice
+  std::vector<IntersectionSegment> segments;  ///< each twice
 };
 
 /// Requires: the lease is of the solid's table.
@@ -23,8 +22,5 @@ SelfContacts self_contacts(const Solid& solid, TableLease& lease);
 
 /// Where a vertex is, rounded. Units: model units.
 std::array<double, 3> place_of(const Solid& solid, std::int32_t vertex);
-
-std::vector<SelfIntersection> self_intersections_of(
-    const SelfContacts& contacts);
 
 }  // namespace halfspace::fast

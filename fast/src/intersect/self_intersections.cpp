@@ -1,13 +1,10 @@
-#include "halfspace/fast/self_intersections.hpp"
+#include "intersect/self_intersections.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 
-#include "intersect/face_intersection.hpp"
 #include "intersect/radial_order.hpp"
-#include "intersect/self_contacts.hpp"
 #include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
@@ -16,8 +13,8 @@ namespace {
 /// Where faces in one plane begin to overlap: an edge of one with both of them
 /// on the same side of it.
 void add_overlaps(const Operand& a, std::vector<SelfIntersection>& found) {
-  for (const Cover& cover : a.covers) {
-    const LineEdge& edge = a.edges[static_cast<std::size_t>(cover.edge)];
+  for (const EdgeInFace& cover : a.covers) {
+    const OperandEdge& edge = a.edges[static_cast<std::size_t>(cover.edge)];
     const Face& other = a.face(cover.face);
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
       const EdgeUse& use = a.uses[edge.first_use + u];
@@ -40,12 +37,14 @@ void add_overlaps(const Operand& a, std::vector<SelfIntersection>& found) {
 /// The faces around a part of an edge are those that have the edge, and those
 /// that cover this part of it. Between the ends of covers they are the same all
 /// along.
-class Passages {
+class AlternationCheck {
  public:
-  Passages(const Operand& operand, const GeometryTable& table)
+  AlternationCheck(const Operand& operand, const GeometryTable& table)
       : operand_(operand), table_(table), covers_(operand.covers) {
     std::sort(covers_.begin(), covers_.end(),
-              [](const Cover& c, const Cover& d) { return c.edge < d.edge; });
+              [](const EdgeInFace& c, const EdgeInFace& d) {
+                return c.edge < d.edge;
+              });
   }
 
   void add_to(std::vector<SelfIntersection>& found) {
@@ -55,16 +54,16 @@ class Passages {
       while (cover != covers_.end() &&
              static_cast<std::size_t>(cover->edge) == e)
         ++cover;
-      const LineEdge& edge = operand_.edges[e];
+      const OperandEdge& edge = operand_.edges[e];
       others_.assign(first, cover);
       std::erase_if(others_,
-                    [&](const Cover& c) { return is_of(c.face, edge); });
+                    [&](const EdgeInFace& c) { return is_of(c.face, edge); });
       if (edge.use_count > 2 || !others_.empty()) add_edge(edge, found);
     }
   }
 
  private:
-  bool is_of(std::int32_t face, const LineEdge& edge) const {
+  bool is_of(std::int32_t face, const OperandEdge& edge) const {
     const auto first = operand_.uses.begin() + edge.first_use;
     return std::any_of(first, first + edge.use_count,
                        [&](const EdgeUse& use) { return use.face == face; });
@@ -73,56 +72,59 @@ class Passages {
     return u != v && table_.compare(axis, u, v) < 0;
   }
 
-  void add_edge(const LineEdge& edge, std::vector<SelfIntersection>& found);
-  void add_wing(std::int32_t face, int turn) {
+  void add_edge(const OperandEdge& edge, std::vector<SelfIntersection>& found);
+  void add_half_face(std::int32_t face, int turn) {
     const Face& of = operand_.face(face);
-    wings_.push_back({0, face, of.plane, turn, of.flipped});
+    half_faces_.push_back({0, face, of.plane, turn, of.flipped});
   }
 
   const Operand& operand_;
   const GeometryTable& table_;
-  std::vector<Cover> covers_;       ///< by edge
-  std::vector<Cover> others_;       ///< of the edge at hand, by other faces
+  std::vector<EdgeInFace> covers_;  ///< by edge
+  std::vector<EdgeInFace> others_;  ///< of the current edge, by other faces
   std::vector<std::int32_t> ends_;  ///< of its parts
-  std::vector<Wing> wings_;
+  std::vector<HalfFace> half_faces_;
 };
 
-void Passages::add_edge(const LineEdge& edge,
-                        std::vector<SelfIntersection>& found) {
+void AlternationCheck::add_edge(const OperandEdge& edge,
+                                std::vector<SelfIntersection>& found) {
   const int axis = edge.axis;
   ends_ = {edge.low, edge.high};
-  for (const Cover& cover : others_)
+  for (const EdgeInFace& cover : others_)
     ends_.insert(ends_.end(), {cover.low, cover.high});
   std::sort(ends_.begin(), ends_.end(), [&](std::int32_t u, std::int32_t v) {
     return is_before(axis, u, v);
   });
   ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
   for (std::size_t i = 0; i + 1 < ends_.size(); ++i) {
-    wings_.clear();
+    half_faces_.clear();
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
       const EdgeUse& use = operand_.uses[edge.first_use + u];
-      add_wing(use.face,
-               use.forward != operand_.face(use.face).flipped ? 1 : -1);
+      add_half_face(use.face,
+                    use.forward != operand_.face(use.face).flipped ? 1 : -1);
     }
-    for (const Cover& cover : others_) {
+    for (const EdgeInFace& cover : others_) {
       if (is_before(axis, ends_[i], cover.low) ||
           is_before(axis, cover.high, ends_[i + 1]))
         continue;
-      if (cover.left) add_wing(cover.face, 1);
-      if (cover.right) add_wing(cover.face, -1);
+      if (cover.left) add_half_face(cover.face, 1);
+      if (cover.right) add_half_face(cover.face, -1);
     }
     int sum = 0;
-    for (const Wing& wing : wings_) sum += change(wing);
+    for (const HalfFace& half_face : half_faces_) sum += change(half_face);
     // At a boundary of an open surface there is nothing to alternate.
-    if (wings_.size() <= 2 || sum != 0) continue;
-    sort_wings(wings_, axis, table_);
-    for (std::size_t w = 0; w < wings_.size(); ++w) {
-      const Wing& last = wings_[w == 0 ? wings_.size() - 1 : w - 1];
-      const Wing& wing = wings_[w];
-      if (wing.face == last.face || change(wing) != change(last)) continue;
-      const bool same = wing.plane == last.plane && wing.turn == last.turn;
-      found.push_back({std::min(wing.face, last.face),
-                       std::max(wing.face, last.face),
+    if (half_faces_.size() <= 2 || sum != 0) continue;
+    radial_sort(half_faces_, axis, table_);
+    for (std::size_t w = 0; w < half_faces_.size(); ++w) {
+      const HalfFace& last =
+          half_faces_[w == 0 ? half_faces_.size() - 1 : w - 1];
+      const HalfFace& half_face = half_faces_[w];
+      if (half_face.face == last.face || change(half_face) != change(last))
+        continue;
+      const bool same =
+          half_face.plane == last.plane && half_face.turn == last.turn;
+      found.push_back({std::min(half_face.face, last.face),
+                       std::max(half_face.face, last.face),
                        place_of(*operand_.solid, ends_[i]), same});
     }
   }
@@ -130,39 +132,17 @@ void Passages::add_edge(const LineEdge& edge,
 
 }  // namespace
 
-std::array<double, 3> place_of(const Solid& solid, std::int32_t vertex) {
-  const Vertex& at = solid.table->vertex(vertex).approximate;
-  const double step = std::pow(static_cast<double>(solid.unit.base),
-                               static_cast<double>(solid.unit.exponent));
-  return {step * at.x, step * at.y, step * at.z};
-}
-
-SelfContacts self_contacts(const Solid& solid, TableLease& lease) {
-  SelfContacts result;
-  Operand& a = result.operand;
-  Operand b;
-  a.solid = b.solid = &solid;
-  prepare(a, b, lease.scratch<BooleanScratch>());
-  const auto pairs = near_pairs(a, b);
-  add_edges(a, lease.table());
-  add_edges(b, lease.table());
-  Contact contact(a, b, lease.table(), result.traces);
-  for (const auto& [f, g] : pairs) {
-    if (f != g) contact.meet(f, g);
-  }
-  return result;
-}
-
 std::vector<SelfIntersection> self_intersections_of(
     const SelfContacts& contacts) {
   std::vector<SelfIntersection> found;
-  for (const Trace& trace : contacts.traces) {
+  for (const IntersectionSegment& trace : contacts.segments) {
     if (trace.first < trace.second)
       found.push_back({trace.first, trace.second,
                        place_of(*contacts.operand.solid, trace.low), false});
   }
   add_overlaps(contacts.operand, found);
-  Passages(contacts.operand, *contacts.operand.solid->table).add_to(found);
+  AlternationCheck(contacts.operand, *contacts.operand.solid->table)
+      .add_to(found);
   const auto key = [](const SelfIntersection& c) {
     return std::tuple(c.first, c.second, c.in_plane);
   };

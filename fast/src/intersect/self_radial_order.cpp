@@ -4,32 +4,34 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "intersect/line_section.hpp"
+#include "intersect/transversal_plane.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-FaceIndex index_of(const Solid& solid) {
-  FaceIndex index;
+DynamicBvh index_of(const Solid& solid) {
+  DynamicBvh index;
   index.add(solid, 0);
   return index;
 }
 
-const Operand& with_index(Operand& operand, const FaceIndex& index) {
+const Operand& with_index(Operand& operand, const DynamicBvh& index) {
   operand.index = &index;
   return operand;
 }
 
 }  // namespace
 
-SelfWings::SelfWings(const Solid& solid, TableLease& lease)
+SelfRadialOrder::SelfRadialOrder(const Solid& solid, TableLease& lease)
     : solid_(solid),
       table_(lease.table()),
       contacts_(self_contacts(solid, lease)),
       index_(index_of(solid)),
       locator_(with_index(contacts_.operand, index_), table_) {}
 
-const std::vector<Wing>& SelfWings::at(const Segment& segment) {
-  wings_.clear();
+const std::vector<HalfFace>& SelfRadialOrder::at(const Segment& segment) {
+  half_faces_.clear();
   Box box = kEmptyBox;
   extend(box, table_.vertex(segment.low).approximate);
   extend(box, table_.vertex(segment.high).approximate);
@@ -40,14 +42,14 @@ const std::vector<Wing>& SelfWings::at(const Segment& segment) {
       near.push_back(f);
   });
   std::sort(near.begin(), near.end());
-  for (const std::int32_t f : near) add_wings(f, segment);
-  if (!wings_.empty()) sort_wings(wings_, segment.axis, table_);
-  return wings_;
+  for (const std::int32_t f : near) add_half_faces(f, segment);
+  if (!half_faces_.empty()) radial_sort(half_faces_, segment.axis, table_);
+  return half_faces_;
 }
 
 /// Seen from right beside the line, on either side, the face begins and ends
 /// where its edges cross that side.
-void SelfWings::add_wings(std::int32_t f, const Segment& segment) {
+void SelfRadialOrder::add_half_faces(std::int32_t f, const Segment& segment) {
   const Face& of = face(f);
   const std::int32_t across = other_than(of.plane, segment.planes);
   bool positive = false, negative = false;
@@ -58,11 +60,7 @@ void SelfWings::add_wings(std::int32_t f, const Segment& segment) {
     const bool on_positive = (from > 0) != (to > 0);
     const bool on_negative = (from < 0) != (to < 0);
     if (!on_positive && !on_negative) continue;
-    const std::int32_t at =
-        from == 0 ? edge.from
-        : to == 0
-            ? edge.to
-            : table_.meet(of.plane, plane_athwart(edge, of, table_), across);
+    const std::int32_t at = line_crossing(of, edge, from, to, across, table_);
     if (table_.compare(segment.axis, at, segment.low) > 0) continue;
     positive = positive != on_positive;
     negative = negative != on_negative;
@@ -70,59 +68,61 @@ void SelfWings::add_wings(std::int32_t f, const Segment& segment) {
   const bool positive_is_left =
       table_.cross_sign(segment.axis, across, of.plane) > 0;
   if (positive_is_left ? positive : negative)
-    wings_.push_back({0, f, of.plane, 1, of.flipped});
+    half_faces_.push_back({0, f, of.plane, 1, of.flipped});
   if (positive_is_left ? negative : positive)
-    wings_.push_back({0, f, of.plane, -1, of.flipped});
+    half_faces_.push_back({0, f, of.plane, -1, of.flipped});
 }
 
-/// How often the surface winds round the wedge before the first wing.
+/// The winding number of the wedge before the first half-face.
 ///
-/// The locator tells of the wedge that holds a point beside the segment, in a
-/// direction D that has a sign against every plane. The angle from a wing to D
-/// has a sine of that sign, times the wing's turn.
-int SelfWings::level_before_first(const Segment& segment) const {
-  const auto sine = [this](const Wing& w) {
+/// The point location gives that of the wedge that holds a point beside the
+/// segment, in a direction D that has a sign against every plane. The angle
+/// from a half-face to D has a sine of that sign, times the turn of the
+/// half-face.
+int SelfRadialOrder::winding_before_first(const Segment& segment) const {
+  const auto sine = [this](const HalfFace& w) {
     for (const int axis : {0, 2, 1}) {
       const int sign = table_.normal_sign(w.plane, axis);
       if (sign != 0) return sign * w.turn;
     }
     return 0;
   };
-  int level = locator_.winding(segment.low, segment.high);
-  // Faces that are no region of their plane may have no wing at their edge.
-  if (wings_.empty()) return level;
-  const Wing& first = wings_.front();
+  int winding = locator_.winding(segment.low, segment.high);
+  // Faces that are no region of their plane may have no half_face at their
+  // edge.
+  if (half_faces_.empty()) return winding;
+  const HalfFace& first = half_faces_.front();
   const bool within_half = sine(first) > 0;
-  for (const Wing& w : wings_) {
+  for (const HalfFace& w : half_faces_) {
     const int part = part_of_turn(first, w, segment.axis, table_);
     const int doubtful = within_half ? 1 : 3;
     if (part < doubtful || (part == doubtful && sine(w) > 0))
-      level -= change(w);
+      winding -= change(w);
   }
-  return level;
+  return winding;
 }
 
-int SelfWings::level_outside(std::int32_t f) {
+int SelfRadialOrder::winding_outside(std::int32_t f) {
   Operand& operand = contacts_.operand;
-  LineEdge& edge = operand.edge(operand.edge_of[face(f).first_edge]);
+  OperandEdge& edge = operand.edge(operand.edge_of[face(f).first_edge]);
   const Segment segment{edge.low,
                         edge.high,
                         edge.axis,
-                        {edge.plane, second_plane(edge, operand, table_)}};
+                        {edge.plane, transversal_plane(edge, operand, table_)}};
   at(segment);
-  int level = level_before_first(segment);
-  for (const Wing& wing : wings_) {
-    const int next = level + change(wing);
-    if (wing.face == f) return std::min(level, next);
-    level = next;
+  int winding = winding_before_first(segment);
+  for (const HalfFace& half_face : half_faces_) {
+    const int next = winding + change(half_face);
+    if (half_face.face == f) return std::min(winding, next);
+    winding = next;
   }
-  return level;
+  return winding;
 }
 
 std::vector<std::int32_t> parts_of_surface(
     const Operand& operand, const std::vector<std::uint8_t>& left_out) {
   DisjointSets faces(left_out.size());
-  for (const LineEdge& edge : operand.edges) {
+  for (const OperandEdge& edge : operand.edges) {
     if (edge.use_count != 2) continue;
     const std::int32_t f = operand.uses[edge.first_use].face;
     const std::int32_t g = operand.uses[edge.first_use + 1].face;

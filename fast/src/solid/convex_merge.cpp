@@ -45,7 +45,7 @@ std::vector<Entry> sorted_edges(
 
 std::vector<std::int32_t> convex_loop(const Solid& solid, const Face& face,
                                       std::span<const SolidEdge> edges) {
-  const FaceView view(solid, face);
+  const FaceProjection view(solid, face);
   const std::size_t count = edges.size();
   std::vector<std::int32_t> loop;
   // A loop that never turns to the right and goes leftwards once is convex.

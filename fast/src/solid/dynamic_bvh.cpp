@@ -4,7 +4,7 @@
 
 namespace halfspace::fast {
 
-void FaceIndex::add(const Solid& solid, std::int32_t first) {
+void DynamicBvh::add(const Solid& solid, std::int32_t first) {
   std::vector<std::int32_t> faces;
   const auto count = static_cast<std::int32_t>(solid.faces.size());
   gone_.resize(solid.faces.size());

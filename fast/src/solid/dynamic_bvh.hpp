@@ -8,12 +8,12 @@
 
 namespace halfspace::fast {
 
-/// Finds faces by their boxes, while some go and others come.
+/// A bounding volume hierarchy that faces enter and leave: static trees of
+/// growing size, eight of a size merged into one (logarithmic method, BS80).
 ///
-/// Cost: of adding faces, amortised, n log n with a small factor, for each is
-///       put into a new tree log n times to the base of 8; of a search, as of
-///       7 trees of boxes for each such time.
-class FaceIndex {
+/// Cost: adding faces is n log n, amortised: each enters a new tree log n times
+///       to the base of 8. A search visits up to 7 trees of each size.
+class DynamicBvh {
  public:
   /// Adds the faces of the solid from number `first` on that are not gone.
   void add(const Solid& solid, std::int32_t first);

@@ -8,7 +8,7 @@
 namespace halfspace::fast {
 namespace {
 
-/// So many edges are in a block at most.
+/// Edges in a packet at most. Untuned.
 constexpr std::uint32_t kMost = 16;
 /// Smaller blocks are made anew, together with what is beside them.
 constexpr std::uint32_t kLeast = 8;
@@ -23,10 +23,10 @@ std::uint32_t end_of_row(const SolidEdge* edges, std::uint32_t first,
 
 }  // namespace
 
-BlockList::BlockList(const Solid& solid, const Face& face,
-                     std::span<const EdgeBlock> known) {
+PacketList::PacketList(const Solid& solid, const Face& face,
+                       std::span<const EdgePacket> known) {
   std::uint32_t done = 0;
-  for (const EdgeBlock& block : known) {
+  for (const EdgePacket& block : known) {
     if (block.count < kLeast) continue;
     add_blocks(solid, face, done, block.first);
     blocks_.push_back(block);
@@ -39,14 +39,14 @@ BlockList::BlockList(const Solid& solid, const Face& face,
   }
 }
 
-Box BlockList::box() const {
+Box PacketList::box() const {
   Box box = kEmptyBox;
   for (const Box& group : groups_) extend(box, group);
   return box;
 }
 
-void BlockList::add_blocks(const Solid& solid, const Face& face,
-                           std::uint32_t first, std::uint32_t last) {
+void PacketList::add_blocks(const Solid& solid, const Face& face,
+                            std::uint32_t first, std::uint32_t last) {
   const SolidEdge* edges = solid.edges.data() + face.first_edge;
   const auto is_loop = [edges](std::uint32_t from, std::uint32_t to) {
     return edges[to - 1].to == edges[from].from;
@@ -55,7 +55,7 @@ void BlockList::add_blocks(const Solid& solid, const Face& face,
     // A part of a row, or as many whole loops as fit.
     const std::uint32_t most = std::min(first + kMost, last);
     std::uint32_t end = end_of_row(edges, first, most);
-    EdgeBlock block;
+    EdgePacket block;
     block.first = first;
     block.is_closed = is_loop(first, end);
     while (block.is_closed && end < most) {
@@ -76,21 +76,21 @@ void BlockList::add_blocks(const Solid& solid, const Face& face,
   }
 }
 
-EdgeBlocks::EdgeBlocks(const Solid& solid) {
+EdgePackets::EdgePackets(const Solid& solid) {
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     const Face& face = solid.faces[f];
     if (has_many(face))
-      set(f, std::make_shared<const BlockList>(solid, face,
-                                               std::span<const EdgeBlock>()));
+      set(f, std::make_shared<const PacketList>(solid, face,
+                                                std::span<const EdgePacket>()));
   }
 }
 
-EdgeBlocks::EdgeBlocks(const EdgeBlocks& other,
-                       const std::vector<std::int32_t>& faces) {
+EdgePackets::EdgePackets(const EdgePackets& other,
+                         const std::vector<std::int32_t>& faces) {
   for (std::size_t f = 0; f < faces.size(); ++f) set(f, other.shared(faces[f]));
 }
 
-void EdgeBlocks::set(std::size_t face, Shared list) {
+void EdgePackets::set(std::size_t face, Shared list) {
   if (face >= lists_.size()) {
     if (!list) return;
     lists_.resize(face + 1);
@@ -98,7 +98,7 @@ void EdgeBlocks::set(std::size_t face, Shared list) {
   lists_[face] = std::move(list);
 }
 
-int known_side(const FilterPlane& plane, const Box& box, double rounding) {
+int filtered_side(const FilterPlane& plane, const Box& box, double rounding) {
   double at[3];
   double radius = 0;
   for (std::size_t k = 0; k < 3; ++k) {

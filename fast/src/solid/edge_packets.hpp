@@ -15,7 +15,7 @@
 namespace halfspace::fast {
 
 /// A few edges in a row of a face, and their box.
-struct EdgeBlock {
+struct EdgePacket {
   Box box;
   std::uint32_t first = 0;  ///< of the face's edges
   std::uint32_t count = 0;
@@ -24,14 +24,14 @@ struct EdgeBlock {
 };
 
 /// The blocks of one face, in order, and groups of blocks.
-class BlockList {
+class PacketList {
  public:
   /// `known`: blocks of the face, in order, which need not be all of it.
   /// Cost: a look at each vertex that is not in one of those.
-  BlockList(const Solid& solid, const Face& face,
-            std::span<const EdgeBlock> known);
+  PacketList(const Solid& solid, const Face& face,
+             std::span<const EdgePacket> known);
 
-  std::span<const EdgeBlock> blocks() const { return blocks_; }
+  std::span<const EdgePacket> blocks() const { return blocks_; }
   /// The box of the face.
   Box box() const;
   /// Calls `visit(block)` for the blocks of whose boxes, and of whose groups'
@@ -53,27 +53,27 @@ class BlockList {
   void add_blocks(const Solid& solid, const Face& face, std::uint32_t first,
                   std::uint32_t last);
 
-  std::vector<EdgeBlock> blocks_;
+  std::vector<EdgePacket> blocks_;
   std::vector<Box> groups_;
 };
 
 /// The blocks of a solid's faces, where they have many edges.
-class EdgeBlocks {
+class EdgePackets {
  public:
-  using Shared = std::shared_ptr<const BlockList>;
+  using Shared = std::shared_ptr<const PacketList>;
 
-  EdgeBlocks() = default;
-  /// Of all faces of the solid.
-  explicit EdgeBlocks(const Solid& solid);
-  /// Of a solid made of these faces of another one.
-  EdgeBlocks(const EdgeBlocks& other, const std::vector<std::int32_t>& faces);
+  EdgePackets() = default;
+  /// The packets of all faces of the solid.
+  explicit EdgePackets(const Solid& solid);
+  /// The packets of a solid that is made of these faces of another one.
+  EdgePackets(const EdgePackets& other, const std::vector<std::int32_t>& faces);
 
   /// Whether such a face has blocks.
   static bool has_many(const Face& face) { return face.edge_count >= kMany; }
   /// Makes the list the face's; nothing: it has none.
   void set(std::size_t face, Shared list);
   /// The face's blocks, or nothing.
-  const BlockList* of(std::int32_t face) const {
+  const PacketList* of(std::int32_t face) const {
     const auto at = static_cast<std::size_t>(face);
     return at < lists_.size() ? lists_[at].get() : nullptr;
   }
@@ -89,6 +89,6 @@ class EdgeBlocks {
 };
 
 /// Which side of the plane the box is on, or 0 if it may meet it.
-int known_side(const FilterPlane& plane, const Box& box, double rounding);
+int filtered_side(const FilterPlane& plane, const Box& box, double rounding);
 
 }  // namespace halfspace::fast

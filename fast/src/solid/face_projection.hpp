@@ -11,9 +11,9 @@
 namespace halfspace::fast {
 
 /// A face's plane as seen from outside: which way points are ordered, and turn.
-class FaceView {
+class FaceProjection {
  public:
-  FaceView(const Solid& solid, const Face& face) : table_(*solid.table) {
+  FaceProjection(const Solid& solid, const Face& face) : table_(*solid.table) {
     const Plane& n = table_.plane(face.plane).filter.plane;
     const std::array<double, 3> size{std::abs(n.a), std::abs(n.b),
                                      std::abs(n.c)};

@@ -7,11 +7,10 @@
 namespace halfspace::fast {
 namespace {
 
-/// So many cells along the first side; a row of them is a word.
+/// Cells along the first axis; a row of them is a word.
 constexpr std::int32_t kCells = 64;
 
-/// So many rows along the others: of so many faces of a surface some cover a
-/// cell, which is few.
+/// Rows along y and z, chosen so that a cell holds a few faces on average.
 std::int32_t row_count(std::size_t faces) {
   std::int32_t count = 8;
   while (count < kCells && 16 * static_cast<std::size_t>(count) *
@@ -21,12 +20,11 @@ std::int32_t row_count(std::size_t faces) {
   return count;
 }
 
-/// The faces of a list that are to be dropped are told in cells of a box: which
-/// cells have faces of the other list. What overlaps has a cell in common, for
-/// rounding keeps the order of coordinates.
-class NearCells {
+/// A bitmap of cells of a box, marked where faces of one list are. Faces that
+/// overlap share a cell, because rounding keeps the order of coordinates.
+class PrefilterGrid {
  public:
-  NearCells(const Box& reach, std::size_t faces)
+  PrefilterGrid(const Box& reach, std::size_t faces)
       : row_count_(row_count(faces)) {
     const std::array<std::int32_t, 3> count{kCells, row_count_, row_count_};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -81,11 +79,11 @@ class NearCells {
     }
   };
 
-  /// Of three numbers, and one that does not matter.
+  /// Three numbers and an unused one, for SIMD.
   using Four = float __attribute__((vector_size(16)));
   using FourCells = std::int32_t __attribute__((vector_size(16)));
 
-  /// What is not a number counts as the first cell: where the box is flat.
+  /// A NaN, from a box without extent, counts as the first cell.
   FourCells cells_of(const Four& at) const {
     const Four scaled = (at - low_) * scale_;
     const Four most = scaled < last_ ? scaled : last_;
@@ -119,12 +117,12 @@ class NearCells {
 
 }  // namespace
 
-void drop_lonely(const Solid& first, std::vector<std::int32_t>& of_first,
-                 const Solid& second, std::vector<std::int32_t>& of_second,
-                 const Box& reach) {
+void grid_prefilter(const Solid& first, std::vector<std::int32_t>& of_first,
+                    const Solid& second, std::vector<std::int32_t>& of_second,
+                    const Box& reach) {
   constexpr std::size_t kMany = 512;
   if (std::min(of_first.size(), of_second.size()) < kMany) return;
-  NearCells cells(reach, of_second.size());
+  PrefilterGrid cells(reach, of_second.size());
   if (!cells.mark(second, of_second)) return;
   cells.filter(first, of_first);
   if (!cells.mark(first, of_first)) return;

@@ -15,7 +15,7 @@ bool is_triangle(const SolidEdge* edges) {
          edges[2].to == edges[0].from;
 }
 
-/// The edge with which walk_loops() begins: that of the least vertex.
+/// The edge with which trace_loops() begins: that of the least vertex.
 std::uint32_t first_of_loop(const SolidEdge* edges, std::uint32_t count) {
   if (count == 3) {
     const std::uint32_t least = edges[1].from < edges[0].from ? 1 : 0;
@@ -29,12 +29,12 @@ std::uint32_t first_of_loop(const SolidEdge* edges, std::uint32_t count) {
       edges);
 }
 
-/// Makes each face's loop begin with the edge that walk_loops() has first.
+/// Makes each face's loop begin with the edge that trace_loops() has first.
 void turn_loops(std::span<const Face> faces, List<SolidEdge>& list) {
   for (const Face& face : faces) {
     SolidEdge* edges = list.data() + face.first_edge;
     const std::uint32_t first = first_of_loop(edges, face.edge_count);
-    // Of most it does already.
+    // Most do already.
     if (first != 0) std::rotate(edges, edges + first, edges + face.edge_count);
   }
 }
@@ -50,26 +50,25 @@ void move_down(List<T>& list, std::size_t first, std::size_t last,
   std::copy(at(first), at(last), at(to));
 }
 
-/// Merges the faces of a solid, whose edges are in line, in their place. Most
-/// have no other beside them in their plane, and no vertex at which nothing
-/// turns: those are passed on as they are.
-class Merger {
+/// Merges the faces of a solid in place; its edges are packed. Most faces have
+/// no neighbour in their plane and no collinear vertex: they are only moved.
+class FaceMerger {
  public:
-  Merger(Solid& solid, Merge rule) : solid_(solid), groups_(solid, rule) {}
+  FaceMerger(Solid& solid, Merge rule) : solid_(solid), groups_(solid, rule) {}
 
   void run() {
     find_others();
-    const Hubs hubs = hubs_of_others();
+    const VertexStars stars = stars_of_others();
     bool all_stay = true;
     for (const std::int32_t f : others_) {
       const auto at = static_cast<std::size_t>(f);
-      staying_[at] = stays(at, hubs);
+      staying_[at] = stays(at, stars);
       all_stay = all_stay && staying_[at] != 0;
     }
     if (all_stay) {
       turn_loops(solid_.faces, solid_.edges);
     } else {
-      put_together(hubs);
+      put_together(stars);
     }
   }
 
@@ -89,13 +88,13 @@ class Merger {
   }
 
   void find_others();
-  Hubs hubs_of_others() const;
-  bool stays(std::size_t f, const Hubs& hubs) const;
+  VertexStars stars_of_others() const;
+  bool stays(std::size_t f, const VertexStars& stars) const;
   std::size_t pass_on(std::size_t first);
-  void put_together(const Hubs& hubs);
+  void put_together(const VertexStars& stars);
 
   Solid& solid_;
-  FaceGroups groups_;
+  CoplanarGroups groups_;
   /// By face: whether it is a triangle that keeps its edges; in the end, of the
   /// others too, as stays() says.
   std::vector<std::uint8_t> staying_;
@@ -104,7 +103,7 @@ class Merger {
   std::size_t edge_count_ = 0;
 };
 
-void Merger::find_others() {
+void FaceMerger::find_others() {
   staying_.resize(solid_.faces.size());
   for (std::size_t f = 0; f < staying_.size(); ++f) {
     const Face& face = solid_.faces[f];
@@ -114,17 +113,19 @@ void Merger::find_others() {
   }
 }
 
-/// A closed surface has every edge in either direction: there is a spoke from
-/// each end to each other one without looking back along edges.
-Hubs Merger::hubs_of_others() const {
-  const auto for_spokes = [this](const auto& visit) {
+/// A closed surface has every edge in either direction: there is a incident
+/// from each end to each other one without looking back along edges.
+VertexStars FaceMerger::stars_of_others() const {
+  const auto for_incident_edges = [this](const auto& visit) {
     const auto none = [](std::size_t) { return false; };
     for_edges(none, [&](std::int32_t, const Face& face, const SolidEdge& edge) {
-      visit(Spoke{edge.from, edge.to, face.plane, edge.other});
+      visit(IncidentEdge{edge.from, edge.to, face.plane, edge.other});
     });
   };
   const auto for_ends = [&](const auto& visit) {
-    for_spokes([&](const Spoke& spoke) { visit(spoke.hub, spoke.end); });
+    for_incident_edges([&](const IncidentEdge& incident) {
+      visit(incident.center, incident.end);
+    });
   };
   // Two edges of a triangle are on no line. Theirs are all between the others'.
   const auto for_corners = [this](const auto& visit) {
@@ -140,16 +141,16 @@ Hubs Merger::hubs_of_others() const {
     visit_up_to(static_cast<std::uint32_t>(solid_.edges.size()));
   };
   IdRange extent;
-  for_ends([&](std::int32_t hub, std::int32_t) { extent.add(hub); });
-  return Hubs(
-      extent, for_ends, for_spokes, for_corners,
+  for_ends([&](std::int32_t center, std::int32_t) { extent.add(center); });
+  return VertexStars(
+      extent, for_ends, for_incident_edges, for_corners,
       [](std::int32_t) { return false; }, *solid_.table);
 }
 
-/// Whether walk_loops() would leave the face as it is, but for the edge that it
-/// begins with if it is one loop: small loops that visit nothing twice. So does
-/// a face of no edges, which is all of its plane.
-bool Merger::stays(std::size_t f, const Hubs& hubs) const {
+/// Whether trace_loops() would leave the face as it is, but for the edge that
+/// it begins with if it is one loop: small loops that visit nothing twice. So
+/// does a face of no edges, which is all of its plane.
+bool FaceMerger::stays(std::size_t f, const VertexStars& stars) const {
   constexpr std::uint32_t kFew = 24;
   const Face& face = solid_.faces[f];
   if (groups_.merges(f) || face.edge_count > kFew) return false;
@@ -158,7 +159,7 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   std::uint32_t first = 0;  // of this loop
   bool is_in_order = true;
   for (std::uint32_t i = 0; i < face.edge_count; ++i) {
-    if (hubs.is_straight(edges[i].from)) return false;
+    if (stars.is_straight(edges[i].from)) return false;
     for (std::uint32_t k = 0; k < i; ++k) {
       if (edges[k].from == edges[i].from) return false;
     }
@@ -177,9 +178,10 @@ bool Merger::stays(std::size_t f, const Hubs& hubs) const {
   return is_in_order || loops == 1;
 }
 
-/// Passes on faces that stay, from number `first` on: not so many that they are
-/// no longer at hand when they have been moved. The number of the next face.
-std::size_t Merger::pass_on(std::size_t first) {
+/// Moves up to 256 unchanged faces from number `first` on, few enough that they
+/// are still in the cache when they have been moved. Returns the number of the
+/// next face.
+std::size_t FaceMerger::pass_on(std::size_t first) {
   constexpr std::size_t kMostAtOnce = 256;
   const std::size_t end = std::min(first + kMostAtOnce, staying_.size());
   std::size_t last = first;
@@ -198,19 +200,18 @@ std::size_t Merger::pass_on(std::size_t first) {
   return last;
 }
 
-/// The faces that stay move together, and their edges do; those that are
-/// merged stand among them, and their edges, of which there are no more than
-/// there were, after all others.
-void Merger::put_together(const Hubs& hubs) {
-  // What is left of the others, by the first of the faces that are one.
-  List<Piece> pieces;
+/// Unchanged faces move together, and their edges do. Merged faces stand among
+/// them; their edges, no more than before, follow after all others.
+void FaceMerger::put_together(const VertexStars& stars) {
+  // The remaining edges of the merged faces, by the first face of each group.
+  List<DirectedEdge> pieces;
   const auto stays_on = [this](std::size_t f) { return staying_[f] != 0; };
   for_edges(
       stays_on, [&](std::int32_t f, const Face& face, const SolidEdge& edge) {
         pieces.push_back(
             {groups_.first_of(f), face.plane, edge.from, edge.to, edge.other});
       });
-  walk_loops(pieces, hubs);
+  trace_loops(pieces, stars);
   std::vector<std::size_t> wholes;  // where those stand that are merged
   auto piece = pieces.begin();
   for (std::size_t f = 0; f < staying_.size();) {
@@ -242,28 +243,9 @@ void Merger::put_together(const Hubs& hubs) {
 
 }  // namespace
 
-void line_up(Solid& solid) {
-  std::uint32_t next = 0;
-  bool in_line = true;
-  for (const Face& face : solid.faces) {
-    in_line = in_line && face.first_edge == next;
-    next += face.edge_count;
-  }
-  if (in_line && next == solid.edges.size()) return;
-  List<SolidEdge> row;
-  row.reserve(next);
-  for (Face& face : solid.faces) {
-    const auto edges =
-        std::span(solid.edges).subspan(face.first_edge, face.edge_count);
-    face.first_edge = static_cast<std::uint32_t>(row.size());
-    row.insert(row.end(), edges.begin(), edges.end());
-  }
-  solid.edges = std::move(row);
-}
-
 Solid merge_faces(Solid solid, Merge rule) {
-  line_up(solid);
-  Merger(solid, rule).run();
+  pack_edges(solid);
+  FaceMerger(solid, rule).run();
   return solid;
 }
 

@@ -10,11 +10,11 @@
 namespace halfspace::fast {
 
 /// Which faces of a solid are to be one, and the edges between them, which are
-/// dropped: those that just two faces share which may be one.
-class FaceGroups {
+/// dropped: those that just two faces ray_contribution which may be one.
+class CoplanarGroups {
  public:
   /// Requires: the solid's edges are in line.
-  FaceGroups(const Solid& solid, Merge rule);
+  CoplanarGroups(const Solid& solid, Merge rule);
 
   /// Whether the face is one with others, or with itself: it has dropped edges.
   bool merges(std::size_t face) const { return merges_[face] != 0; }

@@ -30,7 +30,7 @@ auto with_lease(const Solid& solid, const Work& work) {
   return work(moved_to(solid, lease), lease);
 }
 
-/// Likewise of two solids, in one table.
+/// The same for two solids, in one table.
 template <class Work>
 auto with_lease(const Solid& a, const Solid& b, const Work& work) {
   if (a.table && a.table == b.table) {

@@ -12,7 +12,8 @@
 namespace halfspace::fast {
 namespace {
 
-/// So many faces are made at once, for planes to be looked up together.
+/// Faces are made in blocks of this size, so that planes are looked up
+/// together. Untuned.
 constexpr std::size_t kFacesAtOnce = 64;
 
 /// Holds the polygon as face_box() would: points of the grid have no error, and

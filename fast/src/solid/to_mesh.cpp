@@ -201,7 +201,7 @@ std::vector<std::uint32_t> polygons_in_order(Polygons& polygons,
       return polygons.corners[polygons.first_corner[p] + 1];
     };
     std::sort(i, j, [&](std::uint32_t p, std::uint32_t q) {
-      // It tells, nearly always.
+      // Nearly always decisive.
       if (second(p) != second(q)) return second(p) < second(q);
       const auto x = polygons.at(p);
       const auto y = polygons.at(q);
@@ -238,8 +238,8 @@ bool surely_turn(const std::array<double, 3>& p, const std::array<double, 3>& q,
   return sign * value > 64 * kRounding * length * size * size;
 }
 
-/// Whether a corner surely turns so. A convex polygon may have straight ones:
-/// one sure corner is enough to tell where it faces.
+/// Whether some corner surely turns so. A convex polygon may have straight
+/// ones; one sure corner decides where it faces.
 bool surely_faces_out(const ExportedMesh& mesh,
                       std::span<const std::int32_t> polygon,
                       const Plane& normal, double sign) {
@@ -268,7 +268,7 @@ ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options) {
   mesh.colors.resize(polygons.size());
   const std::vector<std::uint32_t> order =
       polygons_in_order(polygons, mesh.vertices.size());
-  // Of what stays where it is, nothing is turned over.
+  // A polygon whose vertices do not move cannot be flipped by rounding.
   const auto is_moved = [&](std::span<const std::int32_t> corners) {
     return std::any_of(corners.begin(), corners.end(), [&](std::int32_t v) {
       return moved[static_cast<std::size_t>(v)] != 0;

@@ -75,7 +75,7 @@ List<std::int32_t> vertices_in_order(std::span<const std::int32_t> vertices,
     row.push_back({at.x, 0, v});
   }
   sort_by_x(row, low, high);
-  // What is nearly level along the first axis is sorted anew.
+  // Vertices that are nearly level along the first axis are sorted exactly.
   for (auto i = row.begin(); i != row.end();) {
     auto j = i + 1;
     while (j != row.end() && j->x - (j - 1)->x <= 3 * error) ++j;

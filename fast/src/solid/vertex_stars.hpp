@@ -12,8 +12,8 @@
 namespace halfspace::fast {
 
 /// An edge as one of its ends sees it.
-struct Spoke {
-  std::int32_t hub;
+struct IncidentEdge {
+  std::int32_t center;
   std::int32_t end;
   std::int32_t plane;
   std::int32_t other;
@@ -21,26 +21,26 @@ struct Spoke {
 
 /// The ends of edges, and which of them are straight: all edges there are on
 /// one line, and none ends there.
-class Hubs {
+class VertexStars {
  public:
   /// `for_ends(visit)` visits both ends of every edge, each with the other one,
-  /// and `for_spokes(visit)` its two spokes. `for_more(visit)` visits points,
-  /// among them all at which there are more edges, which are none on one line.
-  /// What is pinned is never straight.
-  /// Requires: all ends are in the extent.
+  /// and `for_incident_edges(visit)` its two edges. `for_more(visit)` visits
+  /// points, among them all at which there are more edges, which are none on
+  /// one line. What is pinned is never straight. Requires: all ends are in the
+  /// extent.
   template <class ForEnds, class ForSpokes, class ForMore, class IsPinned>
-  Hubs(const IdRange& extent, const ForEnds& for_ends,
-       const ForSpokes& for_spokes, const ForMore& for_more,
-       const IsPinned& is_pinned, const GeometryTable& table)
+  VertexStars(const IdRange& extent, const ForEnds& for_ends,
+              const ForSpokes& for_incident_edges, const ForMore& for_more,
+              const IsPinned& is_pinned, const GeometryTable& table)
       : places_(extent), ends_(places_.size()), states_(places_.size()) {
     places_.with_slots([&](const auto& place) { count(for_ends, place); });
     const std::size_t twos = two_count();
     if (twos == 0) return;
     drop_twos(twos, for_more);
-    for_spokes([&](const Spoke& spoke) {
-      const std::size_t at = places_.find(spoke.hub);
-      if (is_two(at)) begin(spoke.hub, at, is_pinned(spoke.hub));
-      if (states_[at] == kAsked) put(pairs_[ends_[at].pair()], spoke);
+    for_incident_edges([&](const IncidentEdge& incident) {
+      const std::size_t at = places_.find(incident.center);
+      if (is_two(at)) begin(incident.center, at, is_pinned(incident.center));
+      if (states_[at] == kAsked) put(pairs_[ends_[at].pair()], incident);
     });
     decide(table);
   }
@@ -56,34 +56,34 @@ class Hubs {
   /// Requires: as is_straight().
   bool goes_straight(std::int32_t from, std::int32_t v, std::int32_t to) const {
     if (!is_straight(v)) return false;
-    const auto& [s, t] = pairs_[ends_[places_.find(v)].pair()].spokes;
+    const auto& [s, t] = pairs_[ends_[places_.find(v)].pair()].edges;
     return (s.end == from && t.end == to) || (s.end == to && t.end == from);
   }
 
  private:
   enum State : std::uint8_t { kFew, kMore, kAsked, kStraight };
-  /// The least and the greatest of the ends of the spokes from a vertex; then,
+  /// The least and the greatest of the ends of the edges from a vertex; then,
   /// where they are all, and so two, where their pair is.
   struct Ends {
     std::int32_t least = std::numeric_limits<std::int32_t>::max();
     std::int32_t greatest = -1;
     std::size_t pair() const { return static_cast<std::size_t>(least); }
   };
-  /// The two spokes of a vertex, of each end one whose two planes are known,
+  /// The two edges of a vertex, of each end one whose two planes are known,
   /// if there is one.
   struct Pair {
-    std::array<Spoke, 2> spokes;
+    std::array<IncidentEdge, 2> edges;
   };
 
-  /// Finds the least and the greatest end of each hub, and who has another: one
-  /// that is neither when two are known, which are all so far. Nothing
-  /// foretells how many a hub has: there are no branches.
+  /// Finds the least and the greatest end of each center, and who has another:
+  /// one that is neither when two are known, which are all so far. Nothing
+  /// foretells how many a center has: there are no branches.
   template <class ForEnds, class Place>
   void count(const ForEnds& for_ends, const Place& place) {
     Ends* const all = ends_.data();
     std::uint8_t* const states = states_.data();
-    for_ends([&](std::int32_t hub, std::int32_t end) {
-      const std::size_t at = place(hub);
+    for_ends([&](std::int32_t center, std::int32_t end) {
+      const std::size_t at = place(center);
       const std::int32_t least = all[at].least;
       const std::int32_t greatest = all[at].greatest;
       const bool is_third =
@@ -112,19 +112,19 @@ class Hubs {
         states_[places_.find(v)] = kMore;
     });
   }
-  void begin(std::int32_t hub, std::size_t at, bool is_pinned);
-  static void put(Pair& pair, const Spoke& spoke);
+  void begin(std::int32_t center, std::size_t at, bool is_pinned);
+  static void put(Pair& pair, const IncidentEdge& incident);
   void decide(const GeometryTable& table);
 
   IdMap places_;
   std::vector<Ends> ends_;            ///< by place
-  std::vector<std::uint8_t> states_;  ///< likewise
+  std::vector<std::uint8_t> states_;  ///< by slot
   std::vector<Pair> pairs_;
   bool any_ = false;
 };
 
 /// Puts pieces in the order of buckets, loop by loop, straight vertices left
 /// out.
-void walk_loops(List<Piece>& pieces, const Hubs& hubs);
+void trace_loops(List<DirectedEdge>& pieces, const VertexStars& stars);
 
 }  // namespace halfspace::fast

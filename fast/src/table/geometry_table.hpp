@@ -78,7 +78,7 @@ class GeometryTable {
   /// The plane's normal, exactly: its first component that is not zero is
   /// positive. Its components may have a common divisor.
   Vector3<Int128> normal(std::int32_t plane) const;
-  /// Likewise, divided by the greatest one.
+  /// The normal divided by its components' greatest common divisor.
   Vector3<Int128> reduced_normal(std::int32_t plane) const;
 
   /// Makes room for more points of the grid and planes.
@@ -134,10 +134,11 @@ class GeometryTable {
   /// one of them is off.
   std::array<double, 3> nearest(std::int32_t vertex, bool& rounded) const;
 
-  /// Whether the planes are not parallel; and then an axis along which their
-  /// line runs, as far from athwart as doubles can tell.
+  /// Whether the planes are not parallel. If so, `axis` is the one along which
+  /// their line runs the most, as far as doubles are sure.
   bool line_axis(std::int32_t p, std::int32_t q, int& axis) const;
-  /// An axis along which two different points differ, likewise.
+  /// The axis along which two different points differ the most, as far as
+  /// doubles are sure.
   int edge_axis(std::int32_t u, std::int32_t v) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace halfspace::fast {
 
-/// A geometry table that solids share.
+/// A geometry table that solids ray_contribution.
 ///
 /// The table only grows, so whoever knows a plane or a point may read it at any
 /// time. One TableLease at a time extends it; an operation that finds it leased
@@ -40,7 +40,7 @@ class TableLease {
       return std::nullopt;
     return TableLease(std::move(table));
   }
-  /// Of a new table.
+  /// A lease of a new table.
   static TableLease of_new(int grid_bits) {
     return *of(std::make_shared<SharedTable>(grid_bits));
   }

@@ -1,3 +1,5 @@
+#include "boolean/assemble.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "boolean/engine.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "lattice.hpp"
 #include "scenes.hpp"
@@ -217,11 +218,12 @@ bool holds(const Box& box, const Solid& solid, std::int32_t vertex) {
 
 /// The blocks of a face are all its edges in order, in boxes that hold them,
 /// and are found by those boxes.
-void expect_right(const BlockList& list, const Solid& solid, const Face& face) {
+void expect_right(const PacketList& list, const Solid& solid,
+                  const Face& face) {
   EXPECT_TRUE(list.box() == face.box);
   const SolidEdge* edges = solid.edges.data() + face.first_edge;
   std::uint32_t next = 0;
-  for (const EdgeBlock& block : list.blocks()) {
+  for (const EdgePacket& block : list.blocks()) {
     ASSERT_EQ(block.first, next);
     next += block.count;
     ASSERT_GT(next, block.first);
@@ -241,7 +243,7 @@ void expect_right(const BlockList& list, const Solid& solid, const Face& face) {
     bool is_found = false;
     list.visit(
         [&](const Box& box) { return holds(box, solid, edges[next - 1].to); },
-        [&](const EdgeBlock& found) {
+        [&](const EdgePacket& found) {
           is_found = is_found || found.first == block.first;
         });
     EXPECT_TRUE(is_found);
@@ -270,13 +272,13 @@ TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
       whole.faces.begin(), whole.faces.end(),
       [](const Face& f, const Face& g) { return f.edge_count > g.edge_count; });
   // The first faces, some of them, and the others.
-  const EdgeBlocks blocks(whole);
-  const EdgeBlocks some(blocks, {1, 2, 0});
+  const EdgePackets blocks(whole);
+  const EdgePackets some(blocks, {1, 2, 0});
   for (std::size_t f = 0; f < whole.faces.size(); ++f) {
     EXPECT_EQ(blocks.of(static_cast<std::int32_t>(f)) != nullptr,
-              EdgeBlocks::has_many(whole.faces[f]));
+              EdgePackets::has_many(whole.faces[f]));
   }
-  EXPECT_TRUE(EdgeBlocks::has_many(whole.faces[1]));
+  EXPECT_TRUE(EdgePackets::has_many(whole.faces[1]));
   EXPECT_EQ(some.of(0), blocks.of(1));
   EXPECT_EQ(some.of(1), blocks.of(2));
   EXPECT_EQ(some.of(2), blocks.of(0));
@@ -287,15 +289,16 @@ TEST(FastBooleanFaces, WithManyEdgesHaveBlocksOfThem) {
     for (const BooleanOp operation : kBooleanOps) {
       for (const bool swapped : {false, true}) {
         TableLease lease = *TableLease::of(whole.table);
-        Engine engine(operation, swapped ? tool : whole, swapped ? whole : tool,
-                      lease, 1);
-        engine.find_contacts();
-        const Solid result = engine.run();
+        Arrangement found(operation, swapped ? tool : whole,
+                          swapped ? whole : tool, lease, 1);
+        found.find_contacts();
+        ASSERT_TRUE(found.conforms(0));
+        ASSERT_TRUE(found.conforms(1));
+        const auto [result, result_blocks] = assembled(found);
         for (std::size_t f = 0; f < result.faces.size(); ++f) {
           const Face& face = result.faces[f];
-          const auto list =
-              engine.blocks().shared(static_cast<std::int32_t>(f));
-          ASSERT_EQ(list != nullptr, EdgeBlocks::has_many(face));
+          const auto list = result_blocks.shared(static_cast<std::int32_t>(f));
+          ASSERT_EQ(list != nullptr, EdgePackets::has_many(face));
           if (list == nullptr) continue;
           expect_right(*list, result, face);
           ++known;

@@ -12,6 +12,7 @@
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "intersect/candidates.hpp"
+#include "intersect/point_location.hpp"
 #include "lattice.hpp"
 
 namespace halfspace::fast {
@@ -304,18 +305,20 @@ TEST(FastBoolean, RowsOfEdgesInBoxesTellWhatTheirEdgesTell) {
         merge_faces(to_solid(lattice::surface(plates)), Merge::kPlane);
     const Solid b =
         to_solid(lattice::surface(lattice::random_cubes(1, state)), a);
-    const EdgeBlocks blocks(a);
-    const Locator rows(a, *a.table, nullptr, &blocks);
-    const Locator edges(a, *a.table, nullptr, nullptr);
+    const EdgePackets blocks(a);
+    const PointLocator rows(a, *a.table, nullptr, &blocks);
+    const PointLocator edges(a, *a.table, nullptr, nullptr);
     for (std::size_t f = 0; f < a.faces.size(); ++f) {
       if (a.faces[f].edge_count < 48) continue;
       ++many;
       const auto face = static_cast<std::int32_t>(f);
       for (const SolidEdge& edge : b.edges) {
         for (const int axis : {0, 1, 2}) {
-          const int share = edges.share(axis, face, edge.from, edge.to);
-          ASSERT_EQ(rows.share(axis, face, edge.from, edge.to), share);
-          on += share != 0;
+          const int ray_contribution =
+              edges.ray_contribution(axis, face, edge.from, edge.to);
+          ASSERT_EQ(rows.ray_contribution(axis, face, edge.from, edge.to),
+                    ray_contribution);
+          on += ray_contribution != 0;
         }
       }
     }

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "boolean/engine.hpp"
+#include "boolean/arrangement.hpp"
+#include "boolean/conform.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/check_operand.hpp"
@@ -221,9 +222,9 @@ TEST(FastConform, PartsFacesWhereTheSurfaceTouchesItself) {
 std::array<bool, 2> have_nodes(const Solid& a, const Solid& b) {
   TableLease lease = *TableLease::of(a.table);
   const Solid tool = moved_to(b, lease);
-  Engine engine(BooleanOp::kUnion, a, tool, lease);
-  engine.find_contacts();
-  return {engine.has_nodes(0), engine.has_nodes(1)};
+  Arrangement found(BooleanOp::kUnion, a, tool, lease);
+  found.find_contacts();
+  return {found.conforms(0), found.conforms(1)};
 }
 
 constexpr std::array<bool, 2> kBoth{true, true};
@@ -244,7 +245,7 @@ TEST(FastConform, IsAskedForOnlyWhereAFaceHasAnEdgeThatIsNotItsOwn) {
   const Solid c = prism_on_block();
   EXPECT_EQ(have_nodes(c, blocks({{{1, 2, 2}, {3, 3, 3}}})), not_first);
   EXPECT_EQ(have_nodes(c, blocks({{{0, 0, 2}, {4, 1, 3}}})), kBoth);
-  // Neither edges nor points that faces share by right.
+  // Neither edges nor points that faces ray_contribution by right.
   std::uint64_t state = 11;
   for (int i = 0; i < 40; ++i) {
     const Solid x =
@@ -339,7 +340,7 @@ TEST(FastConform, BooleansAreRightWhereAnEdgeLiesInAFaceWithManyEdges) {
       with_tetrahedra(whole, {{{{2, 2, 1}, {3, 3, 1}, {2, 3, 3}, {3, 2, 3}}}});
   ASSERT_TRUE(check_operand(a));
   EXPECT_TRUE(
-      std::any_of(a.faces.begin(), a.faces.end(), EdgeBlocks::has_many));
+      std::any_of(a.faces.begin(), a.faces.end(), EdgePackets::has_many));
   Solid b = blocks({{{2, 2, 1}, {3, 3, 2}}});
   b.unit = a.unit;
   EXPECT_EQ(have_nodes(a, b), (std::array{false, true}));

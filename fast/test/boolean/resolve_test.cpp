@@ -14,6 +14,7 @@
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "intersect/candidates.hpp"
+#include "intersect/point_location.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -126,8 +127,8 @@ TEST(Resolve, RepairKeepsWhatIsWoundRound) {
     const Result<Done> fine = check_operand(resolved.solid);
     ASSERT_TRUE(fine) << fine.error().message;
     TableLease lease = *TableLease::of(solid.table);
-    const Locator before(solid, *solid.table, nullptr, nullptr);
-    const Locator after(resolved.solid, *solid.table, nullptr, nullptr);
+    const PointLocator before(solid, *solid.table, nullptr, nullptr);
+    const PointLocator after(resolved.solid, *solid.table, nullptr, nullptr);
     Surface draws(seed + 9000);
     for (int i = 0; i < 20; ++i) {
       const auto coordinate = [&] { return draws.draw(kStep * kPoints); };

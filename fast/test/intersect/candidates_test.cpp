@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "halfspace/splitmix.hpp"
+#include "intersect/far_rows.hpp"
 #include "solid/loops.hpp"
 
 namespace halfspace::fast {

@@ -59,7 +59,7 @@ bool holds(const Board& board, int u, int v) {
 /// Checks which points of the line, step by step, the face has. How many.
 int check_line(const Board& board, const std::array<int, 2>& from,
                const std::array<int, 2>& step, GeometryTable& table,
-               Section& section, int& axis_count) {
+               LineFaceSection& section, int& axis_count) {
   const auto at = [&](int k) {
     return point_at(from[0] + k * step[0], from[1] + k * step[1]);
   };
@@ -97,7 +97,7 @@ TEST(Section, IsWhatTheFaceAndTheLineHaveInCommon) {
   int points = 0, axes = 0;
   for (int round = 0; round < 60; ++round) {
     GeometryTable table(26);
-    Section section(table);
+    LineFaceSection section(table);
     Board board;
     for (auto& row : board) {
       for (bool& square : row) square = mix(++state) % 2 == 0;
@@ -128,7 +128,7 @@ TEST(Section, OfAnOpenFaceEndsSomewhere) {
   const std::int32_t across =
       table.add_plane({{{2, 0, 0}, {2, 1, 0}, {2, 0, 1}}}).plane;
   const std::vector<SolidEdge> edges{{p, q}};
-  Section section(table);
+  LineFaceSection section(table);
   section.find(face, edges, across, 1);
   ASSERT_EQ(section.parts().size(), 1u);
   EXPECT_EQ(section.parts()[0].first, section.parts()[0].second);

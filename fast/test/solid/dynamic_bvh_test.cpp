@@ -15,7 +15,7 @@ namespace {
 TEST(DynamicBvh, FindsWhatIsThere) {
   std::mt19937_64 random(9);
   Solid solid;
-  FaceIndex index;
+  DynamicBvh index;
   std::set<std::int32_t> gone;
   std::size_t found_in_all = 0;
   for (int step = 0; step < 600; ++step) {

@@ -23,7 +23,7 @@ TEST(GridPrefilter, DropNoFaceThatOverlapsAnother) {
       const Solid b = boxed_faces(random, 600, size);
       std::vector<std::int32_t> first = all_of(a);
       std::vector<std::int32_t> second = all_of(b);
-      drop_lonely(a, first, b, second, reach);
+      grid_prefilter(a, first, b, second, reach);
       const std::set<std::int32_t> left(first.begin(), first.end());
       const std::set<std::int32_t> right(second.begin(), second.end());
       std::size_t pairs = 0;
@@ -55,7 +55,7 @@ TEST(GridPrefilter, DropMostOfWhatIsFar) {
   }
   std::vector<std::int32_t> first = all_of(a);
   std::vector<std::int32_t> second = all_of(b);
-  drop_lonely(a, first, b, second, {{-2000, -300, -300}, {3001, 800, 800}});
+  grid_prefilter(a, first, b, second, {{-2000, -300, -300}, {3001, 800, 800}});
   EXPECT_LE(first.size(), 100u);
   EXPECT_LE(second.size(), 100u);
 }

@@ -12,9 +12,9 @@ TEST(Loops, ALoopAlongALineIsNothing) {
   const std::int32_t p = table.add_point({0, 0, 0});
   const std::int32_t q = table.add_point({3, 0, 0});
   const std::int32_t r = table.add_point({9, 0, 0});
-  List<Piece> pieces{{0, 0, p, r}, {0, 0, r, q}, {0, 0, q, p}};
+  List<DirectedEdge> pieces{{0, 0, p, r}, {0, 0, r, q}, {0, 0, q, p}};
   // Nothing turns at the others.
-  straighten(
+  drop_collinear_vertices(
       pieces, [p](std::int32_t v) { return v == p; }, table);
   EXPECT_TRUE(pieces.empty());
 }

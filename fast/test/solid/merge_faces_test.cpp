@@ -127,7 +127,7 @@ Solid shuffled(Solid solid, bool loops, std::mt19937& random) {
     std::reverse(all.begin(), all.end());
     auto to = begin;
     for (auto& loop : all) {
-      // walk_loops() begins with the least vertex.
+      // trace_loops() begins with the least vertex.
       auto start = std::min_element(loop.begin(), loop.end(),
                                     [](const SolidEdge& x, const SolidEdge& y) {
                                       return x.from < y.from;

@@ -13,7 +13,7 @@ namespace halfspace::fast {
 struct ExportOptions {
   /// Whether faces that are convex become triangles like the others.
   bool triangles = false;
-  /// Faces are parted by so many threads at once. The mesh is the same.
+  /// How many threads triangulate faces at once. The mesh is the same.
   int threads = 1;
 };
 
@@ -30,19 +30,19 @@ struct ExportedMesh {
   std::vector<Rgb> colors;          ///< by polygon
   std::size_t moved = 0;  ///< vertices that doubles may not hold exactly
   double max_move = 0;    ///< no coordinate moved farther
-  /// The polygons that rounding may have turned over or flattened.
+  /// The polygons that rounding may have flipped or flattened.
   std::vector<std::int32_t> flipped;
 };
 
 /// The solid as convex polygons, or as triangles, in doubles: the nearest ones,
-/// ties to even, times the unit, where that is a power of two; else they are
+/// ties to even, times the unit, if that is a power of two; else they are
 /// multiplied or divided by a power of ten, which rounds once or twice more.
 ///
-/// Shape: closed like the solid: what was one point is one vertex. Vertices in
-///        the order of their coordinates, polygons in that of their corners:
-///        equal solids give equal meshes, however they came about, if their
-///        faces do. Where a surface crosses itself, which booleans do not
-///        make of solids, it may be open.
+/// Shape: closed like the solid: one point is one vertex. Vertices are in the
+///        order of their coordinates, polygons in that of their corners: equal
+///        solids give equal meshes, whatever made them, if their faces are
+///        equal. If a surface crosses itself, which booleans of solids do not
+///        cause, the mesh may be open.
 ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options = {});
 
 }  // namespace halfspace::fast

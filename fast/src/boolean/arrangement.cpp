@@ -1,0 +1,155 @@
+#include "boolean/arrangement.hpp"
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "base/parallel.hpp"
+#include "boolean/conform.hpp"
+#include "halfspace/assert.hpp"
+#include "intersect/face_intersection.hpp"
+
+namespace halfspace::fast {
+
+Arrangement::Arrangement(BooleanOp op, const Solid& a, const Solid& b,
+                         TableLease& lease, int threads)
+    : operation(op),
+      table(lease.table()),
+      scratch(lease.scratch<BooleanScratch>()),
+      threads_(threads) {
+  // Both operands are in the leased table.
+  HALFSPACE_ASSERT(a.table == lease.shared());
+  HALFSPACE_ASSERT(b.table == lease.shared());
+  operands[0].solid = &a;
+  operands[1].solid = &b;
+  is_conforming_ = {is_known_conforming(a), is_known_conforming(b)};
+}
+
+Arrangement::Arrangement(BooleanOp op, const Solid& a, const Solid& b,
+                         TableLease& lease, const Whole& whole)
+    : Arrangement(op, a, b, lease) {
+  operands[0].whole = whole.solid;
+  operands[0].index = whole.index;
+  operands[0].blocks = whole.part_blocks;
+  operands[0].whole_blocks = whole.blocks;
+  operands[0].extent = whole.extent;
+}
+
+void Arrangement::find_contacts() {
+  prepare(operands[0], operands[1], scratch);
+  auto pairs = candidate_pairs(operands[0], operands[1], threads_);
+  if (threads_ > 1) drop_disjoint_pairs(pairs);
+  for (Operand& operand : operands) add_edges(operand, table);
+  FaceIntersector contact(operands[0], operands[1], table, segments);
+  for (const auto& [f, g] : pairs) contact.meet(f, g);
+  for (std::size_t o = 0; o < 2; ++o) {
+    conforms_[o] =
+        is_conforming_[o] || conform_contacts(o, operands, segments, table);
+  }
+}
+
+/// Drops the pairs of faces that have nothing in common, which are most, by
+/// several threads. The others add points to the table, one after another, so
+/// that ids do not depend on threads.
+void Arrangement::drop_disjoint_pairs(
+    std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
+  oneapi::tbb::enumerable_thread_specific<FaceIntersector> contacts([this] {
+    return FaceIntersector(operands[0], operands[1], table, segments);
+  });
+  std::vector<std::uint8_t> stays(pairs.size());
+  for_blocks(threads_, pairs.size(), 1024,
+             [&](std::size_t, std::size_t first, std::size_t last) {
+               FaceIntersector& contact = contacts.local();
+               for (std::size_t i = first; i < last; ++i)
+                 stays[i] = contact.may_meet(pairs[i].first, pairs[i].second);
+             });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (stays[i] != 0) pairs[kept++] = pairs[i];
+  }
+  pairs.resize(kept);
+}
+
+/// Brings the cuts and covers of each edge together.
+void Arrangement::sort_records(std::size_t o) {
+  Operand& operand = operands[o];
+  const auto index = [&](const auto& records,
+                         std::vector<std::uint32_t>& first) {
+    first.assign(operand.edges.size() + 1, 0);
+    for (const auto& record : records)
+      ++first[static_cast<std::size_t>(record.edge) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+  };
+  std::sort(operand.cuts.begin(), operand.cuts.end(),
+            [](const EdgeFaceIntersection& x, const EdgeFaceIntersection& y) {
+              return std::tie(x.edge, x.vertex, x.face) <
+                     std::tie(y.edge, y.vertex, y.face);
+            });
+  std::sort(operand.covers.begin(), operand.covers.end(),
+            [](const EdgeInFace& x, const EdgeInFace& y) {
+              return std::tie(x.edge, x.face) < std::tie(y.edge, y.face);
+            });
+  index(operand.cuts, first_cut_[o]);
+  index(operand.covers, first_cover_[o]);
+}
+
+/// Marks all faces of an edge that meets something: one of them reports it. For
+/// a face within another in its plane this is the only record.
+void Arrangement::mark_touched(std::size_t o) {
+  const Operand& operand = operands[o];
+  for (std::size_t e = 0; e < operand.edges.size(); ++e) {
+    const OperandEdge& edge = operand.edges[e];
+    const auto id = static_cast<std::int32_t>(e);
+    if (operand.is_on_other(edge.low) || operand.is_on_other(edge.high) ||
+        !cuts_of(o, id).empty() || !covers_of(o, id).empty())
+      touch_faces_at(o, edge);
+  }
+}
+
+void Arrangement::touch_faces_at(std::size_t o, const OperandEdge& edge) {
+  Operand& operand = operands[o];
+  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
+    const EdgeUse& use = operand.uses[edge.first_use + u];
+    operand.touched[static_cast<std::size_t>(use.face)] = 1;
+  }
+}
+
+std::span<const EdgeFaceIntersection> Arrangement::cuts_of(
+    std::size_t o, std::int32_t edge) const {
+  const auto e = static_cast<std::size_t>(edge);
+  return std::span(operands[o].cuts)
+      .subspan(first_cut_[o][e], first_cut_[o][e + 1] - first_cut_[o][e]);
+}
+
+std::span<const EdgeFaceIntersection> Arrangement::cuts_at(
+    std::size_t o, std::int32_t edge, std::int32_t vertex) const {
+  const auto cuts = cuts_of(o, edge);
+  const auto first = std::partition_point(
+      cuts.begin(), cuts.end(), [vertex](const EdgeFaceIntersection& cut) {
+        return cut.vertex < vertex;
+      });
+  const auto last = std::partition_point(
+      first, cuts.end(), [vertex](const EdgeFaceIntersection& cut) {
+        return cut.vertex == vertex;
+      });
+  return {first, last};
+}
+
+std::span<const EdgeInFace> Arrangement::covers_of(std::size_t o,
+                                                   std::int32_t edge) const {
+  const auto e = static_cast<std::size_t>(edge);
+  return std::span(operands[o].covers)
+      .subspan(first_cover_[o][e], first_cover_[o][e + 1] - first_cover_[o][e]);
+}
+
+void Arrangement::index() {
+  HALFSPACE_ASSERT(conforms_[0] && conforms_[1]);
+  for (std::size_t o = 0; o < 2; ++o) {
+    sort_records(o);
+    mark_touched(o);
+  }
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "intersect/operand.hpp"
+
+/// A second plane through an edge, not that of its face: the edge is where the
+/// two planes meet. Added to the table where no face has one.
+namespace halfspace::fast {
+
+/// Of an operand's edge; kept there for the next call.
+std::int32_t transversal_plane(OperandEdge& edge, const Operand& operand,
+                               GeometryTable& table);
+
+/// Of an edge whose other faces are not known.
+std::int32_t transversal_plane(const SolidEdge& edge, const Face& face,
+                               GeometryTable& table);
+
+}  // namespace halfspace::fast
