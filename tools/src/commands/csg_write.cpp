@@ -1,0 +1,190 @@
+#include "commands/csg_write.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "cli/command.hpp"
+#include "cli/loading.hpp"
+#include "cli/outputs.hpp"
+#include "halfspace/io/import.hpp"
+#include "halfspace/io/load_scene.hpp"
+#include "halfspace/scene_file.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// The doubles of the result as a scene, rounded to a grid if need be.
+Result<io::Imported> import_rounded(const io::OutputMesh& rounded) {
+  io::Mesh mesh;
+  for (const auto& [x, y, z] : rounded.vertices) {
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+      return Error{ErrorCode::kNotFinite,
+                   "a coordinate is beyond the range of doubles"};
+    }
+    mesh.vertices.push_back(
+        {io::number_of(x), io::number_of(y), io::number_of(z)});
+  }
+  mesh.first_corner = rounded.first_corner;
+  mesh.corners = rounded.corners;
+  mesh.face_colors.assign(rounded.colors.begin(), rounded.colors.end());
+  return io::import_scene(mesh, {});
+}
+
+/// Writes the result as a scene, and counts what had to be rounded.
+Result<io::ExportReport> write_scene_file(const std::string& path,
+                                          const csg::Outcome& result) {
+  io::ExportReport report;
+  SceneFile file;
+  if (result.scene) {
+    file.scene = *result.scene;
+  } else {
+    Result<io::Imported> imported = import_rounded(result.mesh);
+    if (!imported) return imported.error();
+    report = {.moved = result.moved + imported->report.moved,
+              .max_move = result.max_move + imported->report.max_move,
+              .triangulated = imported->report.triangulated};
+    file.scene = std::move(imported->scene);
+  }
+  const Result<Done> written = write_output(path, write_scene(file));
+  if (!written) return written.error();
+  return report;
+}
+
+std::size_t polygons_in(const CsgContext& context) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < context.plan.leaves.size(); ++i)
+    count += context.operands.polygon_count(static_cast<std::int32_t>(i));
+  return count;
+}
+
+/// Whether an origin is one of the plan's planes, which come after its leaves.
+bool is_half(const CsgContext& context, std::int32_t part) {
+  return static_cast<std::size_t>(part) >= context.plan.leaves.size();
+}
+
+}  // namespace
+
+Result<io::ExportReport> write_result(const std::string& path,
+                                      const csg::Outcome& result) {
+  if (io::is_scene_name(path)) return write_scene_file(path, result);
+  if (result.scene) return io::write_scene_mesh(path, *result.scene);
+  Result<io::ExportReport> report = io::write_mesh(path, result.mesh);
+  if (!report) return report;
+  report->moved += result.moved;
+  report->max_move += result.max_move;
+  return report;
+}
+
+Result<Done> write_origins(const std::string& path, const CsgContext& context) {
+  std::string text;
+  for (std::size_t i = 0; i < context.plan.leaves.size(); ++i) {
+    const auto id = static_cast<std::int32_t>(i);
+    const csg::Place& place = context.plan.leaves[i].place;
+    text += "solid " + std::to_string(i) + " " +
+            one_line(context.operands.name_of(id)) + " (" +
+            csg::to_string(place) + ") " +
+            one_line(context.operands.path_of(id)) + "\n";
+  }
+  for (std::size_t i = 0; i < context.plan.planes.size(); ++i) {
+    text += "solid " + std::to_string(context.plan.leaves.size() + i) +
+            " half (" + csg::to_string(context.plan.planes[i].place) + ")\n";
+  }
+  for (const csg::Origin& origin : context.result.origins) {
+    text += std::to_string(origin.leaf) + " " + std::to_string(origin.polygon) +
+            "\n";
+  }
+  return write_output(path, text);
+}
+
+std::string turned_sentence(const CsgContext& context) {
+  const auto& turned = context.result.flipped;
+  std::string sentence =
+      "rounding to doubles may have turned over or "
+      "flattened " +
+      std::to_string(turned.size()) + " of " +
+      std::to_string(context.result.polygons) + " polygons, first polygon " +
+      std::to_string(turned.front());
+  if (!context.result.origins.empty()) {
+    const csg::Origin& origin =
+        context.result.origins[static_cast<std::size_t>(turned.front())];
+    sentence += is_half(context, origin.leaf)
+                    ? " (of a half)"
+                    : " (of polygon " + std::to_string(origin.polygon) +
+                          " of " + context.operands.name_of(origin.leaf) + ")";
+  }
+  return sentence;
+}
+
+nlohmann::json stats_of(const CsgContext& context,
+                        const io::ExportReport& report) {
+  const io::ImportReport& import = context.operands.report();
+  const csg::Outcome& result = context.result;
+  nlohmann::json stats = {{"operands", context.plan.leaves.size()},
+                          {"booleans", context.plan.booleans},
+                          {"polygons", polygons_in(context)},
+                          {"faces", result.faces},
+                          {"polygons_out", result.polygons},
+                          {"bad_edges", result.bad_edges},
+                          {"repaired", result.repairs.size()},
+                          {"corners_added", context.operands.corners_added()},
+                          {"trusted", context.operands.are_trusted()},
+                          {"volume", result.volume},
+                          {"boolean_ms", context.boolean_ms},
+                          {"import",
+                           {{"moved", import.moved},
+                            {"max_move", import.max_move},
+                            {"triangulated", import.triangulated},
+                            {"dropped", import.dropped},
+                            {"unit", io::to_string(import.unit)},
+                            {"grid_bits", import.grid_bits}}},
+                          {"export",
+                           {{"moved", report.moved},
+                            {"max_move", report.max_move},
+                            {"turned", result.flipped.size()},
+                            {"triangulated", report.triangulated}}}};
+  if (context.checks) {
+    stats["shadow_booleans"] = context.checks->operations;
+    stats["shadow_checked"] = context.checks->checked;
+    stats["shadow_points"] = context.checks->points;
+    stats["shadow_mismatches"] = context.checks->mismatches;
+  }
+  return stats;
+}
+
+void print_summary(const CsgContext& context, const io::ExportReport& report,
+                   const std::string& output) {
+  const csg::Outcome& result = context.result;
+  say("operands: {} of {} polygons; {}\n", context.plan.leaves.size(),
+      polygons_in(context), to_string(context.operands.report()));
+  if (context.operands.corners_added() > 0) {
+    say("closed: {} corners added where vertices lay within edges\n",
+        context.operands.corners_added());
+  }
+  if (context.operands.are_trusted()) {
+    say("trusted: nobody looked whether a surface crosses itself; if one does, "
+        "the result may be wrong\n");
+  }
+  for (const csg::Repair& repair : result.repairs) {
+    const std::string crossed =
+        repair.crossings
+            ? std::to_string(*repair.crossings) + " pairs of polygons crossed; "
+            : std::string();
+    say("repaired: {}: {}{} polygons cut, {} dropped\n",
+        context.operands.name_of(repair.leaf), crossed, repair.faces_cut,
+        repair.faces_dropped);
+  }
+  if (context.checks) {
+    say("shadow: {} of {} booleans checked at {} points, {} mismatches\n",
+        context.checks->checked, context.checks->operations,
+        context.checks->points, context.checks->mismatches);
+  }
+  say("result: {} polygons, closed, volume {:.12g}, {:.3f} ms\n",
+      result.polygons, result.volume, context.boolean_ms);
+  say("{}: moved {} {} (by at most {:.3g}), triangulated {}\n", output,
+      report.moved, result.moved > 0 ? "vertices" : "coordinates",
+      report.max_move, report.triangulated);
+  if (!result.flipped.empty()) say("warning: {}\n", turned_sentence(context));
+}
+
+}  // namespace halfspace::tools
