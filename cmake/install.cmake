@@ -22,7 +22,10 @@ install(EXPORT halfspaceTargets
         NAMESPACE halfspace::
         DESTINATION ${HALFSPACE_PACKAGE_DIR})
 
-# For users without CMake: what a static library needs goes with it.
+# For users without CMake: what a static library needs goes with it. Paths are
+# from the file itself, wherever the package is put.
+file(RELATIVE_PATH HALFSPACE_PC_INCLUDE /${CMAKE_INSTALL_LIBDIR}/pkgconfig
+     /${CMAKE_INSTALL_INCLUDEDIR})
 set(HALFSPACE_PC_LIBS "-lhalfspace")
 if(NOT HALFSPACE_SHARED)
   string(APPEND HALFSPACE_PC_LIBS " -lhalfspace_csg -lhalfspace_fast"

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """Reads a .scene file (spec/scene-format.md) and says what is in it."""
+import re
 import sys
 
 
 def read_scene(path):
     scene = {"v": [], "p": [], "cull": False, "shade": "flat",
              "background": (255, 255, 255)}
-    with open(path, encoding="ascii") as file:
-        lines = [line.split("#")[0].split() for line in file]
+    # Comments may hold any bytes. Lines end with a line feed alone.
+    with open(path, encoding="latin-1", newline="\n") as file:
+        lines = [re.findall(r"[^ \t\r\n]+", line.split("#")[0])
+                 for line in file]
     lines = [line for line in lines if line]
     assert lines[0] == ["halfspace-scene", "1"] and lines[-1] == ["end"]
     for key, *words in lines[1:-1]:

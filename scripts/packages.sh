@@ -90,6 +90,7 @@ need_build_packages() {
   need zlib1g-dev "compression, for PNG"
   need libcli11-dev "command line of the program"
   need nlohmann-json3-dev "statistics as JSON"
+  need libfmt-dev "messages of the program"
 }
 
 # What the tests take beside that.

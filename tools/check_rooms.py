@@ -3,8 +3,8 @@
 
 * A library includes those that LIBRARIES names beside it: ref/ and fast/ do not
   see each other, and spec/ sees neither.
-* The rooms of fast/src and of proptest/ stand in the lists of ROOMS, in files of
-  CMake. A room includes itself and the rooms above it. The lines of such a list
+* The rooms of fast/src, proptest/, io/src and tools/src stand in the lists of
+  ROOMS, the first two in files of CMake. A room includes itself and the rooms above it. The lines of such a list
   after the first are wings, which do not include one another. The room of a
   public header is that of the source of its name; where there is none, the
   lowest in which it could be.
@@ -38,9 +38,11 @@ LIBRARIES = {
 }
 PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples")
 
-# The lists of rooms: the folder of the rooms, and the file with the list.
+# The rooms of folders: the file with their list, or the list.
 ROOMS = {"fast/src": "fast/CMakeLists.txt",
-         "proptest": "proptest/CMakeLists.txt"}
+         "proptest": "proptest/CMakeLists.txt",
+         "io/src": ("base", "polygon", "mesh", "scene", "view", "picture"),
+         "tools/src": ("cli", "image", "commands")}
 
 # Who looks inside a library that is not theirs, and why.
 INSIDERS = {
@@ -56,7 +58,7 @@ WAITING = {
 
 MOST_FILES = 30
 # Folders that are still to be divided.
-LARGE = {"io/src", "io/test", "tools/src"}
+LARGE = set()
 
 INCLUDE = re.compile(r'^ *# *include +"([^"]+)"', re.M)
 
@@ -73,6 +75,8 @@ def files_in(root):
 
 def rooms_of(root, folder):
     """The rooms in order, each with its wing: 0 is seen by all wings."""
+    if isinstance(ROOMS[folder], tuple):
+        return {room: (place, 0) for place, room in enumerate(ROOMS[folder])}
     text = (root / ROOMS[folder]).read_text()
     listed = re.search(r"foreach\(room IN ITEMS\n(.*?)\)", text, re.S)
     if not listed:
@@ -143,7 +147,7 @@ def find(root, path, name, known):
                     pathlib.Path(path.parts[0], "src")]
     folders += [pathlib.Path(top) for top in
                 (path.parts[0], "proptest", "fast/src", "spec/test",
-                 "csg/src", "io/src", "examples/models")]
+                 "csg/src", "io/src", "tools/src", "examples/models")]
     for folder in folders:
         parts = []
         for part in (folder / name).parts:

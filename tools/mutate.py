@@ -696,6 +696,8 @@ def main():
     arguments = parse()
     if arguments.stale or arguments.mend:
         return check_reasons(arguments.mend)
+    if cindex is None:
+        sys.exit("mutate.py: needs Debian's python3-clang-14, and its python3")
     cindex.Config.set_library_file(LIBCLANG)
     build = Build(arguments.build.resolve(), arguments.scratch.resolve())
     words = arguments.only.split(",")

@@ -1,5 +1,7 @@
 #include "functions.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,22 +14,48 @@ struct Named {
   std::string_view word;
   Function function;
   std::string_view wanted;
+  bool is_reserved = false;  ///< no solid can have the word as its name
 };
 
 constexpr Named kFunctions[] = {
-    {"translate", Function::kTranslate, "3 numbers"},
-    {"scale", Function::kScale, "1 or 3 numbers"},
-    {"rotate", Function::kRotate, "3 numbers for the axis and 1 in degrees"},
-    {"matrix", Function::kMatrix, "12 numbers, row by row"},
-    {"half", Function::kHalf, "9 numbers for three points, or as in x < 5"},
+    {"translate", Function::kTranslate, "a solid and 3 numbers", true},
+    {"scale", Function::kScale, "a solid and 1 or 3 numbers", true},
+    {"rotate", Function::kRotate,
+     "a solid, 3 numbers for the axis and 1 in degrees", true},
+    {"matrix", Function::kMatrix, "a solid and 12 numbers, row by row", true},
+    {"mirror", Function::kMirror,
+     "a solid and 3 numbers, the normal of a plane through the origin"},
+    {"half", Function::kHalf, "9 numbers for three points, or as in x < 5",
+     true},
+    {"flip", Function::kFlip, "a file, or a name that stands for one"},
+    {"union", Function::kUnion, "solids and lists of them, at least one"},
+    {"intersection", Function::kIntersection,
+     "solids and lists of them, at least one"},
+    {"difference", Function::kDifference,
+     "solids and lists of them, at least one"},
+    {"symmetric_difference", Function::kSymmetricDifference,
+     "solids and lists of them, at least one"},
+    {"box", Function::kBox, "1 or 3 numbers above 0"},
+    {"sphere", Function::kSphere,
+     "a radius above 0 and, if wanted, a number of segments from 3 to 1000"},
+    {"cylinder", Function::kCylinder,
+     "a radius and a height above 0 and, if wanted, a number of segments from "
+     "3 to 1000"},
+    {"cone", Function::kCone,
+     "two radii, not both 0, a height above 0 and, if wanted, a number of "
+     "segments from 3 to 1000"},
+    {"range", Function::kRange,
+     "an end, or a begin and an end, and perhaps a step that is not 0"},
+    {"length", Function::kLength, "a list"},
+    {"sin", Function::kSin, "an angle in degrees"},
+    {"cos", Function::kCos, "an angle in degrees"},
+    {"tan", Function::kTan, "an angle in degrees"},
+    {"sqrt", Function::kSqrt, "a number that is not negative"},
+    {"abs", Function::kAbs, "a number"},
+    {"floor", Function::kFloor, "a number"},
+    {"min", Function::kMin, "numbers and lists of them, at least one"},
+    {"max", Function::kMax, "numbers and lists of them, at least one"},
 };
-
-Error wrong_count(Function function, const Place& place) {
-  const Named& named = kFunctions[static_cast<std::size_t>(function)];
-  return error_at(
-      place, ErrorCode::kSyntax,
-      std::string(named.word) + " takes " + std::string(named.wanted));
-}
 
 Number difference(const Number& a, Number b) {
   b.mantissa = -b.mantissa;
@@ -66,6 +94,45 @@ Result<Matrix> rotation_at(const Place& place,
   return rotation({numbers[0], numbers[1], numbers[2]}, numbers[3]);
 }
 
+/// The reflection in the plane through the origin with this normal: exact
+/// along an axis, else its entries are doubles next to the true ones.
+Result<Matrix> mirror_at(const Place& place,
+                         const std::vector<Number>& normal) {
+  std::array<double, 3> n{};
+  double longest = 0;
+  std::size_t zeros = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    n[i] = io::to_double(normal[i]);
+    longest = std::max(longest, std::abs(n[i]));
+    zeros += normal[i].mantissa == 0 ? 1u : 0u;
+  }
+  if (zeros == 3)
+    return error_at(place, ErrorCode::kZeroArea, "the normal has no direction");
+  if (!std::isfinite(longest) || longest == 0) {
+    return error_at(place, ErrorCode::kOutOfRange,
+                    "a normal is beyond the range of doubles");
+  }
+  Matrix matrix = identity_matrix();
+  if (zeros == 2) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (normal[i].mantissa != 0) matrix.rows[i][i] = Number{-1, 0, 0};
+    }
+    return matrix;
+  }
+  double square = 0;
+  for (double& c : n) {
+    c /= longest;
+    square += c * c;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = (i == j ? 1.0 : 0.0) - 2 * n[i] * n[j] / square;
+      matrix.rows[i][j] = io::number_of(entry);
+    }
+  }
+  return matrix;
+}
+
 }  // namespace
 
 std::optional<Function> function_named(std::string_view word) {
@@ -75,12 +142,18 @@ std::optional<Function> function_named(std::string_view word) {
   return std::nullopt;
 }
 
-std::string numbers_wanted(Function function) {
-  return std::string(kFunctions[static_cast<std::size_t>(function)].wanted);
+bool is_function(std::string_view word) {
+  for (const Named& named : kFunctions) {
+    if (named.word == word) return named.is_reserved;
+  }
+  return false;
 }
 
-bool is_function(std::string_view word) {
-  return function_named(word).has_value();
+Error wrong_call(Function function, const Place& place) {
+  const Named& named = kFunctions[static_cast<std::size_t>(function)];
+  return error_at(
+      place, ErrorCode::kSyntax,
+      std::string(named.word) + " takes " + std::string(named.wanted));
 }
 
 Result<Number> number_in(const Token& token, bool negative) {
@@ -99,28 +172,35 @@ Result<Matrix> transform_of(Function function, const Place& place,
   Matrix matrix;
   switch (function) {
     case Function::kTranslate:
-      if (count != 3) return wrong_count(function, place);
+      if (count != 3) return wrong_call(function, place);
       matrix = translation({numbers[0], numbers[1], numbers[2]});
       break;
     case Function::kScale:
-      if (count != 1 && count != 3) return wrong_count(function, place);
+      if (count != 1 && count != 3) return wrong_call(function, place);
       matrix = scaling({numbers[0], numbers[count == 1 ? 0 : 1],
                         numbers[count == 1 ? 0 : 2]});
       break;
     case Function::kRotate: {
-      if (count != 4) return wrong_count(function, place);
+      if (count != 4) return wrong_call(function, place);
       Result<Matrix> turn = rotation_at(place, numbers);
       if (!turn) return turn.error();
       matrix = *std::move(turn);
       break;
     }
     case Function::kMatrix:
-      if (count != 12) return wrong_count(function, place);
+      if (count != 12) return wrong_call(function, place);
       for (std::size_t i = 0; i < 12; ++i)
         matrix.rows[i / 4][i % 4] = numbers[i];
       break;
-    case Function::kHalf:
-      return wrong_count(function, place);
+    case Function::kMirror: {
+      if (count != 3) return wrong_call(function, place);
+      Result<Matrix> mirrored = mirror_at(place, numbers);
+      if (!mirrored) return mirrored.error();
+      matrix = *std::move(mirrored);
+      break;
+    }
+    default:
+      return wrong_call(function, place);
   }
   if (determinant_sign(matrix) == 0) {
     return error_at(place, ErrorCode::kZeroArea,
@@ -131,7 +211,7 @@ Result<Matrix> transform_of(Function function, const Place& place,
 
 Result<HalfSpace> half_of(const Place& place,
                           const std::vector<Number>& numbers) {
-  if (numbers.size() != 9) return wrong_count(Function::kHalf, place);
+  if (numbers.size() != 9) return wrong_call(Function::kHalf, place);
   HalfSpace half;
   for (std::size_t i = 0; i < 9; ++i) half[i / 3][i % 3] = numbers[i];
   if (on_a_line(half)) {

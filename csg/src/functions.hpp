@@ -14,14 +14,34 @@ enum class Function : std::uint8_t {
   kScale,
   kRotate,
   kMatrix,
+  kMirror,
   kHalf,
+  kFlip,
+  kUnion,
+  kIntersection,
+  kDifference,
+  kSymmetricDifference,
+  kBox,
+  kSphere,
+  kCylinder,
+  kCone,
+  kRange,
+  kLength,
+  kSin,
+  kCos,
+  kTan,
+  kSqrt,
+  kAbs,
+  kFloor,
+  kMin,
+  kMax,
 };
 
 /// The function that the word names.
 std::optional<Function> function_named(std::string_view word);
 
-/// How many numbers the function takes, in words.
-std::string numbers_wanted(Function function);
+/// The error of a call with other values than the function takes.
+Error wrong_call(Function function, const Place& place);
 
 /// The number that the token is, of so many signs.
 /// Errors: kOutOfRange.
@@ -29,7 +49,7 @@ Result<io::Number> number_in(const Token& token, bool negative);
 
 /// The transform of `function`, called at `place` with these numbers.
 ///
-/// Requires: it is not kHalf.
+/// Requires: it is one of kTranslate to kMirror.
 /// Errors:   kSyntax (not so many numbers as it takes); kZeroArea (it flattens
 ///           everything, or turns about no axis); kOutOfRange (an angle or an
 ///           axis beyond doubles).

@@ -60,14 +60,6 @@ Error error_at(const Place& place, ErrorCode code,
   return {code, to_string(place) + ": " + sentence, place.line};
 }
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kMost = 40;
-  std::string result = "'";
-  result += text.substr(0, kMost);
-  if (text.size() > kMost) result += "...";
-  return result + "'";
-}
-
 std::string described(const Token& token) {
   switch (token.kind) {
     case TokenKind::kLineEnd:
@@ -136,7 +128,7 @@ Result<Token> Lexer::next() {
   if (const std::size_t length = number_length(rest_))
     return taken(TokenKind::kNumber, length);
   if (c != '\0' &&
-      std::string_view("(),=;|&-+^~<>").find(c) != std::string_view::npos)
+      std::string_view("(),=;|&-+^~<>*/[]:").find(c) != std::string_view::npos)
     return taken(TokenKind::kSymbol, 1);
   const auto byte = static_cast<unsigned char>(c);
   if (byte > 0x20 && byte < 0x7f) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "numbers.hpp"
+
 namespace halfspace::csg {
 namespace {
 
@@ -20,11 +22,6 @@ Integer at_powers(const Number& number, std::int32_t two, std::int32_t five) {
   Integer value = number.mantissa *
                   pow(Integer(5), static_cast<unsigned>(number.five - five));
   return value << static_cast<unsigned>(number.two - two);
-}
-
-Number negative(Number number) {
-  number.mantissa = -number.mantissa;
-  return number;
 }
 
 /// The determinant of two columns in two rows.

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "halfspace/csg/closing.hpp"
+#include "halfspace/csg/fault.hpp"
+#include "halfspace/csg/measure.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/csg/volume.hpp"
 #include "halfspace/fast/check_operand.hpp"
@@ -140,6 +142,35 @@ fast::Solid numbered(fast::Solid solid,
 
 namespace {
 
+/// The scene with every polygon turned round.
+Scene flipped(const Scene& scene) {
+  SceneData data = scene.data();
+  for (std::size_t p = 0; p + 1 < data.first_corner.size(); ++p) {
+    const auto begin = data.corners.begin() + data.first_corner[p];
+    const auto end = data.corners.begin() + data.first_corner[p + 1];
+    std::reverse(begin, end);
+    if (data.corner_colors.empty()) continue;
+    std::reverse(data.corner_colors.begin() + data.first_corner[p],
+                 data.corner_colors.begin() + data.first_corner[p + 1]);
+  }
+  return *make_scene(std::move(data));
+}
+
+/// Which parts of the surface face inwards, and what to do.
+std::string inside_out_advice(const Scene& scene) {
+  const std::vector<Component> parts = measures_of(scene).components;
+  const auto inwards = static_cast<std::size_t>(
+      std::count_if(parts.begin(), parts.end(),
+                    [](const Component& part) { return part.volume < 0; }));
+  const std::string share = std::to_string(inwards) + " of its " +
+                            std::to_string(parts.size()) + " components";
+  if (inwards == parts.size()) {
+    return "; so do all of its components: flip(...) in an expression turns "
+           "its faces round";
+  }
+  return "; " + share + " face inwards, and are not in the solid of another";
+}
+
 /// Whether the surface must be repaired; an error if that is not wanted.
 Result<bool> needs_repair(const GridSolid& solid,
                           const std::vector<PolygonId>& polygons,
@@ -149,16 +180,23 @@ Result<bool> needs_repair(const GridSolid& solid,
     // What is found without a search.
     const std::string volume = exact_volume(solid.scene());
     if (volume != "0" && volume.front() != '-') return false;
-    return Error{ErrorCode::kInsideOut,
-                 volume == "0"
-                     ? "the surface holds nothing: its volume is 0"
-                     : "the surface is inside out: its volume is " + volume};
+    return Error{
+        ErrorCode::kInsideOut,
+        volume == "0"
+            ? "the surface holds nothing: its volume is 0"
+            : "the surface is inside out: its volume is " + volume +
+                  "; flip(...) in an expression turns its faces round"};
   }
   const Result<Done> fine =
       fast::check_operand(numbered(fast::to_solid(solid), polygons));
   if (fine || options.repair) return !fine;
   Error error = fine.error();
-  error.message += " (" + options.repair_word + " keeps what it winds round)";
+  // Of a surface that faces inwards nothing would be kept.
+  if (error.code == ErrorCode::kSelfCrossing) {
+    error.message += " (" + options.repair_word + " keeps what it winds round)";
+  } else if (error.code == ErrorCode::kInsideOut) {
+    error.message += inside_out_advice(solid.scene());
+  }
   return error;
 }
 
@@ -183,7 +221,8 @@ Result<Source> make_source(const std::string& path,
   source.corners_added = closed.added;
   source.scene = std::move(closed.scene);
   const Result<GridSolid> solid = make_solid(source.scene);
-  if (!solid) return io::error_about(path, solid.error());
+  if (!solid)
+    return io::error_about(path, open_error(source.scene, source.polygons));
   const Result<bool> repairs = needs_repair(*solid, source.polygons, options);
   if (!repairs) return io::error_about(path, repairs.error());
   source.to_repair = *repairs;
@@ -191,13 +230,21 @@ Result<Source> make_source(const std::string& path,
 }
 
 Result<Source> read_source(const std::string& path,
-                           const OperandOptions& options) {
+                           const OperandOptions& options, bool flip) {
   Result<io::LoadedScene> loaded = io::load_scene(path, {});
   if (!loaded) return loaded.error();
+  if (flip) loaded->file.scene = flipped(loaded->file.scene);
   return make_source(path,
                      {std::move(loaded->file.scene),
                       std::move(loaded->polygons), loaded->report},
                      options);
+}
+
+Result<Source> primitive_source(const std::string& name, const io::Mesh& mesh,
+                                const OperandOptions& options) {
+  Result<io::Imported> imported = io::import_scene(mesh, {});
+  if (!imported) return io::error_about(name, imported.error());
+  return make_source(name, *imported, options);
 }
 
 Result<Done> Operands::choose_grid() {
@@ -329,11 +376,21 @@ Error Operands::no_grid() const {
 Result<Operands> Operands::load(const Script& script, const Plan& plan,
                                 const OperandOptions& options) {
   std::vector<std::shared_ptr<const Source>> sources;
-  for (const File& file : script.files) {
+  std::vector<bool> is_used(script.files.size());
+  for (const Leaf& leaf : plan.leaves)
+    is_used[static_cast<std::size_t>(leaf.file)] = true;
+  for (std::size_t i = 0; i < script.files.size(); ++i) {
+    const File& file = script.files[i];
+    if (!is_used[i]) {
+      sources.push_back(std::make_shared<const Source>());
+      continue;
+    }
     std::string path = file.path;
     if (file.name.empty() && !options.folder.empty())
       path = (std::filesystem::path(options.folder) / path).string();
-    Result<Source> source = read_source(path, options);
+    Result<Source> source =
+        file.mesh ? primitive_source(file.name, *file.mesh, options)
+                  : read_source(path, options, file.is_flipped);
     if (!source) return source.error();
     sources.push_back(std::make_shared<const Source>(*std::move(source)));
   }
@@ -427,7 +484,8 @@ Error Operands::nothing_left(std::int32_t leaf) const {
       {ErrorCode::kInsideOut,
        options_.repair_word +
            " leaves nothing of it: its surface winds round no place as it "
-           "should, so it is empty or inside out"});
+           "should, so it is empty or inside out; flip(...) in an expression "
+           "turns its faces round"});
 }
 
 Result<GridSolid> Operands::leaf(std::int32_t id) {

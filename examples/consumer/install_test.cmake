@@ -19,3 +19,17 @@ run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -G ${GENERATOR}
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
 run(${WORK_DIR}/build/library)
+
+# The same without CMake.
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG AND NOT FLAGS)
+  file(GLOB_RECURSE package ${WORK_DIR}/prefix/halfspace.pc)
+  cmake_path(GET package PARENT_PATH folder)
+  set(ENV{PKG_CONFIG_PATH} ${folder})
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs halfspace
+                  OUTPUT_VARIABLE options OUTPUT_STRIP_TRAILING_WHITESPACE)
+  separate_arguments(options)
+  run(${COMPILER} -std=c++20 ${SOURCE_DIR}/library.cpp ${options}
+      -o ${WORK_DIR}/library)
+  run(${WORK_DIR}/library)
+endif()

@@ -52,7 +52,7 @@ class Lowering {
     if (node->right) made.right = ids_.at(node->right.get());
     if (node->kind == csg::NodeKind::kFile) {
       made.item = static_cast<std::int32_t>(script.files.size());
-      script.files.push_back({node->name, node->name});
+      script.files.push_back({node->name, node->name, {}, false});
       result_.leaves.push_back(node);
     } else if (node->kind == csg::NodeKind::kHalf) {
       made.item = static_cast<std::int32_t>(script.halves.size());

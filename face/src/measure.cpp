@@ -282,7 +282,7 @@ double area_of(const fast::Solid& solid) {
     return sum;
   };
   return nearest_of(scale, 2, area, [&] {
-    // Rational and half-way between two doubles, or too close to tell.
+    // Rational and half-way between two doubles, or too close to decide.
     const IntervalArithmetic a(1536);
     return *a.nearest({area(a).middle, 0}, scale.numerator,
                       scale.denominator * 2);

@@ -95,15 +95,34 @@ csg::HalfSpace points_of(const Plane& plane) {
   return points;
 }
 
+/// The leaf of a primitive of a script, or of a file that it turns round.
+Solid leaf_of(const csg::File& file, const std::filesystem::path& path) {
+  auto node = std::make_shared<SolidNode>();
+  node->name = file.mesh ? file.name : path.string();
+  node->leaf = std::make_shared<const detail::Leaf>(
+      [file, path]() -> Result<detail::LeafData> {
+        Result<csg::Source> source =
+            file.mesh ? csg::primitive_source(file.name, *file.mesh, {})
+                      : csg::read_source(path.string(), {}, file.is_flipped);
+        if (!source) return source.error();
+        detail::LeafData data;
+        data.source = std::make_shared<const csg::Source>(*std::move(source));
+        return data;
+      });
+  return SolidNode::solid_of(std::move(node));
+}
+
 /// The expression of a script.
 Solid solid_of(const csg::Script& script, const std::string& folder) {
   std::vector<Solid> solids;
   for (const csg::Node& from : script.nodes) {
     const auto item = static_cast<std::size_t>(from.item);
     if (from.kind == NodeKind::kFile) {
-      const std::filesystem::path path = script.files[item].path;
-      solids.push_back(Solid::from_file(
-          folder.empty() ? path : std::filesystem::path(folder) / path));
+      const csg::File& file = script.files[item];
+      std::filesystem::path path = file.path;
+      if (!folder.empty()) path = std::filesystem::path(folder) / path;
+      const bool is_plain = !file.mesh && !file.is_flipped;
+      solids.push_back(is_plain ? Solid::from_file(path) : leaf_of(file, path));
       continue;
     }
     auto node = std::make_shared<SolidNode>();

@@ -58,7 +58,7 @@ class Convex {
       planes_.push_back({normal, dot(normal, less(at(0), Point{}))});
     }
   }
-  /// Nothing where it is too close to tell.
+  /// Nothing where it is too close to decide.
   std::optional<bool> holds(const Point& p) const {
     double most = -1e300;
     for (const auto& [normal, offset] : planes_)

@@ -231,6 +231,10 @@ bool Reader::body_line() {
     return camera_line();
   }
   if (is_one_of({"cull", "shade", "background"})) return option_line();
+  if (is_one_of({kMagic, "unit", "grid"})) {
+    bool seen = true;
+    return once(seen);
+  }
   return fail(ErrorCode::kSyntax, in_quotes(tokens_[0]) + " is no keyword");
 }
 

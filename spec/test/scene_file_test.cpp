@@ -289,6 +289,11 @@ TEST(SceneFile, SaysWhatIsWrongInASentence) {
   // Without vertices, and with a second line of what there is once.
   EXPECT_EQ(message_of("halfspace-scene 1\nunit 2 0\ngrid 26\np 0\nend\n"),
             "line 4: there is no vertex '0' above, only 0 vertices");
+  const std::string header = "halfspace-scene 1\nunit 2 0\ngrid 26\n";
+  for (const std::string keyword : {"halfspace-scene", "unit", "grid"}) {
+    EXPECT_EQ(message_of(header + keyword + " 1\nend\n"),
+              "line 4: there is a second '" + keyword + "' line");
+  }
   for (const std::string keyword : {"eye", "s0", "sx", "sy", "near", "size",
                                     "cull", "shade", "background"}) {
     const std::size_t at = kExample.find("\n" + keyword) + 1;

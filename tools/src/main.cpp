@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <exception>
 #include <memory_resource>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
-#include "command.hpp"
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/long_work.hpp"
 #include "halfspace/fast/huge_page_pool.hpp"
 #include "halfspace/io/format.hpp"
 
@@ -37,6 +39,7 @@ void add_commands(CLI::App& program, Status& status) {
   halfspace::tools::add_join(program, status);
   halfspace::tools::add_scene(program, status);
   halfspace::tools::add_draw(program, status);
+  halfspace::tools::add_help(program, status);
 }
 
 /// What is wrong with the command line.
@@ -48,12 +51,8 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   return "there is no command called " + unknown.front();
 }
 
-}  // namespace
-
-int main(int count, char** words) {
-  // Never destroyed: lists may outlive main().
-  static auto* const pool = new halfspace::fast::HugePagePool;
-  std::pmr::set_default_resource(pool);
+/// Reads the command line and does what it says.
+Status run(int count, char** words) {
   auto status = Status::kFine;
   CLI::App program;
   try {
@@ -64,7 +63,9 @@ int main(int count, char** words) {
     std::reverse(arguments.begin(), arguments.end());
     program.parse(std::move(arguments));
   } catch (const CLI::Success& success) {
-    return program.exit(success);  // --help and --version
+    std::ostringstream text;
+    program.exit(success, text, text);  // --help and --version
+    halfspace::tools::print(text.str());
   } catch (const CLI::ParseError& error) {
     status = halfspace::tools::fail(complaint(program, error) +
                                     " (--help tells more)");
@@ -73,5 +74,19 @@ int main(int count, char** words) {
   } catch (const std::exception& error) {
     status = halfspace::tools::fail(error.what());
   }
+  return status;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  // Never destroyed: lists may outlive main().
+  static auto* const pool = new halfspace::fast::HugePagePool;
+  std::pmr::set_default_resource(pool);
+  halfspace::tools::catch_interrupts();
+  Status status = run(count, words);
+  const auto written = halfspace::tools::finish_output();
+  if (!written && status == Status::kFine)
+    status = halfspace::tools::fail(written.error().message);
   return static_cast<int>(status);
 }

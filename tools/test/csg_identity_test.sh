@@ -4,7 +4,7 @@
 . "$(dirname "$0")/expect.sh"
 
 volume() {
-  "$program" info "$1" | sed -n 's/^volume *//p'
+  "$program" info --exact "$1" | sed -n 's/^volume *//p'
 }
 
 # adds_up FOLDER: the volumes of its files do, exactly.

@@ -5,7 +5,7 @@
 
 # volume FILE: what `info` says of it, exactly.
 volume() {
-  "$program" info "$1" | sed -n 's/^volume *//p'
+  "$program" info --exact "$1" | sed -n 's/^volume *//p'
 }
 
 # holds EQUATION: it is true, of fractions written as f("1/3").
@@ -71,7 +71,6 @@ gives 64 'A - N | translate(N, 1, 2, 3)' A=a.off N=nothing.off
 expect 0 'volume 0,' csg 'A & scale(N, 2) | N' A=a.off N=nothing.off -o out.off
 expect 0 'volume 0,' csg N N=nothing.off --trust -o out.off
 expect 2 'union takes two files' csg union a.off -o out.off
-expect 2 'union takes two files' csg union a.off a.off a.off -o out.off
 
 # Transforms: exact in decimals, powers of two, quarter turns and mirrors.
 expect 0 'moved 0 coordinates' csg 'translate(A, 0.1, -1e-6, 3) | A' A=a.off \
@@ -366,4 +365,29 @@ esac
 expect 0 'trusted: nobody looked' csg 'A - B' A=a.off B=b.off --trust \
   -o out.off --stats stats.json
 grep -q '"trusted": true' stats.json || wrong "--trust is not in the statistics"
+
+# Many files at once, and the language.
+box 0 0 0 1 1 1 >m1.off
+box 2 0 0 3 1 1 >m2.off
+box 4 0 0 5 1 1 >m3.off
+expect 0 'volume 3,' csg union m1.off m2.off m3.off -o out.off
+expect 0 'volume 1,' csg difference m1.off m2.off m3.off -o out.off
+expect 2 'takes two files or more' csg union m1.off -o out.off
+expect 0 'volume 24,' csg 'box(2, 3, 4)' -o out.off
+expect 0 'volume 4,' csg 'union([for i in range(4): translate(A, 2 * i, 0, 0)])' \
+  A=m1.off -o out.off
+expect 2 'line 1, column 1: this bracket is never closed' csg 'box(1' -o out.off
+# Inside out: the advice works.
+sed 's/^\(4\) \(.*\) \(.*\) \(.*\) \(.*\)$/\1 \5 \4 \3 \2/' m1.off >turned.off
+expect 2 'turned.off.*inside out.*flip' csg union turned.off m2.off -o out.off
+expect 2 'turned.off.*flip' csg A A=turned.off --repair -o out.off
+expect 0 'volume 2,' csg 'flip(A) | B' A=turned.off B=m2.off -o out.off
+# What OpenSCAD exports.
+printf 'group() {\n difference() {\n  cube(size = [3, 3, 3], center = false);\n' \
+  >scad.csg
+printf '  import(file = "m1.off", layer = "");\n }\n}\n' >>scad.csg
+expect 0 'volume 26,' csg --script scad.csg -o out.off
+printf 'group() { hull() { cube(size = 1); } }\n' >hull.csg
+expect 2 'hull.csg: line 1, column 11: hull is not read' csg --script hull.csg \
+  -o out.off
 finish

@@ -34,21 +34,21 @@ expect 2 'output' csg union cube.off cube.off
 expect 2 'must end in' csg union cube.off cube.off -o out.txt
 
 # Cameras.
-expect 2 'cube.off.*eye' render cube.off -o a.png --eye 1,1,1 --target 1,1,1
-expect 2 'cube.off.*up' render cube.off -o a.png --eye 0,0,9 --target 0,0,0 \
+expect 2 'camera.*eye' render cube.off -o a.png --eye 1,1,1 --target 1,1,1
+expect 2 'camera.*up' render cube.off -o a.png --eye 0,0,9 --target 0,0,0 \
   --up 0,0,1
-expect 2 'cube.off' render cube.off -o a.png --up 0,0,0
-expect 2 'cube.off' render cube.off -o a.png --fov 0
-expect 2 'cube.off' render cube.off -o a.png --fov 180
-expect 2 'cube.off' render cube.off -o a.png --ortho --height 0
-expect 2 'cube.off' render cube.off -o a.png --near=-1
-expect 2 'cube.off.*pixel is less' render cube.off -o a.png --fov 1e-300
-expect 2 'cube.off.*up is zero' render cube.off -o a.png --up 0,0,0
-expect 2 'cube.off.*near distance' render cube.off -o a.png --near 1e300
+expect 2 'camera.*up is zero' render cube.off -o a.png --up 0,0,0
+expect 2 '\-\-fov.*above 0' render cube.off -o a.png --fov 0
+expect 2 '\-\-fov.*below 180' render cube.off -o a.png --fov 180
+expect 2 '\-\-height.*above 0' render cube.off -o a.png --ortho --height 0
+expect 2 'camera.*near' render cube.off -o a.png --near=-1
+expect 2 'camera.*pixel is less' render cube.off -o a.png --fov 1e-300
+expect 2 'camera.*up is zero' render cube.off -o a.png --up 0,0,0
+expect 2 'camera.*near distance' render cube.off -o a.png --near 1e300
 # Numbers at the ends of what doubles hold: too far is said to be too far, and
 # directions of any length are directions.
 for eye in 1e300,0,0 0,-1e308,5 1e308,1e308,1e308; do
-  expect 2 'cube.off.*eye is farther away' render cube.off -o a.png --eye $eye
+  expect 2 'camera.*eye is farther away' render cube.off -o a.png --eye $eye
 done
 expect 0 'span' render cube.off --ids a.npy --size 9x9 --up 0,0,5
 for up in 0,0,1e300 0,0,1e-320; do
@@ -113,8 +113,15 @@ expect 2 'hello.off' compare hello.off hello.off
 # A scene has its own grid and its own camera.
 expect 2 'cube.scene.*grid' info cube.scene --grid 54
 expect 0 'polygons' scene cube.scene -o shot.scene --size 32x24
-expect 2 'shot.scene.*32x24' render shot.scene -o a.png --size 33x24
+expect 2 '\-\-size.*32x24' render shot.scene -o a.png --size 33x24
 expect 0 'span' render shot.scene -o a.png --size 32x24
+expect 2 '\-\-fov.*own camera.*\-\-eye' render shot.scene -o a.png --fov 30
+expect 2 '\-\-ortho.*own camera' render shot.scene -o a.png --ortho
+expect 0 'span: 32x24' render shot.scene -o a.png --view top --fov 30
+expect 2 'own colours' render shot.scene -o a.png --color 1,2,3
+expect 2 '\-\-threads.*at most' render cube.off -o a.png --threads 1000000000
+sed 's/^v /unit 10 0\nv /' cube.scene >units.scene
+expect 2 "second 'unit' line" info units.scene
 
 # Places that cannot be written.
 expect 2 'none/a.png' render cube.off -o none/a.png --size 8x8

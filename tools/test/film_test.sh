@@ -144,6 +144,6 @@ same a.png b.png
 expect 2 'span' render cubes.off -o a.png --alpha 7 --method span
 expect 2 'zbuffer' render cubes.off -o a.png --alpha 7 --method zbuffer
 for alpha in 256 -1 0.5 x; do
-  expect 2 '\-\-alpha.*0 to 255' render cubes.off -o a.png --alpha=$alpha
+  expect 2 '\-\-alpha.*at least 0 and at most 255' render cubes.off -o a.png --alpha=$alpha
 done
 finish

@@ -85,10 +85,11 @@ class HALFSPACE_API Display {
   /// convex is cut into triangles. Errors: kEmpty, kBadIndex, kNotFinite,
   /// kOutOfRange.
   static Result<Display> of(Mesh mesh);
-  /// Of solids. Errors: theirs; kEmpty.
+  /// Shows solids. Errors: theirs; kEmpty.
   static Result<Display> of(const Solid& solid);
   static Result<Display> of(std::span<const Solid> solids);
-  /// Of an OBJ, STL, PLY, OFF or scene file. Errors: those of reading; kEmpty.
+  /// Shows an OBJ, STL, PLY, OFF or scene file. Errors: those of reading;
+  /// kEmpty.
   static Result<Display> of_file(const std::filesystem::path& path);
 
   Display(Display&&) noexcept;

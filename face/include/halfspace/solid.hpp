@@ -101,16 +101,17 @@ struct RoundingReport {
 /// once; what is worked out is the same in each.
 ///
 /// Numbers: a double of at most 12 significant decimal digits is that decimal,
-///   so 0.1 is one tenth; any other is the double. A mesh's coordinates are the
-///   doubles if one grid holds all of them, else decimals, else rounded.
+///   so 0.1 is one tenth; any other is the double. A mesh's coordinates are
+///   decimals if all of them are such, else doubles; rounded where no grid
+///   holds them.
 /// Grids: all operands of a result are put on one grid of integers, of up to 54
 ///   bits, exactly: whatever units they came in, and however they were shifted,
 ///   mirrored, turned by quarter turns or scaled. Curved solids, and what was
 ///   moved by other maps where no grid holds that, are rounded to the grid,
 ///   once; rounding() says how far. From there on everything is exact.
 /// Errors: functions that make and combine solids cannot fail: what is wrong
-///   comes out where the solid is used, as the Result of that. Of all: the
-///   codes of reading; kOutOfRange (no grid holds all operands); kOpen,
+///   comes out where the solid is used, as the Result of that: the codes of
+///   reading; kOutOfRange (no grid holds all operands); kOpen,
 ///   kInsideOut, kSelfCrossing (an operand is no solid; the message names it
 ///   and where); kUnbounded (a result that reaches infinitely far).
 class HALFSPACE_API Solid {
@@ -127,7 +128,7 @@ class HALFSPACE_API Solid {
   static Solid sphere(double radius, int segments = 32);
   /// A cylinder about the z axis, from z = 0 up.
   static Solid cylinder(double radius, double height, int segments = 32);
-  /// A cone or, if both radii are above 0, a frustum; likewise.
+  /// A cone or, if both radii are above 0, a frustum, from z = 0 up.
   static Solid cone(double bottom_radius, double top_radius, double height,
                     int segments = 32);
   /// A ring about the z axis: `tube_radius` about a circle of `radius`.
@@ -224,7 +225,7 @@ class HALFSPACE_API Solid {
   /// grid steps. Error: kEmpty.
   Result<Point> centroid() const;
   /// The tensor of inertia about the centre of mass at density 1, to the
-  /// nearest doubles, 0 likewise: entry (i, j) is the integral of |p|^2 [i = j]
+  /// nearest doubles, 0 as above: entry (i, j) is the integral of |p|^2 [i = j]
   /// - p_i p_j. Error: kEmpty.
   Result<std::array<std::array<double, 3>, 3>> inertia() const;
   /// How many connected surfaces there are, and their handles in all: 1 of a

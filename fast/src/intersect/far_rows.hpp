@@ -9,6 +9,9 @@ namespace halfspace::fast {
 
 /// The far edges of a face, in rows each of which goes on from edge to edge; or
 /// of whole loops, if the face has many edges.
+///
+/// A chain of 400 booleans on one block takes 35 % more instructions if rows
+/// are found edge by edge instead of by packets.
 class FarRows {
  public:
   /// The face's edges from the first to before the last.

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "halfspace/message.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::csg {
@@ -22,15 +23,12 @@ std::string to_string(const Place& place);
 /// An error at a place in a script.
 Error error_at(const Place& place, ErrorCode code, const std::string& sentence);
 
-/// A part of the text for an error: short, and in quotes.
-std::string in_quotes(std::string_view text);
-
 /// What a script is made of.
 enum class TokenKind : std::uint8_t {
   kName,     ///< letters, digits and underscores, no digit first
   kNumber,   ///< an unsigned decimal; what it is worth is not checked
   kText,     ///< a file's name in quotes
-  kSymbol,   ///< one character: ( ) , = ; | & - + ^ ~ < >
+  kSymbol,   ///< one character: ( ) [ ] , : = ; | & - + * / ^ ~ < >
   kLineEnd,  ///< the end of a line
   kEnd,      ///< the end of the script, and all after it
 };

@@ -49,11 +49,16 @@ struct Source {
   std::size_t corners_added = 0;  ///< where vertices lay within edges
 };
 
-/// The solid in a file.
+/// The solid in a file; with `flip`, with every polygon turned round.
 /// Errors: those of reading and importing, and of fast::check_operand(). The
 ///         message names the file.
 Result<Source> read_source(const std::string& path,
-                           const OperandOptions& options);
+                           const OperandOptions& options, bool flip = false);
+
+/// The solid of a mesh in memory; `name` is that in messages.
+/// Errors: those of importing and of fast::check_operand().
+Result<Source> primitive_source(const std::string& name, const io::Mesh& mesh,
+                                const OperandOptions& options);
 
 /// The solid that an imported scene is; `path` names it in messages.
 /// Errors: those of make_scene() and of fast::check_operand().
@@ -69,7 +74,7 @@ fast::Solid numbered(fast::Solid solid, const std::vector<PolygonId>& polygons);
 /// came in, and however they were moved, exact wherever one grid can hold them.
 class Operands {
  public:
-  /// Reads the files and chooses the grid (S1.7).
+  /// Reads the files that the plan uses and chooses the grid (S1.7).
   ///
   /// Requires: `script` and `plan` outlive the operands, which are the plan's.
   /// Errors: those of read_source().

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "halfspace/csg/lexer.hpp"
 #include "halfspace/csg/matrix.hpp"
+#include "halfspace/io/mesh.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::csg {
@@ -36,9 +38,12 @@ struct Node {
 
 /// A file that a script names.
 struct File {
-  std::string path;  ///< as it was given
+  std::string path;  ///< as it was given; empty for a primitive
   /// The name that it is bound to; empty where the script has it in quotes.
   std::string name;
+  /// The faces of a primitive; else they are read.
+  std::shared_ptr<const io::Mesh> mesh = nullptr;
+  bool is_flipped = false;  ///< its faces are turned round
 };
 
 /// The side of a plane from which three points of it, in this order, are seen
@@ -60,16 +65,19 @@ struct Binding {
   std::string path;
 };
 
-/// What the script in `text` says: one expression, or statements, of which the
-/// last is the result. docs/guide.md has the grammar. No recursion.
+/// The solid of the script in `text`: one expression, or statements, of which
+/// the last is the result. docs/guide.md has the grammar. No recursion.
 ///
-/// Exact:  yes, but for rotation().
+/// Exact:  yes, but for turns, roots, quotients and the like, which are
+/// doubles,
+///         and circles, which are polygons of rounded corners.
 /// Errors: kEmpty (there is no statement); kSyntax; kBadIndex (a name that
 ///         stands for nothing there, or a binding that is not used); kZeroArea
 ///         (three points on a line; a transform that makes everything flat);
-///         kOutOfRange (a number of too many digits; 2^31 bytes or more). The
-///         message begins with the line and the column; index is the line.
-/// Cost:   n log n in the bytes.
+///         kOutOfRange (a number of too many digits; 2^31 bytes or more; over
+///         2^22 nodes or operations). The message begins with the line and
+///         the column; index is the line.
+/// Cost:   n log n in the bytes and in the operations.
 Result<Script> parse_script(std::string_view text,
                             std::span<const Binding> bindings = {});
 

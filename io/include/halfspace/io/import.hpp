@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -20,6 +21,13 @@ struct ImportOptions {
   int refine_bits = 0;
   /// Give the scene colours at its corners, and make every polygon a triangle.
   bool gouraud = false;
+  /// Replaces the colours of the mesh, and that of surfaces without one.
+  std::optional<Rgb> surface = std::nullopt;
+  /// Light the colours of the mesh by the directions of its faces, as surfaces
+  /// without colours are lit.
+  bool light_colors = false;
+  /// From where the light comes, with length 1 or nearly so.
+  std::array<double, 3> to_light = {0.15, -0.45, 0.88};
 };
 
 /// What import did to a mesh (S1.7).
@@ -56,9 +64,10 @@ struct Imported {
 ///   visits a point twice, is cut into triangles, none of them without area,
 ///   whose edges sum up to the polygon's; for a weakly simple planar polygon
 ///   (one with holes on bridges, too) they tile it. Straight corners stay.
-/// Colours: the face's in the file, else the mean of its vertices', else
-///   shaded by its direction. At corners: the vertex's in the file, else the
-///   face's, else shaded by the sum of the normals at the vertex.
+/// Colours: the face's in the file, else the mean of its vertices', else the
+///   usual one lit by its direction. At corners: the vertex's in the file, else
+///   the face's, else the usual one lit by the sum of the normals at the
+///   vertex. The options say whether the file's are lit, too.
 ///
 /// Exact:  but for the rounding reported, yes.
 /// Errors: kEmpty (vertices, but no faces); kOutOfRange (a polygon to be cut

@@ -29,10 +29,12 @@ Error error_about(const std::string& path, Error error);
 bool has_extension(const std::filesystem::path& path,
                    std::string_view extension);
 
-/// Whether the name is that of a scene file: whether it ends in `.scene`.
+/// Whether the name is that of a scene file: whether it ends in `.scene`, or in
+/// `.scene.gz`.
 bool is_scene_name(const std::filesystem::path& path);
 
-/// The scene in a file, whose name tells whether it is a mesh or a scene file.
+/// The scene in a file, whose name tells whether it is a mesh or a scene file,
+/// or for `-` on standard input, whose first bytes tell.
 ///
 /// Exact:  but for the rounding that the report tells of, yes.
 /// Errors: those of read_mesh() and import_scene(), or read_scene();

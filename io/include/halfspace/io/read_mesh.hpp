@@ -35,10 +35,4 @@ Result<Mesh> read_mesh(const std::filesystem::path& path);
 /// The mesh that `bytes` hold in the format; the same, without the file's name.
 Result<Mesh> read_mesh(std::string_view bytes, Format format);
 
-/// The bytes of a file, unpacked if they are gzipped.
-///
-/// Errors: kUnreadable; kTruncated or kSyntax (what is gzipped is cut off or
-///         damaged); kOutOfRange (more than 4 GiB unpacked).
-Result<std::string> read_file(const std::filesystem::path& path);
-
 }  // namespace halfspace::io

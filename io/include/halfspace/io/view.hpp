@@ -50,9 +50,32 @@ struct Viewed {
 ///         those of make_camera.
 Result<Viewed> look_at(const Scene& scene, const ViewOptions& options);
 
-/// A view from above and to one side, z upwards, in which the scene just fits.
+/// From where the whole of a scene is seen.
+struct ViewDirection {
+  glm::dvec3 to_eye{0.45, -0.78, 0.42};  ///< from the scene, of any length
+  glm::dvec3 up{0, 0, 1};                ///< points upwards in the image
+};
+
+/// The direction turned so that `up` is where z was, by the least turn.
+/// Requires: up is finite and not zero.
+ViewDirection turned(const ViewDirection& direction, const glm::dvec3& up);
+
+/// A view in which the scene just fits, in the middle of the image.
 ///
-/// Errors: kEmpty (no polygons); those of look_at.
+/// Errors: kEmpty (no polygons); kBadCamera (up is zero or along to_eye).
+Result<ViewOptions> automatic_options(const Scene& scene,
+                                      const ViewDirection& direction,
+                                      std::int32_t width_px,
+                                      std::int32_t height_px,
+                                      bool orthographic = false);
+
+/// The middle of the box round the scene's polygons. Units: model units.
+/// Requires: there are polygons.
+glm::dvec3 middle_of(const Scene& scene);
+
+/// The perspective view from above and to one side, z upwards.
+///
+/// Errors: those of automatic_options() and look_at().
 Result<Viewed> automatic_view(const Scene& scene, std::int32_t width_px,
                               std::int32_t height_px);
 

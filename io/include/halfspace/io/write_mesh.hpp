@@ -35,7 +35,8 @@ struct ExportReport {
   std::size_t triangulated = 0;  ///< faces cut into triangles, for STL
 };
 
-/// Writes a mesh in the format that the file's name tells (S1.8).
+/// Writes a mesh in the format that the file's name tells (S1.8), gzipped if it
+/// ends in `.gz`.
 ///
 /// OBJ and OFF are text of the shortest decimals from which the same doubles
 /// read back, or of exact ones where that is asked for; PLY is binary, in

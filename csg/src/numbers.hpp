@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "halfspace/io/number.hpp"
+
+namespace halfspace::csg {
+
+io::Number negative(io::Number number);
+
+/// Whether a is less than b. Exact: yes.
+bool is_less(const io::Number& a, const io::Number& b);
+
+/// a / b, exactly where that is a decimal, else the double next to it; nothing
+/// where b is 0 or doubles do not reach it.
+std::optional<io::Number> quotient(const io::Number& a, const io::Number& b);
+
+/// Of an angle in degrees: exact where the value is 0, 1/2 or 1 but for its
+/// sign, else the double next to it or nearly so.
+io::Number sine(const io::Number& degrees);
+io::Number cosine(const io::Number& degrees);
+
+/// The double next to the root, exact where that is a double. Nothing for a
+/// negative number and beyond doubles.
+std::optional<io::Number> square_root(const io::Number& number);
+
+/// The greatest integer that is not above the number. Exact: yes.
+io::Number floor_of(const io::Number& number);
+
+}  // namespace halfspace::csg

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "halfspace/io/format.hpp"
+#include "halfspace/io/mesh.hpp"
+#include "halfspace/result.hpp"
+#include "mesh/encode.hpp"
+
+namespace halfspace::io {
+
+/// What a file of a format is made of, whatever it was made from.
+struct MeshContent {
+  Faces faces;
+  std::vector<std::string> texts;                  ///< for formats of text
+  std::vector<DoublePoint> doubles;                ///< for formats of bytes
+  std::vector<std::array<VertexId, 3>> triangles;  ///< for STL
+};
+
+/// How a format writes coordinates.
+enum class Coordinates : std::uint8_t {
+  kText,           ///< as decimals
+  kTextOrDoubles,  ///< as doubles, or as decimals where those are more exact
+  kFloats,         ///< as floats
+};
+
+/// A mesh format: how files name it, how it is read and how it is written.
+struct FormatEntry {
+  Format format;
+  std::string_view name;
+  std::string_view extension;
+  Coordinates coordinates;
+  bool has_triangles_only;
+  Result<Mesh> (*read)(std::string_view bytes);
+  Result<std::string> (*encoded)(const MeshContent& content);
+};
+
+/// All formats: a new one is an enumerator, an entry, a reader and a writer.
+std::span<const FormatEntry> format_table();
+
+/// The format's entry; null for a value that is no enumerator.
+const FormatEntry* entry_of(Format format);
+
+}  // namespace halfspace::io

@@ -1,0 +1,40 @@
+#include "halfspace/io/read_mesh.hpp"
+
+#include <string>
+
+#include "halfspace/io/file.hpp"
+#include "mesh/format_table.hpp"
+
+namespace halfspace::io {
+namespace {
+
+Error named(const std::filesystem::path& path, Error error) {
+  error.message = path.string() + ": " + error.message;
+  return error;
+}
+
+}  // namespace
+
+Result<Mesh> read_mesh(const std::filesystem::path& path) {
+  const std::optional<Format> format = format_of(path);
+  if (!format) {
+    return Error{ErrorCode::kUnknownFormat,
+                 path.string() + ": a mesh file ends in " +
+                     format_extensions() + ", perhaps with .gz after it"};
+  }
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  Result<Mesh> mesh = read_mesh(*bytes, *format);
+  if (!mesh) return named(path, mesh.error());
+  return mesh;
+}
+
+Result<Mesh> read_mesh(std::string_view bytes, Format format) {
+  if (bytes.empty()) return Error{ErrorCode::kEmpty, "the file is empty", 0};
+  const FormatEntry* entry = entry_of(format);
+  if (entry == nullptr)
+    return Error{ErrorCode::kUnknownFormat, "the format is unknown"};
+  return entry->read(bytes);
+}
+
+}  // namespace halfspace::io

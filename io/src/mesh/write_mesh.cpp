@@ -1,0 +1,283 @@
+#include "halfspace/io/write_mesh.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "halfspace/io/file.hpp"
+#include "halfspace/io/number.hpp"
+#include "mesh/format_table.hpp"
+#include "polygon/ear_clipping.hpp"
+
+namespace halfspace::io {
+namespace {
+
+/// A coordinate written exactly is not longer than this.
+constexpr std::size_t kMaxExactLength = 80;
+
+/// The format of the file to write.
+Result<const FormatEntry*> output_format(const std::filesystem::path& path) {
+  const std::optional<Format> format = format_of(path);
+  if (format) return entry_of(*format);
+  return Error{ErrorCode::kUnknownFormat,
+               path.string() + ": a mesh is written to " + format_extensions()};
+}
+
+Error named(const std::filesystem::path& path, Error error) {
+  error.message = path.string() + ": " + error.message;
+  return error;
+}
+
+std::string shortest(double value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  return {digits, end};
+}
+
+/// All digits of a double: no more than 17 + 1074 of them.
+std::string all_digits(double value) {
+  if (value == 0) return "0";
+  // Below its last binary digit, 2^-k, there are k decimal ones.
+  int exponent = 0;
+  const double rest = std::frexp(value, &exponent);
+  auto mantissa = static_cast<std::int64_t>(std::ldexp(rest, 53));
+  for (exponent -= 53; mantissa % 2 == 0; ++exponent) mantissa /= 2;
+  char digits[1500];
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, value,
+                    std::chars_format::fixed, std::max(0, -exponent))
+          .ptr;
+  std::string text(digits, end);
+  const bool negative = text[0] == '-';
+  if (negative) text.erase(0, 1);
+  // Zeros after the point are an exponent, where they are many.
+  const std::size_t first = text.find_first_not_of("0.");
+  constexpr std::size_t kMany = 7;
+  if (text[0] == '0' && first > kMany) {
+    const std::string power = std::to_string(first - 1);
+    text = text.substr(first);
+    if (text.size() > 1) text.insert(1, ".");
+    text += "e-" + power;
+  }
+  return (negative ? "-" : "") + text;
+}
+
+/// |a - b|, to within an ulp.
+double distance(const Number& a, const Number& b) {
+  const std::int32_t two = std::min(a.two, b.two);
+  const std::int32_t five = std::min(a.five, b.five);
+  const auto common = [two, five](const Number& number) {
+    return Integer(
+        (number.mantissa << static_cast<unsigned>(number.two - two)) *
+        pow(Integer(5), static_cast<unsigned>(number.five - five)));
+  };
+  return to_double({abs(Integer(common(a) - common(b))), two, five});
+}
+
+/// `digits` times 10^-places, written with a point.
+std::string with_point(std::string digits, std::size_t places) {
+  const bool negative = digits[0] == '-';
+  if (negative) digits.erase(0, 1);
+  if (digits.size() <= places) {
+    digits.insert(0, places + 1 - digits.size(), '0');
+  }
+  if (places > 0) digits.insert(digits.size() - places, ".");
+  return (negative ? "-" : "") + digits;
+}
+
+/// The number as a decimal, or nothing if that is too long.
+std::optional<std::string> exact_decimal(const Number& number) {
+  const std::int32_t places = std::max({-number.two, -number.five, 0});
+  const auto limit = static_cast<std::int32_t>(kMaxExactLength);
+  if (places > limit || number.two > 4 * limit || number.five > 2 * limit) {
+    return std::nullopt;
+  }
+  const Integer scaled =
+      (number.mantissa << static_cast<unsigned>(number.two + places)) *
+      pow(Integer(5), static_cast<unsigned>(number.five + places));
+  std::string text = with_point(scaled.str(), static_cast<std::size_t>(places));
+  if (text.size() > kMaxExactLength) return std::nullopt;
+  return text;
+}
+
+/// What is written, and what that did.
+struct Writer {
+  MeshContent content;
+  ExportReport report;
+
+  void note(double move) {
+    ++report.moved;
+    report.max_move = std::max(report.max_move, move);
+  }
+
+  Result<ExportReport> write(const std::filesystem::path& path,
+                             const FormatEntry& format) const {
+    const Result<std::string> bytes = format.encoded(content);
+    if (!bytes) return named(path, bytes.error());
+    const Result<Done> done = write_file(path, *bytes);
+    if (!done) return done.error();
+    return report;
+  }
+};
+
+Number coordinate_number(std::int64_t steps, const Unit& unit) {
+  return normalised(steps, unit.exponent, unit.base == 10 ? unit.exponent : 0);
+}
+
+/// A vertex as text, exact where that is short.
+std::string point_text(const std::array<Number, 3>& point, Writer& writer) {
+  std::string text;
+  for (const Number& number : point) {
+    if (!text.empty()) text += ' ';
+    if (auto exact = exact_decimal(number)) {
+      text += *exact;
+      continue;
+    }
+    const double value = to_double(number);
+    if (!std::isfinite(value)) return "";
+    const Number rounded = number_of(value);
+    if (rounded != number) writer.note(distance(rounded, number));
+    text += shortest(value);
+  }
+  return text;
+}
+
+/// Whether every grid point is a point of doubles: 54 bits of coordinate are at
+/// most 2^53, and no bit is beyond what doubles reach.
+bool doubles_are_exact(const Unit& unit) {
+  return unit.base == 2 && unit.exponent >= -1022 && unit.exponent <= 900;
+}
+
+/// Cuts the polygons of a scene into triangles.
+std::optional<Error> cut_scene(const Scene& scene, Writer& writer) {
+  std::vector<GridPoint> points;
+  for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+    const auto corners = scene.corners(static_cast<PolygonId>(p));
+    if (corners.size() == 3) {
+      writer.content.triangles.push_back({corners[0], corners[1], corners[2]});
+      continue;
+    }
+    if (corners.size() > kMaxEarCorners) {
+      return Error{ErrorCode::kOutOfRange,
+                   "polygon " + std::to_string(p) + " has " +
+                       std::to_string(corners.size()) +
+                       " corners, too many to cut into triangles",
+                   static_cast<std::int64_t>(p)};
+    }
+    points.clear();
+    for (const VertexId corner : corners) {
+      points.push_back(scene.point(corner));
+    }
+    ++writer.report.triangulated;
+    for (const auto& triangle : triangulate(points)) {
+      writer.content.triangles.push_back(
+          {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
+    }
+  }
+  return std::nullopt;
+}
+
+/// Adds a vertex as doubles, and for STL tells how far floats move it.
+void add_doubles(const std::array<Number, 3>& point, const FormatEntry& format,
+                 Writer& writer) {
+  DoublePoint& doubles = writer.content.doubles.emplace_back();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    doubles[axis] = to_double(point[axis]);
+    if (format.coordinates != Coordinates::kFloats) continue;
+    const double stored = double{static_cast<float>(doubles[axis])};
+    if (!std::isfinite(stored)) continue;  // refused when it is encoded
+    const Number number = number_of(stored);
+    if (number != point[axis]) writer.note(distance(number, point[axis]));
+  }
+}
+
+/// Cuts the faces of a mesh into fans.
+void cut_mesh(const OutputMesh& mesh, Writer& writer) {
+  for (std::size_t f = 0; f + 1 < mesh.first_corner.size(); ++f) {
+    const std::size_t first = mesh.first_corner[f];
+    const std::size_t end = mesh.first_corner[f + 1];
+    for (std::size_t i = first + 1; i + 1 < end; ++i) {
+      writer.content.triangles.push_back(
+          {mesh.corners[first], mesh.corners[i], mesh.corners[i + 1]});
+    }
+    if (end - first > 3) ++writer.report.triangulated;
+  }
+}
+
+}  // namespace
+
+Result<ExportReport> write_mesh(const std::filesystem::path& path,
+                                const OutputMesh& mesh) {
+  const Result<const FormatEntry*> found = output_format(path);
+  if (!found) return found.error();
+  const FormatEntry& format = **found;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (const double value : mesh.vertices[v]) {
+      if (std::isfinite(value)) continue;
+      return Error{ErrorCode::kNotFinite,
+                   path.string() + ": vertex " + std::to_string(v) +
+                       " has the coordinate " + std::to_string(value),
+                   static_cast<std::int64_t>(v)};
+    }
+  }
+  Writer writer;
+  writer.content.faces = {mesh.first_corner, mesh.corners, mesh.colors};
+  if (format.coordinates != Coordinates::kText) {
+    writer.content.doubles = mesh.vertices;
+  } else {
+    const auto text = mesh.exact_decimals ? all_digits : shortest;
+    for (const DoublePoint& point : mesh.vertices) {
+      writer.content.texts.push_back(text(point[0]) + " " + text(point[1]) +
+                                     " " + text(point[2]));
+    }
+  }
+  if (format.has_triangles_only) {
+    cut_mesh(mesh, writer);
+  }
+  if (format.coordinates == Coordinates::kFloats) {
+    for (const DoublePoint& point : mesh.vertices) {
+      for (const double value : point) {
+        const double stored = double{static_cast<float>(value)};
+        if (stored != value) writer.note(std::abs(stored - value));
+      }
+    }
+  }
+  return writer.write(path, format);
+}
+
+Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
+                                      const Scene& scene) {
+  const Result<const FormatEntry*> found = output_format(path);
+  if (!found) return found.error();
+  const FormatEntry& format = **found;
+  const SceneData& data = scene.data();
+  Writer writer;
+  writer.content.faces = {data.first_corner, data.corners, data.colors};
+  const bool binary = format.coordinates == Coordinates::kFloats ||
+                      (format.coordinates == Coordinates::kTextOrDoubles &&
+                       doubles_are_exact(data.unit));
+  for (std::size_t v = 0; v < data.vertices.size(); ++v) {
+    const GridPoint& p = data.vertices[v];
+    const std::array<Number, 3> point = {coordinate_number(p.x, data.unit),
+                                         coordinate_number(p.y, data.unit),
+                                         coordinate_number(p.z, data.unit)};
+    if (binary) {
+      add_doubles(point, format, writer);
+      continue;
+    }
+    writer.content.texts.push_back(point_text(point, writer));
+    if (writer.content.texts.back().empty()) {
+      return Error{ErrorCode::kNotFinite,
+                   path.string() + ": vertex " + std::to_string(v) +
+                       " has a coordinate that no double holds",
+                   static_cast<std::int64_t>(v)};
+    }
+  }
+  if (format.has_triangles_only) {
+    if (auto error = cut_scene(scene, writer)) return named(path, *error);
+  }
+  return writer.write(path, format);
+}
+
+}  // namespace halfspace::io

@@ -1,0 +1,275 @@
+#include "halfspace/io/import.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/point_table.hpp"
+#include "polygon/ear_clipping.hpp"
+#include "scene/grid.hpp"
+#include "scene/shade.hpp"
+
+namespace halfspace::io {
+namespace {
+
+struct GridPointHash {
+  std::size_t operator()(const GridPoint& p) const {
+    std::uint64_t hash = mixed(static_cast<std::uint64_t>(p.x));
+    hash = mixed(hash + static_cast<std::uint64_t>(p.y));
+    return mixed(hash + static_cast<std::uint64_t>(p.z));
+  }
+};
+
+Rgb mean(std::span<const Rgb> colors) {
+  std::size_t r = 0;
+  std::size_t g = 0;
+  std::size_t b = 0;
+  for (const Rgb& color : colors) {
+    r += color.r;
+    g += color.g;
+    b += color.b;
+  }
+  const std::size_t count = colors.size();
+  const auto rounded = [count](std::size_t sum) {
+    return static_cast<std::uint8_t>((2 * sum + count) / (2 * count));
+  };
+  return {rounded(r), rounded(g), rounded(b)};
+}
+
+class Importer {
+ public:
+  Importer(const Mesh& mesh, const ImportOptions& options)
+      : mesh_(mesh), options_(options) {}
+  Result<Imported> import();
+
+ private:
+  bool fail(ErrorCode code, const std::string& what, std::size_t face) {
+    error_ = Error{code, "polygon " + std::to_string(face) + " " + what,
+                   static_cast<std::int64_t>(face)};
+    return false;
+  }
+  std::span<const VertexId> corners_of(std::size_t face) const {
+    const std::size_t first = mesh_.first_corner[face];
+    return std::span(mesh_.corners)
+        .subspan(first, mesh_.first_corner[face + 1] - first);
+  }
+  bool find_used();
+  bool choose();
+  void place_vertices();
+  bool take_face(std::size_t face);
+  void sum_normals();
+  bool add_face(std::size_t face);
+  void add_polygon(std::size_t face, std::span<const std::size_t> of_face);
+  void color_corners(std::size_t face);
+  std::optional<Rgb> color_in_file(std::size_t face) const;
+  Rgb color_of(const std::optional<Rgb>& in_file,
+               const Direction& normal) const;
+
+  const Mesh& mesh_;
+  const ImportOptions& options_;
+  std::vector<bool> used_;          // by vertex of the mesh
+  std::vector<VertexId> scene_id_;  // by vertex of the mesh
+  std::vector<Direction> normals_;  // by vertex of the scene
+  SceneData data_;
+  std::vector<PolygonId> faces_;  // by polygon of the scene
+  ImportReport report_;
+  std::optional<Error> error_;
+
+  // The face being imported, without its repeated corners.
+  std::vector<VertexId> face_;  // vertices of the mesh
+  std::vector<GridPoint> points_;
+  Rgb color_;
+  std::vector<Rgb> corner_colors_;
+};
+
+bool Importer::find_used() {
+  used_.resize(mesh_.vertices.size());
+  for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
+    const auto corners = corners_of(face);
+    for (const VertexId corner : corners) {
+      if (corner < 0 ||
+          static_cast<std::size_t>(corner) >= mesh_.vertices.size()) {
+        return fail(ErrorCode::kBadIndex,
+                    "names vertex " + std::to_string(corner) + " of " +
+                        std::to_string(mesh_.vertices.size()),
+                    face);
+      }
+      if (corners.size() >= 3) used_[static_cast<std::size_t>(corner)] = true;
+    }
+  }
+  return true;
+}
+
+bool Importer::choose() {
+  const Result<GridChoice> choice = choose_grid(mesh_, used_, options_);
+  if (!choice) {
+    error_ = choice.error();
+    return false;
+  }
+  data_.unit = report_.unit = choice->unit;
+  data_.grid_bits = report_.grid_bits = choice->bits;
+  return true;
+}
+
+/// Puts the used vertices on the grid, equal points on one vertex.
+void Importer::place_vertices() {
+  PointTable<GridPoint, GridPointHash> table;
+  scene_id_.resize(mesh_.vertices.size());
+  for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+    if (!used_[v]) continue;
+    GridPoint point;
+    std::int64_t* const axes[] = {&point.x, &point.y, &point.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const GridCoordinate coordinate =
+          to_grid(mesh_.vertices[v][axis], data_.unit);
+      *axes[axis] = coordinate.steps;
+      report_.moved += coordinate.moved ? 1 : 0;
+      report_.max_move = std::max(report_.max_move, coordinate.move);
+    }
+    scene_id_[v] = table.index_of(point, data_.vertices);
+  }
+}
+
+/// Makes `face_` and `points_` those of a face; says whether it has area.
+bool Importer::take_face(std::size_t face) {
+  const auto id = [this](VertexId vertex) {
+    return scene_id_[static_cast<std::size_t>(vertex)];
+  };
+  face_.clear();
+  points_.clear();
+  const auto corners = corners_of(face);
+  if (corners.size() < 3) return false;
+  for (const VertexId corner : corners) {
+    if (face_.empty() || id(face_.back()) != id(corner)) {
+      face_.push_back(corner);
+    }
+  }
+  while (face_.size() > 1 && id(face_.back()) == id(face_.front())) {
+    face_.pop_back();
+  }
+  for (const VertexId corner : face_) {
+    points_.push_back(data_.vertices[static_cast<std::size_t>(id(corner))]);
+  }
+  return points_.size() >= 3;
+}
+
+/// Sums up the normals of the faces at each vertex, by their areas.
+void Importer::sum_normals() {
+  normals_.resize(data_.vertices.size());
+  for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
+    if (!take_face(face)) continue;
+    const Direction normal = normal_of(points_);
+    for (const VertexId corner : face_) {
+      Direction& sum = normals_[static_cast<std::size_t>(
+          scene_id_[static_cast<std::size_t>(corner)])];
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += normal[axis];
+    }
+  }
+}
+
+std::optional<Rgb> Importer::color_in_file(std::size_t face) const {
+  if (!mesh_.face_colors.empty() && mesh_.face_colors[face]) {
+    return *mesh_.face_colors[face];
+  }
+  if (!mesh_.vertex_colors.empty()) {
+    std::vector<Rgb> colors;
+    for (const VertexId corner : face_) {
+      const auto& color = mesh_.vertex_colors[static_cast<std::size_t>(corner)];
+      if (color) colors.push_back(*color);
+    }
+    if (colors.size() == face_.size()) return mean(colors);
+  }
+  return std::nullopt;
+}
+
+/// The colour of what has `in_file` in the file and faces that way.
+Rgb Importer::color_of(const std::optional<Rgb>& in_file,
+                       const Direction& normal) const {
+  if (in_file && !options_.surface && !options_.light_colors) return *in_file;
+  const Rgb unlit = options_.surface.value_or(in_file.value_or(kUsualSurface));
+  return lit(unlit, normal, options_.to_light);
+}
+
+/// Makes `corner_colors_` those of the face's corners.
+void Importer::color_corners(std::size_t face) {
+  corner_colors_.clear();
+  for (const VertexId corner : face_) {
+    const auto vertex = static_cast<std::size_t>(corner);
+    std::optional<Rgb> in_file;
+    if (!mesh_.vertex_colors.empty()) in_file = mesh_.vertex_colors[vertex];
+    if (!in_file && !mesh_.face_colors.empty())
+      in_file = mesh_.face_colors[face];
+    corner_colors_.push_back(color_of(
+        in_file, normals_[static_cast<std::size_t>(scene_id_[vertex])]));
+  }
+}
+
+/// Adds a polygon that has these corners of the face.
+void Importer::add_polygon(std::size_t face,
+                           std::span<const std::size_t> of_face) {
+  for (const std::size_t corner : of_face) {
+    data_.corners.push_back(scene_id_[static_cast<std::size_t>(face_[corner])]);
+    if (options_.gouraud) {
+      data_.corner_colors.push_back(corner_colors_[corner]);
+    }
+  }
+  data_.first_corner.push_back(
+      static_cast<std::uint32_t>(data_.corners.size()));
+  data_.colors.push_back(color_);
+  faces_.push_back(static_cast<PolygonId>(face));
+}
+
+bool Importer::add_face(std::size_t face) {
+  const Shape shape = take_face(face) ? shape_of(points_) : Shape::kNoArea;
+  if (shape == Shape::kNoArea) {
+    ++report_.dropped;
+    return true;
+  }
+  color_ = color_of(color_in_file(face), normal_of(points_));
+  if (options_.gouraud) color_corners(face);
+  const bool whole =
+      shape == Shape::kConvex && (!options_.gouraud || points_.size() == 3);
+  if (whole) {
+    std::vector<std::size_t> all(points_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    add_polygon(face, all);
+    return true;
+  }
+  if (points_.size() > kMaxEarCorners) {
+    return fail(ErrorCode::kOutOfRange,
+                "has to be cut into triangles, but has " +
+                    std::to_string(points_.size()) + " corners, over " +
+                    std::to_string(kMaxEarCorners),
+                face);
+  }
+  const auto triangles = triangulate(points_);
+  ++(triangles.empty() ? report_.dropped : report_.triangulated);
+  for (const auto& triangle : triangles) add_polygon(face, triangle);
+  return true;
+}
+
+Result<Imported> Importer::import() {
+  report_.vertices = mesh_.vertices.size();
+  report_.polygons = mesh_.face_count();
+  if (mesh_.face_count() == 0 && !mesh_.vertices.empty()) {
+    return Error{ErrorCode::kEmpty, "there are " +
+                                        std::to_string(mesh_.vertices.size()) +
+                                        " vertices, but no faces"};
+  }
+  if (!find_used() || !choose()) return *error_;
+  place_vertices();
+  if (options_.gouraud) sum_normals();
+  for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
+    if (!add_face(face)) return *error_;
+  }
+  Result<Scene> scene = make_scene(std::move(data_));
+  if (!scene) return scene.error();
+  return Imported{*std::move(scene), std::move(faces_), report_};
+}
+
+}  // namespace
+
+Result<Imported> import_scene(const Mesh& mesh, const ImportOptions& options) {
+  return Importer(mesh, options).import();
+}
+
+}  // namespace halfspace::io

@@ -1,0 +1,126 @@
+#include "halfspace/io/load_scene.hpp"
+
+#include <cctype>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "halfspace/io/file.hpp"
+#include "halfspace/io/read_mesh.hpp"
+
+namespace halfspace::io {
+namespace {
+
+ImportReport unchanged(const Scene& scene) {
+  ImportReport report;
+  report.vertices = scene.data().vertices.size();
+  report.polygons = scene.polygon_count();
+  report.unit = scene.unit();
+  report.grid_bits = scene.grid_bits();
+  return report;
+}
+
+Result<LoadedScene> scene_of_text(const std::string& path,
+                                  const std::string& text,
+                                  const ImportOptions& options) {
+  Result<SceneFile> file = read_scene(text);
+  if (!file) return error_about(path, file.error());
+  const int bits = file->scene.grid_bits();
+  if (options.grid_bits && *options.grid_bits != bits) {
+    return Error{ErrorCode::kOutOfRange,
+                 path + ": the scene has its own grid of " +
+                     std::to_string(bits) +
+                     " bits; another grid is for meshes only"};
+  }
+  std::vector<PolygonId> polygons(file->scene.polygon_count());
+  std::iota(polygons.begin(), polygons.end(), PolygonId{0});
+  ImportReport report = unchanged(file->scene);
+  return LoadedScene{std::move(*file), std::move(polygons), report, true};
+}
+
+Result<LoadedScene> load_scene_file(const std::string& path,
+                                    const ImportOptions& options) {
+  Result<std::string> text = read_file(path);
+  if (!text) return error_about(path, text.error());
+  return scene_of_text(path, *text, options);
+}
+
+Result<LoadedScene> scene_of_mesh(const std::string& path,
+                                  const Result<Mesh>& mesh,
+                                  const ImportOptions& options) {
+  if (!mesh) return error_about(path, mesh.error());
+  Result<Imported> imported = import_scene(*mesh, options);
+  if (!imported) return error_about(path, imported.error());
+  return LoadedScene{{std::move(imported->scene), std::nullopt, {}},
+                     std::move(imported->faces),
+                     imported->report,
+                     false};
+}
+
+/// The format that the first bytes look like; OBJ, which has no sign of its
+/// own, if none.
+Format format_of_bytes(std::string_view bytes) {
+  constexpr std::size_t kStlHead = 84, kStlTriangle = 50;
+  if (bytes.starts_with("ply")) return Format::kPly;
+  const std::string_view word = bytes.substr(0, bytes.find_first_of(" \t\r\n"));
+  if (word.ends_with("OFF") && word.size() <= 6) return Format::kOff;
+  const bool is_binary_stl =
+      bytes.size() >= kStlHead &&
+      (bytes.size() - kStlHead) % kStlTriangle == 0 &&
+      bytes.substr(0, kStlHead).find('\0') != std::string_view::npos;
+  return is_binary_stl || word == "solid" ? Format::kStl : Format::kObj;
+}
+
+/// What comes in on standard input, whose first bytes tell its format.
+Result<LoadedScene> load_input(const ImportOptions& options) {
+  const std::string name = "standard input";
+  Result<std::string> bytes = read_file("/dev/stdin");
+  if (!bytes) {
+    Error error = bytes.error();
+    error.message =
+        name + error.message.substr(std::string("/dev/stdin").size());
+    return error;
+  }
+  if (bytes->starts_with("halfspace-scene"))
+    return scene_of_text(name, *bytes, options);
+  const Result<Mesh> mesh = read_mesh(*bytes, format_of_bytes(*bytes));
+  return scene_of_mesh(name, mesh, options);
+}
+
+}  // namespace
+
+Error error_about(const std::string& path, Error error) {
+  if (!path.empty() && !error.message.starts_with(path))
+    error.message = path + ": " + error.message;
+  return error;
+}
+
+bool has_extension(const std::filesystem::path& path,
+                   std::string_view extension) {
+  std::string found = path.extension().string();
+  for (char& c : found) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return found == extension;
+}
+
+bool is_scene_name(const std::filesystem::path& path) {
+  return has_extension(has_extension(path, ".gz") ? path.stem() : path,
+                       ".scene");
+}
+
+Result<LoadedScene> load_scene(const std::string& path,
+                               const ImportOptions& options) {
+  if (path.empty()) {
+    return Error{ErrorCode::kUnreadable, "the name of the file is empty"};
+  }
+  if (path == "-") return load_input(options);
+  if (is_scene_name(path)) return load_scene_file(path, options);
+  return scene_of_mesh(path, read_mesh(path), options);
+}
+
+std::string to_string(const Unit& unit) {
+  return std::to_string(unit.base) + "^" + std::to_string(unit.exponent);
+}
+
+}  // namespace halfspace::io

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "halfspace/polygon.hpp"
+
+namespace halfspace::io {
+
+/// A direction, of any length.
+using Direction = std::array<double, 3>;
+
+/// Twice the area of a polygon times its normal, in doubles.
+Direction normal_of(std::span<const GridPoint> corners);
+
+/// The colour of surfaces that have none.
+constexpr Rgb kUsualSurface = {236, 214, 184};
+
+/// The colour of a surface that faces this way in a light from there. The same
+/// on every machine: IEEE operations only.
+/// Requires: to_light has length 1, or nearly so.
+Rgb lit(const Rgb& surface, const Direction& normal, const Direction& to_light);
+
+}  // namespace halfspace::io

@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "halfspace/io/file.hpp"
+#include "halfspace/io/read_mesh.hpp"
+#include "mesh/samples.hpp"
+
+namespace halfspace::io {
+namespace {
+
+using samples::expect_error;
+
+TEST(ReadErrors, OfGzippedFilesAreToTheLetter) {
+  using enum ErrorCode;
+  const samples::TemporaryFile file("a.off.gz");
+  const auto pack = [&](const std::string& bytes) {
+    gzFile packed = gzopen(file.path().c_str(), "wb");
+    gzwrite(packed, bytes.data(), static_cast<unsigned>(bytes.size()));
+    gzclose(packed);
+    return *samples::raw_bytes(file.path());
+  };
+  // More than is unpacked at once, in two members.
+  const std::string comment = "#" + std::string(3 << 20, 'x') + "\n";
+  const std::string first = pack("OFF\n" + comment + "3 1\n0 0 0\n1 0");
+  const std::string second = pack(" 0\n0 1 0\n" + comment + "3 0 1 2\n");
+  samples::write(file.path(), first + second + "padding");
+  const Result<std::string> text = read_file(file.path());
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_EQ(*text, "OFF\n" + comment + "3 1\n0 0 0\n1 0 0\n0 1 0\n" + comment +
+                       "3 0 1 2\n");
+  const std::string name = file.path().string() + ": ";
+  samples::write(file.path(), first + second.substr(0, 10));
+  expect_error(read_file(file.path()), kTruncated,
+               name + "the gzipped data ends too early",
+               static_cast<std::int64_t>(comment.size()) + 17);
+  std::string damaged = pack("OFF\n");
+  damaged[10] = '\7';  // a block of a kind that is none
+  samples::write(file.path(), damaged);
+  expect_error(read_file(file.path()), kSyntax,
+               name + "the gzipped data is damaged: invalid block type", 0);
+  expect_error(read_mesh(file.path()), kSyntax,
+               name + "the gzipped data is damaged: invalid block type", 0);
+}
+
+TEST(ReadErrors, OfFilesAreToTheLetter) {
+  using enum ErrorCode;
+  const samples::TemporaryFile file("A.OFF");
+  const std::string name = file.path().string() + ": ";
+  expect_error(read_mesh(file.path()), kUnreadable,
+               name + "cannot be read: No such file or directory");
+  samples::write(file.path(), "");
+  expect_error(read_mesh(file.path()), kEmpty, name + "the file is empty", 0);
+  std::filesystem::remove(file.path());
+  std::filesystem::create_directory(file.path());
+  expect_error(read_mesh(file.path()), kUnreadable,
+               name + "cannot be read: Is a directory");
+  expect_error(read_mesh("/a/b.glb"), kUnknownFormat,
+               "/a/b.glb: a mesh file ends in .obj, .stl, .ply or .off, "
+               "perhaps with .gz after it");
+  expect_error(read_mesh("x", static_cast<Format>(99)), kUnknownFormat,
+               "the format is unknown");
+  // A file of as much as is read at once, and of more.
+  for (const std::size_t size : {std::size_t{1} << 20, std::size_t{2500000}}) {
+    const samples::TemporaryFile large("large");
+    std::string bytes(size, '\0');
+    for (std::size_t i = 0; i < size; ++i)
+      bytes[i] = static_cast<char>(i % 251);
+    samples::write(large.path(), bytes);
+    const Result<std::string> back = read_file(large.path());
+    ASSERT_TRUE(back);
+    EXPECT_TRUE(*back == bytes);
+  }
+  for (const char* known : {"a.AZ", "a.off.Z"}) EXPECT_FALSE(format_of(known));
+}
+
+}  // namespace
+}  // namespace halfspace::io

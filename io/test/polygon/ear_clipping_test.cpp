@@ -1,0 +1,242 @@
+#include "polygon/ear_clipping.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "halfspace/int128.hpp"
+#include "polygon/polygons.hpp"
+#include "polygon/tiling.hpp"
+
+namespace halfspace::io {
+namespace {
+
+using samples::boundary_of;
+using samples::draw;
+using samples::expect_tiles;
+using samples::Polygon;
+using samples::Triangles;
+
+/// The polygon, started at each of its corners, and seen from each side of
+/// each axis.
+void expect_tiles_anyhow(const Polygon& polygon) {
+  Polygon turned = polygon;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    expect_tiles(turned);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool flip : {false, true}) {
+      Polygon other = polygon;
+      for (GridPoint& p : other) {
+        if (axis == 1) p = {p.z, p.x, p.y};
+        if (axis == 2) p = {p.y, p.z, p.x};
+      }
+      if (flip) std::reverse(other.begin(), other.end());
+      const Triangles triangles = triangulate(other);
+      EXPECT_EQ(triangles.size(), triangulate(polygon).size());
+      EXPECT_EQ(boundary_of(other), boundary_of(other, triangles));
+    }
+  }
+}
+
+TEST(Triangulate, TilesPolygonsWithStraightCorners) {
+  expect_tiles_anyhow({{0, 0, 7}, {2, 0, 7}, {4, 0, 7}, {0, 4, 7}});
+  expect_tiles_anyhow({{0, 0, 0},
+                       {1, 0, 0},
+                       {2, 0, 0},
+                       {4, 0, 0},
+                       {2, 2, 0},
+                       {0, 4, 0},
+                       {0, 3, 0},
+                       {0, 1, 0}});
+  expect_tiles_anyhow({{0, 0, 0},
+                       {1, 0, 0},
+                       {4, 0, 0},
+                       {4, 4, 0},
+                       {3, 4, 0},
+                       {1, 1, 0},
+                       {0, 4, 0}});
+}
+
+TEST(Triangulate, TilesAPolygonWithAHoleOnABridge) {
+  expect_tiles_anyhow({{0, 0, 0},
+                       {9, 0, 0},
+                       {9, 9, 0},
+                       {0, 9, 0},
+                       {0, 0, 0},
+                       {3, 3, 0},
+                       {3, 6, 0},
+                       {6, 6, 0},
+                       {6, 3, 0},
+                       {3, 3, 0}});
+}
+
+TEST(Triangulate, TilesAPolygonWithTwoHolesOnOneCorner) {
+  expect_tiles_anyhow({{0, 0, 0},
+                       {9, 0, 0},
+                       {9, 9, 0},
+                       {0, 9, 0},
+                       {0, 0, 0},
+                       {1, 3, 0},
+                       {1, 5, 0},
+                       {3, 5, 0},
+                       {3, 3, 0},
+                       {1, 3, 0},
+                       {0, 0, 0},
+                       {5, 3, 0},
+                       {5, 5, 0},
+                       {7, 5, 0},
+                       {7, 3, 0},
+                       {5, 3, 0}});
+}
+
+TEST(Triangulate, TilesAHoleThatTouchesTheRim) {
+  expect_tiles_anyhow({{0, 0, 0},
+                       {8, 0, 0},
+                       {8, 8, 0},
+                       {0, 8, 0},
+                       {0, 4, 0},
+                       {4, 6, 0},
+                       {4, 2, 0},
+                       {0, 4, 0}});
+}
+
+TEST(Triangulate, TilesAPolygonWithTheLeastDent) {
+  // The last corner is a step of the grid inside of the others' triangle.
+  expect_tiles_anyhow({{0, 3, 0}, {0, 0, 0}, {3, 1, 0}, {1, 2, 0}});
+}
+
+TEST(Triangulate, ClipsTheFirstEarInTheCornersOrder) {
+  EXPECT_EQ(triangulate(Polygon{{4, 0, 0}, {1, 1, 0}, {0, 4, 0}, {0, 0, 0}}),
+            (Triangles{{3, 0, 1}, {1, 2, 3}}));
+}
+
+TEST(Triangulate, SeesAFigureOfEightAlongItsNormal) {
+  Polygon eight = {{0, 0, 5}, {4, 4, 5}, {4, 0, 5}, {0, 4, 5}};
+  const Triangles triangles = triangulate(eight);
+  EXPECT_EQ(triangles.size(), 2u);
+  for (int axis = 0; axis < 2; ++axis) {
+    for (GridPoint& p : eight) p = {p.z, p.x, p.y};
+    EXPECT_EQ(triangulate(eight), triangles);
+  }
+}
+
+/// A wall along a spiral: it has two ears at a time.
+Polygon spiral(int corners) {
+  Polygon polygon;
+  for (int i = 0; i < 2 * corners; ++i) {
+    const int j = i < corners ? i : 2 * corners - 1 - i;
+    const double radius = 1000.0 * j + (i < corners ? 0 : 4000 * 3.0);
+    polygon.push_back({std::llround(radius * std::cos(j / 10.0)),
+                       std::llround(radius * std::sin(j / 10.0)), 0});
+  }
+  std::reverse(polygon.begin(), polygon.end());
+  return polygon;
+}
+
+TEST(Triangulate, TilesSpirals) {
+  for (const int corners : {3, 20, 800}) expect_tiles(spiral(corners));
+}
+
+TEST(Triangulate, LetsASlitGo) {
+  const Polygon slit = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0},
+                        {2, 2, 0}, {4, 4, 0}, {0, 4, 0}};
+  expect_tiles(slit);
+  EXPECT_TRUE(
+      triangulate(Polygon{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, 0, 0}}).empty());
+}
+
+TEST(Triangulate, TilesRandomStarsOfSmallIntegers) {
+  // Corners sorted by angle round the origin, so the polygon is simple; small
+  // integers put many of them on common lines.
+  std::mt19937 random(5);
+  for (int i = 0; i < 400; ++i) {
+    std::map<std::pair<int, int>, GridPoint> by_direction;
+    const auto count = 5 + random() % 20;
+    for (std::size_t j = 0; j < count; ++j) {
+      const int x = static_cast<int>(random() % 15) - 7;
+      const int y = static_cast<int>(random() % 15) - 7;
+      const int divisor = std::gcd(x, y);
+      if (divisor != 0) {
+        by_direction[{x / divisor, y / divisor}] = {x, y, 0};
+      }
+    }
+    for (const auto& [x, y] : {std::pair{9, 0}, {0, 9}, {-9, 0}, {0, -9}}) {
+      by_direction[{x / 9, y / 9}] = {x, y, 0};
+    }
+    Polygon polygon;
+    for (const auto& [direction, point] : by_direction) {
+      polygon.push_back(point);
+    }
+    std::sort(polygon.begin(), polygon.end(),
+              [](const GridPoint& a, const GridPoint& b) {
+                return std::atan2(static_cast<double>(a.y),
+                                  static_cast<double>(a.x)) <
+                       std::atan2(static_cast<double>(b.y),
+                                  static_cast<double>(b.x));
+              });
+    expect_tiles(polygon);
+  }
+}
+
+TEST(Triangulate, TilesACombInTheLargestGrid) {
+  const std::int64_t a = (std::int64_t{1} << 53) - 1;
+  Polygon comb = {{a, -a, a}, {a, a, a}};
+  for (std::int64_t i = 40; i >= -40; --i) {
+    comb.push_back({i * (a / 41), i % 2 == 0 ? a - 1 : -a + 1, a});
+  }
+  comb.push_back({-a, a, a});
+  comb.push_back({-a, -a, a});
+  expect_tiles(comb);
+}
+
+TEST(Triangulate, EndsOnWhateverChainOfPoints) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 1500; ++i) {
+    Polygon polygon;
+    const std::size_t count = 3 + random() % 30;
+    const std::int64_t range = i % 2 == 0 ? 4 : 100;
+    while (polygon.size() < count) {
+      const GridPoint p = {draw(random, range), draw(random, range),
+                           i % 3 == 0 ? draw(random, range) : 0};
+      if (polygon.empty() || p != polygon.back()) polygon.push_back(p);
+    }
+    if (polygon.front() == polygon.back()) polygon.pop_back();
+    if (shape_of(polygon) == Shape::kNoArea) continue;
+    const Triangles triangles = triangulate(polygon);
+    EXPECT_LE(triangles.size(), polygon.size() - 2);
+    for (const auto& [a, b, c] : triangles) {
+      EXPECT_NE(shape_of(Polygon{polygon[a], polygon[b], polygon[c]}),
+                Shape::kNoArea);
+    }
+  }
+}
+
+TEST(Triangulate, TilesWhatHasManyCorners) {
+  expect_tiles(samples::waves(20000));
+}
+
+TEST(Triangulate, IsQuadraticOnASpiralAndOnATangle) {
+  constexpr int kCorners = 4000;
+  std::mt19937 random(9);
+  Polygon tangle;
+  for (int i = 0; i < kCorners; ++i) {
+    tangle.push_back({draw(random, 100000), draw(random, 100000), 0});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_FALSE(triangulate(tangle).empty());
+  expect_tiles(spiral(kCorners));
+  const std::chrono::duration<double> spent =
+      std::chrono::steady_clock::now() - start;
+  // A cubic algorithm takes hours.
+  EXPECT_LT(spent.count(), 60);
+}
+
+}  // namespace
+}  // namespace halfspace::io

@@ -1,0 +1,34 @@
+#include "cli/loading.hpp"
+
+#include <fmt/format.h>
+
+#include <new>
+
+#include "cli/options.hpp"
+
+namespace halfspace::tools {
+
+Result<io::LoadedScene> load(const std::string& path,
+                             const io::ImportOptions& options) {
+  try {
+    return io::load_scene(path, options);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kOutOfRange,
+                 path + ": there is not enough memory to read it"};
+  }
+}
+
+std::string to_string(const io::ImportReport& report) {
+  return fmt::format(
+      "moved {} coordinates (by at most {:.3g}), triangulated {}, dropped {}",
+      report.moved, report.max_move, report.triangulated, report.dropped);
+}
+
+void add_grid_option(CLI::App& app, std::optional<int>& bits) {
+  static constexpr Word<int> kGrids[] = {{"26", 26}, {"40", 40}, {"54", 54}};
+  add_choice(app, "--grid", kGrids, bits,
+             "Round the mesh to a grid of so many bits; without it, the "
+             "smallest that holds it exactly");
+}
+
+}  // namespace halfspace::tools

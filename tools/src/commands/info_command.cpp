@@ -1,0 +1,288 @@
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/loading.hpp"
+#include "halfspace/boolean.hpp"
+#include "halfspace/csg/closing.hpp"
+#include "halfspace/csg/fault.hpp"
+#include "halfspace/csg/measure.hpp"
+#include "halfspace/csg/operands.hpp"
+#include "halfspace/csg/volume.hpp"
+#include "halfspace/fast/check_operand.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+struct InfoArguments {
+  std::vector<std::string> paths;
+  std::optional<int> grid_bits;
+  bool exact = false;
+  bool check = false;
+  bool json = false;
+};
+
+/// All that is known of one file.
+struct Facts {
+  const std::string& path;
+  const io::LoadedScene& loaded;
+  csg::Measures measures;
+  std::size_t bad_edges = 0;
+  std::size_t corners_added = 0;  ///< with which it is closed
+  std::string exact_volume;       ///< of a closed surface
+  /// The result of --check: what keeps it from being a solid, or nothing.
+  std::optional<std::string> fault;
+
+  const Scene& scene() const { return loaded.file.scene; }
+  bool is_closed() const { return bad_edges == 0 || corners_added != 0; }
+};
+
+Facts facts_of(const std::string& path, const io::LoadedScene& loaded,
+               const InfoArguments& arguments) {
+  Facts facts{path, loaded, {}, 0, 0, {}, {}};
+  Scene scene = loaded.file.scene;
+  facts.bad_edges = bad_edges(scene).size();
+  if (facts.bad_edges != 0) {
+    csg::ClosedScene closed = csg::closed_on_lines(std::move(scene));
+    facts.corners_added = closed.added;
+    scene = std::move(closed.scene);
+  }
+  facts.measures = csg::measures_of(scene);
+  if (facts.is_closed()) facts.exact_volume = csg::exact_volume(scene);
+  if (!arguments.check) return facts;
+  const Result<GridSolid> solid = make_solid(std::move(scene));
+  if (!solid) {
+    facts.fault = csg::open_error(loaded.file.scene, loaded.polygons).message;
+    return facts;
+  }
+  const Result<Done> fine = fast::check_operand(
+      csg::numbered(fast::to_solid(*solid), loaded.polygons));
+  facts.fault = fine ? "" : fine.error().message;
+  return facts;
+}
+
+std::pair<std::size_t, std::size_t> corner_range(const Scene& scene) {
+  std::size_t least = SIZE_MAX;
+  std::size_t most = 0;
+  const auto count = static_cast<PolygonId>(scene.polygon_count());
+  for (PolygonId p = 0; p < count; ++p) {
+    least = std::min(least, scene.corners(p).size());
+    most = std::max(most, scene.corners(p).size());
+  }
+  return {least, most};
+}
+
+void print_polygons(const Scene& scene) {
+  say("polygons   {}", scene.polygon_count());
+  if (scene.polygon_count() > 0) {
+    const auto [least, most] = corner_range(scene);
+    say(" of {} to {} corners", least, most);
+  }
+  say("\nvertices   {}\n", scene.data().vertices.size());
+  say("colours    {}\n", scene.data().corner_colors.empty()
+                             ? "one a polygon"
+                             : "at the corners, and one a polygon");
+  say("grid       {} bits of {}\n", scene.grid_bits(),
+      io::to_string(scene.unit()));
+}
+
+using Triple = std::array<double, 3>;
+
+void print_triple(const char* name, const Triple& v) {
+  say("{:<10} {:.9g}, {:.9g}, {:.9g}\n", name, v[0], v[1], v[2]);
+}
+
+/// The corners of the box in grid steps, which are exact.
+void print_exact_box(const Scene& scene) {
+  const auto& corners = scene.data().corners;
+  GridPoint low = scene.point(corners.front());
+  GridPoint high = low;
+  for (const VertexId corner : corners) {
+    const GridPoint& v = scene.point(corner);
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y),
+            std::max(high.z, v.z)};
+  }
+  const std::string unit = io::to_string(scene.unit());
+  say("from       {}, {}, {} times {}\n", low.x, low.y, low.z, unit);
+  say("to         {}, {}, {} times {}\n", high.x, high.y, high.z, unit);
+}
+
+void print_box(const Facts& facts, bool exact) {
+  if (facts.scene().polygon_count() == 0) return;
+  const csg::Measures& m = facts.measures;
+  if (exact) {
+    print_exact_box(facts.scene());
+  } else {
+    print_triple("from", m.least);
+    print_triple("to", m.most);
+  }
+  say("size       {:.9g} x {:.9g} x {:.9g}\n", m.most[0] - m.least[0],
+      m.most[1] - m.least[1], m.most[2] - m.least[2]);
+  say("area       {:.9g}\n", m.area);
+  print_triple("centre", m.centre);
+}
+
+/// The volume as a short decimal, or exactly.
+std::string volume_text(const Facts& facts, bool exact) {
+  constexpr std::size_t kShort = 20;
+  const std::string& volume = facts.exact_volume;
+  const bool is_short =
+      volume.size() <= kShort && volume.find('/') == std::string::npos;
+  return exact || is_short ? volume
+                           : fmt::format("{:.12g}", facts.measures.volume);
+}
+
+void print_components(const std::vector<csg::Component>& components) {
+  constexpr std::size_t kMostShown = 10;
+  say("components {}", components.size());
+  const std::size_t shown = std::min(components.size(), kMostShown);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const auto& genus = components[i].genus;
+    say("{}{}", i == 0 ? " (genus " : ", ",
+        genus ? std::to_string(*genus) : "unknown");
+  }
+  say("{}\n", components.empty()          ? ""
+              : shown < components.size() ? ", ...)"
+                                          : ")");
+}
+
+void print_surface(const Facts& facts, bool exact) {
+  if (!facts.is_closed()) {
+    say("surface    not closed: {} bad edges\n", facts.bad_edges);
+  } else {
+    say("surface    closed");
+    if (facts.corners_added != 0) {
+      say(", but for {} corners where vertices lie within edges",
+          facts.corners_added);
+    }
+    say("\nvolume     {}\n", volume_text(facts, exact));
+  }
+  print_components(facts.measures.components);
+  if (facts.fault) {
+    say("solid      {}\n", facts.fault->empty()
+                               ? "yes: it crosses itself nowhere, and faces "
+                                 "outwards"
+                               : "no: " + one_line(*facts.fault));
+  }
+}
+
+void print_camera(const SceneFile& file) {
+  if (!file.camera) return;
+  const CameraData& camera = file.camera->data();
+  say("camera     {}, {}x{} pixels\n",
+      camera.perspective ? "perspective" : "orthographic", camera.width_px,
+      camera.height_px);
+}
+
+void print_facts(const Facts& facts, const InfoArguments& arguments) {
+  say("file       {}\n", one_line(facts.path));
+  print_polygons(facts.scene());
+  print_box(facts, arguments.exact);
+  if (!facts.loaded.is_scene_file) {
+    say("mesh       {} polygons, {} vertices\n", facts.loaded.report.polygons,
+        facts.loaded.report.vertices);
+    say("import     {}\n", to_string(facts.loaded.report));
+  }
+  print_surface(facts, arguments.exact);
+  print_camera(facts.loaded.file);
+}
+
+nlohmann::ordered_json json_of(const Facts& facts) {
+  const Scene& scene = facts.scene();
+  const csg::Measures& m = facts.measures;
+  const io::ImportReport& report = facts.loaded.report;
+  nlohmann::ordered_json json = {
+      {"file", facts.path},
+      {"polygons", scene.polygon_count()},
+      {"vertices", scene.data().vertices.size()},
+      {"corner_colors", !scene.data().corner_colors.empty()},
+      {"grid_bits", scene.grid_bits()},
+      {"unit", io::to_string(scene.unit())},
+      {"from", m.least},
+      {"to", m.most},
+      {"area", m.area},
+      {"centre", m.centre},
+      {"import",
+       {{"polygons", report.polygons},
+        {"vertices", report.vertices},
+        {"moved", report.moved},
+        {"max_move", report.max_move},
+        {"triangulated", report.triangulated},
+        {"dropped", report.dropped}}},
+      {"closed", facts.is_closed()},
+      {"bad_edges", facts.bad_edges},
+      {"corners_added", facts.corners_added}};
+  if (facts.is_closed()) {
+    json["volume"] = m.volume;
+    json["exact_volume"] = facts.exact_volume;
+  }
+  json["components"] = nlohmann::ordered_json::array();
+  for (const csg::Component& part : m.components) {
+    nlohmann::ordered_json component = {{"polygons", part.polygons}};
+    if (facts.is_closed()) component["volume"] = part.volume;
+    component["genus"] = part.genus ? nlohmann::ordered_json(*part.genus)
+                                    : nlohmann::ordered_json();
+    json["components"].push_back(std::move(component));
+  }
+  if (facts.fault) {
+    json["solid"] = facts.fault->empty();
+    if (!facts.fault->empty()) json["fault"] = *facts.fault;
+  }
+  return json;
+}
+
+Status run_info(const InfoArguments& arguments) {
+  auto all = nlohmann::ordered_json::array();
+  for (const std::string& path : arguments.paths) {
+    const Result<io::LoadedScene> loaded =
+        load(path, {.grid_bits = arguments.grid_bits});
+    if (!loaded) return fail(path, loaded.error());
+    const Facts facts = facts_of(path, *loaded, arguments);
+    if (arguments.json) {
+      all.push_back(json_of(facts));
+      continue;
+    }
+    if (path != arguments.paths.front()) say("\n");
+    print_facts(facts, arguments);
+  }
+  // Names of files may be in any encoding.
+  if (arguments.json) {
+    print(all.dump(2, ' ', false,
+                   nlohmann::ordered_json::error_handler_t::replace) +
+          "\n");
+  }
+  return Status::kFine;
+}
+
+}  // namespace
+
+void add_info(CLI::App& program, Status& status) {
+  CLI::App* app = program.add_subcommand(
+      "info",
+      "Show what is in a file, its measures, and what import did to it");
+  const auto arguments = std::make_shared<InfoArguments>();
+  app->add_option("FILE", arguments->paths, "Meshes or scenes")
+      ->required()
+      ->type_name("");
+  app->add_flag("--check", arguments->check,
+                "Look whether the surface crosses itself or faces inwards, "
+                "which takes a search");
+  app->add_flag("--exact", arguments->exact,
+                "Show the volume and the box as exact numbers");
+  app->add_flag("--json", arguments->json, "Show all as a JSON array");
+  add_grid_option(*app, arguments->grid_bits);
+  app->footer(
+      "Lengths are in the model's units, which files do not name.\n\n"
+      "Examples:\n"
+      "  halfspace info part.stl\n"
+      "  halfspace info *.stl --json\n"
+      "  halfspace info part.stl --check --exact");
+  app->callback([arguments, &status] { status = run_info(*arguments); });
+}
+
+}  // namespace halfspace::tools

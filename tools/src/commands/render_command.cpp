@@ -1,0 +1,266 @@
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/long_work.hpp"
+#include "cli/measuring.hpp"
+#include "cli/options.hpp"
+#include "cli/outputs.hpp"
+#include "image/camera_path.hpp"
+#include "image/rendering.hpp"
+#include "image/shadowing.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// Says what was done, and writes that to --stats.
+Status conclude(const io::LoadedScene& loaded, const BuildMeasure& tree,
+                const Frame& frame, std::int64_t frames, double max_move,
+                const Shadow& shadow, const RenderArguments& arguments) {
+  const std::optional<std::string>& file = arguments.build.stats_file;
+  if (file != "-") {
+    print_summary(loaded, tree, frame, frames, arguments);
+    if (arguments.shadow) say("{}\n", shadow.sentence());
+    if (std::ranges::all_of(frame.picture.items.pixels,
+                            [](PolygonId id) { return id == kBackground; }))
+      say("warning: the {} nothing: no polygon is seen\n",
+          frames > 1 ? "last frame shows" : "picture shows");
+  }
+  if (!file) return shadow.status();
+  nlohmann::json stats = stats_of(loaded, tree, frame, frames, arguments);
+  stats["camera_max_move"] = max_move;
+  shadow.add_to(stats);
+  const Result<Done> written = write_stats(*file, stats);
+  return written ? shadow.status() : fail(*file, written.error());
+}
+
+Status run_still(Engine& engine, const io::LoadedScene& loaded,
+                 const RenderArguments& arguments) {
+  const Result<ChosenCamera> chosen =
+      choose_camera(loaded.file, arguments.view);
+  if (!chosen) return fail(camera_error(arguments.path, chosen.error()));
+  BuildMeasure tree;
+  const Status made = make_tree(engine, loaded.file.scene, arguments, tree);
+  if (made != Status::kFine) return made;
+  const Result<Frame> frame =
+      make_frame(engine, loaded, chosen->camera, arguments);
+  if (!frame) return fail(frame.error().message);
+  const Status written =
+      write_frame(*frame, {arguments.picture_file, arguments.ids_file});
+  if (written != Status::kFine) return written;
+  Shadow shadow(arguments);
+  const Status checked = shadow.check(loaded, chosen->camera, *frame);
+  if (checked != Status::kFine) return checked;
+  return conclude(loaded, tree, *frame, 1, chosen->max_move, shadow, arguments);
+}
+
+/// The frames asked for, if the path has them.
+Result<Range> frames_of(const CameraPath& path,
+                        const RenderArguments& arguments) {
+  const Range asked = arguments.frames.value_or(Range{});
+  const std::int64_t first = asked.first.value_or(path.first_frame());
+  const std::int64_t end = asked.end.value_or(path.last_frame() + 1);
+  if (path.first_frame() <= first && first < end &&
+      end <= path.last_frame() + 1) {
+    return Range{first, end};
+  }
+  return Error{ErrorCode::kOutOfRange,
+               "--frames: the path has the frames " +
+                   std::to_string(path.first_frame()) + ":" +
+                   std::to_string(path.last_frame() + 1)};
+}
+
+/// The names of a frame's files.
+Outputs outputs_of(const RenderArguments& arguments, std::int64_t number) {
+  const auto numbered = [number](const std::optional<std::string>& name) {
+    const auto pattern =
+        name ? NumberedName::parse(*name) : std::optional<NumberedName>();
+    return pattern ? std::optional(pattern->with(number)) : std::nullopt;
+  };
+  return {numbered(arguments.picture_file), numbered(arguments.ids_file)};
+}
+
+/// What is wrong with the files that `pictures` writes, and those beside them.
+std::string file_complaint(const RenderArguments& arguments,
+                           const Outputs& pictures) {
+  const std::string none;
+  return complaint(
+      std::array{
+          NamedFile{"FILE", arguments.path},
+          NamedFile{"--tree", arguments.tree_file.value_or(none)},
+          NamedFile{"--path", arguments.camera_path_file.value_or(none)}},
+      std::array{
+          NamedFile{"-o", pictures.picture_file.value_or(none)},
+          NamedFile{"--ids", pictures.ids_file.value_or(none)},
+          NamedFile{"--stats", arguments.build.stats_file.value_or(none)},
+          NamedFile{"--shadow-scene",
+                    arguments.shadow ? arguments.shadow_file : none}});
+}
+
+Status run_film(Engine& engine, const io::LoadedScene& loaded,
+                const RenderArguments& arguments) {
+  const Result<CameraPath> path =
+      read_camera_path(*arguments.camera_path_file, arguments.view);
+  if (!path) return fail(*arguments.camera_path_file, path.error());
+  const Result<Range> frames = frames_of(*path, arguments);
+  if (!frames) return fail(frames.error().message);
+  for (std::int64_t k = *frames->first; k < *frames->end; ++k) {
+    const std::string wrong =
+        file_complaint(arguments, outputs_of(arguments, k));
+    if (!wrong.empty()) return fail(wrong);
+  }
+  BuildMeasure tree;
+  const Status made = make_tree(engine, loaded.file.scene, arguments, tree);
+  if (made != Status::kFine) return made;
+  const std::int64_t first = *frames->first;
+  const std::int64_t count = *frames->end - first;
+  std::vector<double> times_ms;
+  double max_move = 0;
+  Frame last;
+  Shadow shadow(arguments);
+  LongWork work("frames");
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::string name = "frame " + std::to_string(first + k);
+    const double done = static_cast<double>(k) / static_cast<double>(count);
+    if (!work.report(done)) return stop("interrupted before " + name);
+    const Result<ChosenCamera> chosen =
+        choose_camera(loaded.file, path->at(first + k));
+    if (!chosen)
+      return fail(name + ": " + camera_error(arguments.path, chosen.error()));
+    Result<Frame> frame = make_frame(engine, loaded, chosen->camera, arguments);
+    if (!frame) return fail(frame.error().message);
+    const Status written =
+        write_frame(*frame, outputs_of(arguments, first + k));
+    if (written != Status::kFine) return written;
+    const Status checked = shadow.check(loaded, chosen->camera, *frame);
+    if (checked != Status::kFine) return checked;
+    times_ms.push_back(frame->frame_ms);
+    max_move = std::max(max_move, chosen->max_move);
+    last = *std::move(frame);
+  }
+  last.frame_ms = median(std::move(times_ms));
+  return conclude(loaded, tree, last, count, max_move, shadow, arguments);
+}
+
+Status run_render(const RenderArguments& arguments) {
+  const std::unique_ptr<Engine> engine = make_engine(library_of(arguments));
+  std::string wrong = complaint(arguments, *engine);
+  if (wrong.empty()) {
+    wrong =
+        file_complaint(arguments, {arguments.picture_file, arguments.ids_file});
+  }
+  if (!wrong.empty()) return fail(wrong);
+  const Result<io::LoadedScene> loaded =
+      load(arguments.path, import_options(arguments.view, arguments.grid_bits));
+  if (!loaded) return fail(arguments.path, loaded.error());
+  if (loaded->is_scene_file && changes_colors(arguments.view))
+    return fail(arguments.path +
+                ": a scene has its own colours; --color and --light are for "
+                "meshes");
+  progress(engine->warning(loaded->file.scene.polygon_count()));
+  return arguments.camera_path_file ? run_film(*engine, *loaded, arguments)
+                                    : run_still(*engine, *loaded, arguments);
+}
+
+constexpr const char* kRangeForm =
+    "A:B, A: or :B, from A up to but not including B";
+
+void add_film_options(CLI::App& app, RenderArguments& arguments) {
+  const std::string group = "Film and cluster";
+  app.add_option("--path", arguments.camera_path_file,
+                 "The way of the camera: lines such as `0 eye 9,0,2 target "
+                 "0,0,0`, a frame's number and its camera; between two lines "
+                 "it moves evenly. -o and --ids name each frame: "
+                 "frame-%05d.png")
+      ->type_name("FILE")
+      ->group(group);
+  add_parsed(app, "--frames", "A:B", kRangeForm, arguments.frames, parse_range,
+             "Only the frames from A up to but not including B")
+      ->group(group);
+  add_parsed(app, "--rows", "A:B", kRangeForm, arguments.rows, parse_range,
+             "Only the rows from A up to but not including B, counted from "
+             "the top; `halfspace join` puts them together")
+      ->group(group);
+}
+
+void add_tree_options(CLI::App& app, RenderArguments& arguments) {
+  add_build_options(app, arguments.build,
+                    "fast for span and painter, ref for zbuffer and raycast, "
+                    "which fast does not have");
+  app.add_option("--tree", arguments.tree_file,
+                 "The tree that `build -o` saved, instead of building one")
+      ->type_name("FILE.tree")
+      ->group("Tree");
+}
+
+void add_shadow_options(CLI::App& app, RenderArguments& arguments) {
+  const std::string group = "Assurance";
+  add_share(app, "--shadow", arguments.shadow,
+            "Check this share of the pixels against the reference; exit "
+            "status 1, and a scene that shows it, if one is wrong")
+      ->envname("HALFSPACE_SHADOW")
+      ->group(group);
+  app.add_option("--shadow-scene", arguments.shadow_file, "That scene")
+      ->envname("HALFSPACE_SHADOW_SCENE")
+      ->type_name("FILE.scene")
+      ->capture_default_str()
+      ->group(group);
+}
+
+}  // namespace
+
+void add_render(CLI::App& program, Status& status) {
+  CLI::App* app = program.add_subcommand("render", "Make an image of a file");
+  const auto arguments = std::make_shared<RenderArguments>();
+  app->add_option("FILE", arguments->path, "A mesh or a .scene")
+      ->required()
+      ->type_name("");
+  app->add_option("-o,--output", arguments->picture_file, "The picture")
+      ->type_name("FILE.png");
+  app->add_option("--ids", arguments->ids_file,
+                  "The polygon seen at each pixel, -1 for none, as a NumPy "
+                  "array of int32")
+      ->type_name("FILE.npy");
+  add_choice(*app, "--method", kMethodWords, arguments->method,
+             "Span buffer, front to back (usual); painter's algorithm, back "
+             "to front; z-buffer; ray casting. All give the same image");
+  add_grid_option(*app, arguments->grid_bits);
+  add_view_options(*app, arguments->view);
+  add_number(*app, "--alpha", "A", arguments->alpha, std::uint8_t{0}, kOpaque,
+             "Blend the polygons, from the farthest to the nearest: 0 is not "
+             "seen, 255 hides what is behind. By the painter's algorithm")
+      ->group("Picture");
+  add_film_options(*app, *arguments);
+  add_tree_options(*app, *arguments);
+  add_number(*app, "--repeat", "N", arguments->repeat, 1u, 1'000'000u,
+             "Make the image, and check it, N times; times are medians")
+      ->group("Measurement");
+  add_choice(*app, "--simd", kSimdWords, arguments->simd,
+             "Instruction set of the fast library's loops; best if not said. "
+             "All give the same bytes")
+      ->group("Measurement");
+  add_shadow_options(*app, *arguments);
+  add_quiet_option(*app);
+  app->footer(
+      "Examples:\n"
+      "  halfspace render part.stl -o part.png\n"
+      "  halfspace render part.stl -o part.png --size 1500x1500 --shade "
+      "gouraud\n"
+      "  halfspace render part.stl -o top.png --eye 0,0,9 --target 0,0,0 "
+      "--ortho\n"
+      "  halfspace render part.stl -o glass.png --alpha 80\n"
+      "  halfspace render part.stl -o frame-%05d.png --path tour.txt "
+      "--frames 0:100\n"
+      "  halfspace render part.stl --ids a.npy --method painter\n"
+      "  halfspace render part.stl --ids b.npy --method zbuffer\n"
+      "  halfspace compare a.npy b.npy");
+  app->callback([arguments, &status] { status = run_render(*arguments); });
+}
+
+}  // namespace halfspace::tools

@@ -1,0 +1,181 @@
+#include "image/camera_path.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "cli/loading.hpp"
+#include "halfspace/io/file.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+constexpr std::int64_t kMostFrames = 10'000'000;
+/// Ten times as much as kMostFrames lines have.
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
+
+Error line_error(std::int64_t line, ErrorCode code, const std::string& what) {
+  return {code, "line " + std::to_string(line) + ": " + what, line};
+}
+
+/// Reads one value and stores it; false where the text is none.
+template <class T>
+bool store(std::optional<T>& place, const std::string& text,
+           std::optional<T> (*parse)(std::string_view)) {
+  const std::optional<T> value = parse(text);
+  if (value) place = value;
+  return value.has_value();
+}
+
+/// Sets what `word` names; nothing where it names nothing, else whether the
+/// value was understood.
+std::optional<bool> set(ViewArguments& view, const std::string& word,
+                        const std::string& value) {
+  if (word == "eye") return store(view.eye, value, parse_vector);
+  if (word == "target") return store(view.target, value, parse_vector);
+  if (word == "up") return store(view.up, value, parse_vector);
+  if (word == "fov") return store(view.fov_deg, value, parse_number<double>);
+  if (word == "height")
+    return store(view.ortho_height, value, parse_number<double>);
+  if (word == "near") return store(view.near, value, parse_number<double>);
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> parse_frame(const std::string& text) {
+  const auto frame = parse_number<std::int64_t>(text);
+  return frame && *frame >= 0 && *frame < kMostFrames ? frame : std::nullopt;
+}
+
+/// One line's words into a key frame.
+std::optional<Error> parse_line(const std::vector<std::string>& words,
+                                std::int64_t line, KeyFrame& key) {
+  const std::optional<std::int64_t> frame = parse_frame(words[0]);
+  if (!frame) {
+    return line_error(line, ErrorCode::kSyntax,
+                      "begins with the number of a frame, 0 to " +
+                          std::to_string(kMostFrames - 1) + ", not '" +
+                          words[0] + "'");
+  }
+  key.frame = *frame;
+  for (std::size_t k = 1; k < words.size(); k += 2) {
+    const std::string& word = words[k];
+    const std::string value = k + 1 < words.size() ? words[k + 1] : "";
+    const std::optional<bool> understood = set(key.view, word, value);
+    if (!understood) {
+      return line_error(
+          line, ErrorCode::kSyntax,
+          "knows eye, target, up, fov, height and near, not '" + word + "'");
+    }
+    if (!*understood) {
+      const bool is_vector = word == "eye" || word == "target" || word == "up";
+      return line_error(
+          line, ErrorCode::kSyntax,
+          word + " must be " +
+              (is_vector ? "X,Y,Z, three finite numbers" : "a finite number") +
+              ", not '" + value + "'");
+    }
+  }
+  return std::nullopt;
+}
+
+/// A word that the later of two key frames says and the earlier one does not.
+std::optional<std::string> news(const ViewArguments& before,
+                                const ViewArguments& after) {
+  if (after.eye && !before.eye) return "eye";
+  if (after.target && !before.target) return "target";
+  if (after.up && !before.up) return "up";
+  if (after.fov_deg && !before.fov_deg) return "fov";
+  if (after.ortho_height && !before.ortho_height) return "height";
+  if (after.near && !before.near) return "near";
+  return std::nullopt;
+}
+
+/// The value at `share` of the way from a to b; a and b themselves where they
+/// are equal, so that what stands still stands still.
+double between(double a, double b, double share) {
+  return a == b ? a : a + (b - a) * share;
+}
+
+glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) {
+  return {between(a.x, b.x, share), between(a.y, b.y, share),
+          between(a.z, b.z, share)};
+}
+
+template <class T>
+std::optional<T> between(const std::optional<T>& a, const std::optional<T>& b,
+                         double share) {
+  if (!a || !b) return a;
+  return between(*a, *b, share);
+}
+
+}  // namespace
+
+CameraPath::CameraPath(std::vector<KeyFrame> keys) : keys_(std::move(keys)) {}
+
+ViewArguments CameraPath::at(std::int64_t frame) const {
+  const auto after =
+      std::lower_bound(keys_.begin(), keys_.end(), frame,
+                       [](const KeyFrame& key, std::int64_t wanted) {
+                         return key.frame < wanted;
+                       });
+  if (after->frame == frame) return after->view;
+  const KeyFrame& a = *std::prev(after);
+  const KeyFrame& b = *after;
+  const double share = static_cast<double>(frame - a.frame) /
+                       static_cast<double>(b.frame - a.frame);
+  ViewArguments view = a.view;
+  view.eye = between(a.view.eye, b.view.eye, share);
+  view.target = between(a.view.target, b.view.target, share);
+  view.up = between(a.view.up, b.view.up, share);
+  view.fov_deg = between(a.view.fov_deg, b.view.fov_deg, share);
+  view.ortho_height = between(a.view.ortho_height, b.view.ortho_height, share);
+  view.near = between(a.view.near, b.view.near, share);
+  return view;
+}
+
+Result<CameraPath> parse_camera_path(const std::string& text,
+                                     const ViewArguments& start) {
+  std::vector<KeyFrame> keys;
+  std::istringstream lines(text);
+  std::string content;
+  for (std::int64_t line = 1; std::getline(lines, content); ++line) {
+    std::istringstream tokens(content.substr(0, content.find('#')));
+    const std::vector<std::string> words{
+        std::istream_iterator<std::string>(tokens), {}};
+    if (words.empty()) continue;
+    KeyFrame key{0, keys.empty() ? start : keys.back().view};
+    if (const auto error = parse_line(words, line, key)) return *error;
+    if (!keys.empty() && key.frame <= keys.back().frame) {
+      return line_error(line, ErrorCode::kOutOfRange,
+                        "frame " + std::to_string(key.frame) +
+                            " comes after frame " +
+                            std::to_string(keys.back().frame));
+    }
+    if (!keys.empty()) {
+      const auto word = news(keys.back().view, key.view);
+      if (word) {
+        return line_error(line, ErrorCode::kSyntax,
+                          *word +
+                              " is said here, but neither by the lines "
+                              "before nor as an option --" +
+                              *word);
+      }
+    }
+    keys.push_back(std::move(key));
+  }
+  if (keys.empty()) return Error{ErrorCode::kEmpty, "there are no cameras"};
+  return CameraPath(std::move(keys));
+}
+
+Result<CameraPath> read_camera_path(const std::string& path,
+                                    const ViewArguments& start) {
+  const Result<std::string> text = io::read_file(path, kMostBytes);
+  if (!text) return io::error_about(path, text.error());
+  Result<CameraPath> parsed = parse_camera_path(*text, start);
+  if (!parsed) return io::error_about(path, parsed.error());
+  return parsed;
+}
+
+}  // namespace halfspace::tools

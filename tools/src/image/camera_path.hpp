@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "halfspace/result.hpp"
+#include "image/viewing.hpp"
+
+namespace halfspace::tools {
+
+/// What is said of the camera in one frame of a film.
+struct KeyFrame {
+  std::int64_t frame = 0;
+  ViewArguments view;
+};
+
+/// The way of a camera: its frames are those from the first key frame to the
+/// last one.
+class CameraPath {
+ public:
+  /// Requires: not empty; frames ascend; what one says, all after it say.
+  explicit CameraPath(std::vector<KeyFrame> keys);
+
+  std::int64_t first_frame() const { return keys_.front().frame; }
+  std::int64_t last_frame() const { return keys_.back().frame; }
+
+  /// The camera of a frame: what two key frames say, in between in proportion
+  /// to the frames; what a key frame says, exactly.
+  /// Requires: first_frame() <= frame <= last_frame().
+  ViewArguments at(std::int64_t frame) const;
+
+ private:
+  std::vector<KeyFrame> keys_;
+};
+
+/// The path that the text describes (docs/guide.md). What its lines do not say
+/// is as the line before says, at first as `start` does.
+///
+/// Errors: kSyntax, kOutOfRange with the number of the line; kEmpty.
+Result<CameraPath> parse_camera_path(const std::string& text,
+                                     const ViewArguments& start);
+
+/// The same from a file. Errors: kUnreadable, too; the file is named.
+Result<CameraPath> read_camera_path(const std::string& path,
+                                    const ViewArguments& start);
+
+}  // namespace halfspace::tools

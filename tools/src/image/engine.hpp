@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/options.hpp"
+#include "halfspace/bsp_tree.hpp"
+#include "halfspace/camera.hpp"
+#include "halfspace/fast/simd.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::tools {
+
+/// The library that does the work.
+enum class Library : std::uint8_t { kRef, kFast };
+inline constexpr Word<Library> kLibraryWords[] = {{"ref", Library::kRef},
+                                                  {"fast", Library::kFast}};
+
+/// How an image is made; all give the same one (S5.5).
+enum class Method : std::uint8_t { kSpan, kPainter, kZBuffer, kRayCast };
+inline constexpr Word<Method> kMethodWords[] = {{"span", Method::kSpan},
+                                                {"painter", Method::kPainter},
+                                                {"zbuffer", Method::kZBuffer},
+                                                {"raycast", Method::kRayCast}};
+
+/// Whether the method needs a tree.
+constexpr bool needs_tree(Method method) {
+  return method == Method::kSpan || method == Method::kPainter;
+}
+
+/// The tree that is wanted.
+struct TreeRequest {
+  /// A rule of the papers; nothing: the library's own choice for images.
+  std::optional<BuildOptions> rule;
+  /// Whether leaves will do, lists of fragments that no plane orders: the span
+  /// buffer needs no more.
+  bool leaves = true;
+  int threads = 0;  ///< 0: as many as the machine has
+  /// Told the share that is done; where it returns false, the work stops.
+  std::function<bool(double)> progress;
+};
+
+/// Lines of an image: `first` up to but not including `end`.
+struct Rows {
+  std::int32_t first = 0;
+  std::int32_t end = 0;
+};
+
+/// The image that is wanted.
+struct Shot {
+  Method method = Method::kSpan;
+  ImageOptions options;
+  std::optional<Rows> rows;  ///< nothing: all
+  std::uint8_t alpha = kOpaque;
+  int threads = 1;
+  fast::SimdLevel simd = fast::SimdLevel::kBest;
+};
+
+/// An image, or the wanted rows of it, and what it took.
+struct Picture {
+  ItemImage items;
+  ColorImage colors;
+  std::size_t pixels_painted = 0;
+  std::size_t fragments_displayed = 0;
+};
+
+/// One library, as the commands see it.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// Makes the tree that stats() and render() are about; false where
+  /// request.progress stopped that.
+  virtual bool build(const Scene& scene, const TreeRequest& request) = 0;
+
+  /// The size of the tree; nothing but zeros before build().
+  virtual TreeStats stats() const = 0;
+
+  /// What the tree takes; 0 where the library does not tell. Units: bytes.
+  virtual std::size_t tree_bytes() const = 0;
+
+  /// Whether trees can be saved and loaded.
+  virtual bool has_tree_files() const = 0;
+
+  /// Writes the tree, or reads it instead of building it; as for a request, it
+  /// may have leaves or not.
+  ///
+  /// Requires: has_tree_files().
+  /// Errors: those of fast::save_tree() and fast::load_tree().
+  virtual Result<Done> save_tree(const std::string& path,
+                                 const Scene& scene) const = 0;
+  virtual Result<Done> load_tree(const std::string& path, const Scene& scene,
+                                 bool leaves) = 0;
+
+  /// Whether the library makes images this way.
+  virtual bool has(Method method) const = 0;
+
+  /// Requires: has(shot.method); where the method needs a tree, that is this
+  /// scene's, and without leaves for the painter; an alpha for the painter
+  /// alone.
+  virtual Picture render(const Scene& scene, const Camera& camera,
+                         const Shot& shot) const = 0;
+
+  /// What is said, to someone who waits, before a scene of so many polygons is
+  /// built or rendered; empty where it takes no time.
+  virtual std::string warning(std::size_t polygons) const = 0;
+};
+
+/// The library's engine.
+std::unique_ptr<Engine> make_engine(Library library);
+
+/// The engine of the reference.
+std::unique_ptr<Engine> make_ref_engine();
+
+/// The engine of the fast library: the same trees and images, sooner.
+std::unique_ptr<Engine> make_fast_engine();
+
+}  // namespace halfspace::tools

@@ -1,0 +1,96 @@
+#include <utility>
+
+#include "cli/outputs.hpp"
+#include "halfspace/assert.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/painter.hpp"
+#include "halfspace/fast/render.hpp"
+#include "halfspace/fast/tree_file.hpp"
+#include "image/engine.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+class FastEngine : public Engine {
+ public:
+  bool build(const Scene& scene, const TreeRequest& request) override {
+    if (request.rule) {
+      tree_ = fast::build(scene, *request.rule);
+      return true;
+    }
+    bool stopped = false;
+    fast::DisplayTreeOptions options;
+    options.threads = request.threads;
+    options.progress = [&](double share) {
+      stopped = stopped || !request.progress(share);
+      return !stopped;
+    };
+    tree_ = fast::build_display_tree(scene, options);
+    if (stopped) return false;
+    if (!request.leaves) fast::divide_leaves(tree_, scene);
+    return true;
+  }
+
+  TreeStats stats() const override { return fast::stats(tree_); }
+  std::size_t tree_bytes() const override { return fast::bytes_of(tree_); }
+  bool has_tree_files() const override { return true; }
+
+  Result<Done> save_tree(const std::string& path,
+                         const Scene& scene) const override {
+    const std::vector<std::byte> bytes = fast::encode_tree(tree_, scene);
+    return write_output(
+        path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+
+  Result<Done> load_tree(const std::string& path, const Scene& scene,
+                         bool leaves) override {
+    Result<fast::BspTree> tree = fast::load_tree(path, scene);
+    if (!tree) return tree.error();
+    tree_ = *std::move(tree);
+    if (!leaves) fast::divide_leaves(tree_, scene);
+    return Done{};
+  }
+
+  // The z-buffer and ray casting are there to be believed, not to be quick.
+  bool has(Method method) const override { return needs_tree(method); }
+
+  Picture render(const Scene& scene, const Camera& camera,
+                 const Shot& shot) const override {
+    HALFSPACE_ASSERT(has(shot.method));
+    fast::RenderOptions how;
+    how.threads = shot.threads;
+    how.simd = shot.simd;
+    if (shot.rows) {
+      how.rectangle = {0, shot.rows->first, camera->width_px, shot.rows->end};
+    }
+    fast::Rendering image = image_of(scene, camera, shot, how);
+    return {std::move(image.items), std::move(image.colors),
+            image.pixels_painted, image.fragments_displayed};
+  }
+
+  std::string warning(std::size_t) const override { return {}; }
+
+ private:
+  fast::Rendering image_of(const Scene& scene, const Camera& camera,
+                           const Shot& shot,
+                           const fast::RenderOptions& how) const {
+    if (shot.method == Method::kSpan) {
+      return fast::render(scene, tree_, camera, shot.options, how);
+    }
+    if (shot.alpha == kOpaque) {
+      return fast::paint(scene, tree_, camera, shot.options, how);
+    }
+    return fast::blend(scene, tree_, camera, shot.options, shot.alpha, how);
+  }
+
+  fast::BspTree tree_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_fast_engine() {
+  return std::make_unique<FastEngine>();
+}
+
+}  // namespace halfspace::tools

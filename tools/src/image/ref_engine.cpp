@@ -1,0 +1,112 @@
+#include <utility>
+
+#include "halfspace/assert.hpp"
+#include "halfspace/ref/build.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
+#include "halfspace/ref/oracle/zbuffer.hpp"
+#include "halfspace/ref/render.hpp"
+#include "image/engine.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// From here on the reference takes more than a moment.
+constexpr std::size_t kManyPolygons = 2000;
+
+template <class T>
+Grid2<T> rows_of(const Grid2<T>& image, const Rows& rows) {
+  const auto at = [&](std::int32_t row) {
+    return image.pixels.begin() + std::ptrdiff_t{row} * image.width_px;
+  };
+  Grid2<T> part;
+  part.width_px = image.width_px;
+  part.height_px = rows.end - rows.first;
+  part.pixels.assign(at(rows.first), at(rows.end));
+  return part;
+}
+
+/// Those rows of the picture; what it took stays that of the whole.
+Picture cut_out(const Picture& whole, const Rows& rows) {
+  return {rows_of(whole.items, rows), rows_of(whole.colors, rows),
+          whole.pixels_painted, whole.fragments_displayed};
+}
+
+class RefEngine : public Engine {
+ public:
+  // The reference knows no threads, no leaves, and nothing of the time.
+  bool build(const Scene& scene, const TreeRequest& request) override {
+    tree_ = ref::build(scene, request.rule.value_or(BuildOptions{}));
+    return true;
+  }
+
+  TreeStats stats() const override { return ref::stats(tree_); }
+  std::size_t tree_bytes() const override { return 0; }
+  bool has_tree_files() const override { return false; }
+
+  Result<Done> save_tree(const std::string&, const Scene&) const override {
+    HALFSPACE_ASSERT(has_tree_files());
+    return Done{};
+  }
+  Result<Done> load_tree(const std::string&, const Scene&, bool) override {
+    HALFSPACE_ASSERT(has_tree_files());
+    return Done{};
+  }
+
+  bool has(Method) const override { return true; }
+
+  Picture render(const Scene& scene, const Camera& camera,
+                 const Shot& shot) const override {
+    if (!shot.rows) return whole(scene, camera, shot);
+    CameraData data = camera.data();
+    const Int128 first = shot.rows->first;
+    data.s0 = {data.s0.x + first * data.sy.x, data.s0.y + first * data.sy.y,
+               data.s0.z + first * data.sy.z};
+    data.height_px = shot.rows->end - shot.rows->first;
+    const Result<Camera> moved = make_camera(data, scene.grid_bits());
+    if (moved) return whole(scene, *moved, shot);
+    // The corner of the rows is off the lattice.
+    return cut_out(whole(scene, camera, shot), *shot.rows);
+  }
+
+  std::string warning(std::size_t polygons) const override {
+    if (polygons < kManyPolygons) return {};
+    return "the exact reference works on " + std::to_string(polygons) +
+           " polygons in rational numbers; this can take long";
+  }
+
+ private:
+  Picture whole(const Scene& scene, const Camera& camera,
+                const Shot& shot) const {
+    const ImageOptions& options = shot.options;
+    ref::Rendering image;
+    switch (shot.method) {
+      case Method::kSpan:
+        image = ref::render(scene, tree_, camera, options);
+        break;
+      case Method::kPainter:
+        image = shot.alpha == kOpaque
+                    ? ref::paint(scene, tree_, camera, options)
+                    : ref::blend(scene, tree_, camera, options, shot.alpha);
+        break;
+      case Method::kZBuffer:
+        image = ref::zbuffer(scene, camera, options);
+        break;
+      case Method::kRayCast:
+        image = ref::raycast(scene, camera, options);
+        break;
+    }
+    return {std::move(image.items), std::move(image.colors),
+            image.pixels_painted, image.fragments_displayed};
+  }
+
+  ref::BspTree tree_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_ref_engine() {
+  return std::make_unique<RefEngine>();
+}
+
+}  // namespace halfspace::tools

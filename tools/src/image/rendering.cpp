@@ -1,0 +1,215 @@
+#include "image/rendering.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "cli/long_work.hpp"
+#include "cli/measuring.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+std::string name_of(Method method) {
+  return std::string(word_of(kMethodWords, method));
+}
+
+/// What is wrong with a film's options, or with their absence.
+std::string film_complaint(const RenderArguments& arguments) {
+  if (!arguments.camera_path_file) {
+    return arguments.frames ? "--frames: needs --path, which tells the cameras"
+                            : "";
+  }
+  for (const auto& name : {arguments.picture_file, arguments.ids_file}) {
+    if (name && !NumberedName::parse(*name)) {
+      return *name +
+             ": with --path the name needs one %d or %05d, for the frame's "
+             "number; %% is a percent sign";
+    }
+  }
+  return {};
+}
+
+std::string tree_complaint(const RenderArguments& arguments,
+                           const Engine& engine) {
+  if (!arguments.tree_file) return {};
+  if (!needs_tree(method_of(arguments))) {
+    return "--tree: --method " + name_of(method_of(arguments)) +
+           " needs no tree";
+  }
+  if (!engine.has_tree_files()) return "--tree: --impl ref reads no trees";
+  const BuildArguments& build = arguments.build;
+  if (build.rule || build.candidates || build.seed || build.cut_weight) {
+    return "--tree: the tree is there already; leave out --heuristic, "
+           "--candidates, --seed and --cut-weight";
+  }
+  return {};
+}
+
+std::string simd_complaint(const RenderArguments& arguments) {
+  if (!arguments.simd) return {};
+  if (library_of(arguments) != Library::kFast) {
+    return "--simd: --impl ref has no loops for instruction sets";
+  }
+  if (!fast::is_supported(*arguments.simd)) {
+    return fmt::format("--simd: this machine has no {}",
+                       word_of(kSimdWords, *arguments.simd));
+  }
+  return {};
+}
+
+/// The rows asked for, if there are such rows.
+Result<std::optional<Rows>> rows_of(const RenderArguments& arguments,
+                                    std::int32_t height_px) {
+  if (!arguments.rows) return std::optional<Rows>();
+  const std::int64_t first = arguments.rows->first.value_or(0);
+  const std::int64_t end = arguments.rows->end.value_or(height_px);
+  if (first < end && end <= height_px) {
+    return std::optional(
+        Rows{static_cast<std::int32_t>(first), static_cast<std::int32_t>(end)});
+  }
+  return Error{ErrorCode::kOutOfRange,
+               "--rows: the image has the rows 0:" + std::to_string(height_px)};
+}
+
+}  // namespace
+
+Method method_of(const RenderArguments& arguments) {
+  if (arguments.method) return *arguments.method;
+  return arguments.alpha ? Method::kPainter : Method::kSpan;
+}
+
+Library library_of(const RenderArguments& arguments) {
+  return library_of(arguments.build, needs_tree(method_of(arguments))
+                                         ? Library::kFast
+                                         : Library::kRef);
+}
+
+std::string complaint(const RenderArguments& arguments, const Engine& engine) {
+  if (!arguments.picture_file && !arguments.ids_file &&
+      !arguments.build.stats_file) {
+    return "render: nothing to write; give -o, --ids or --stats";
+  }
+  if (arguments.picture_file &&
+      !io::has_extension(*arguments.picture_file, ".png")) {
+    return *arguments.picture_file + ": pictures are written as .png";
+  }
+  const Method method = method_of(arguments);
+  if (!engine.has(method)) {
+    return "--impl fast: makes images by span or painter; use --impl ref for "
+           "--method " +
+           name_of(method);
+  }
+  if (arguments.alpha && method != Method::kPainter) {
+    return "--alpha: only --method painter blends, not " + name_of(method);
+  }
+  if (arguments.alpha && arguments.shadow) {
+    return "--shadow: checks opaque images, none with --alpha";
+  }
+  const std::string simd = simd_complaint(arguments);
+  if (!simd.empty()) return simd;
+  const std::string film = film_complaint(arguments);
+  return film.empty() ? tree_complaint(arguments, engine) : film;
+}
+
+Status make_tree(Engine& engine, const Scene& scene,
+                 const RenderArguments& arguments, BuildMeasure& tree) {
+  const Method method = method_of(arguments);
+  const Library library = library_of(arguments);
+  tree.library = word_of(kLibraryWords, library);
+  if (!needs_tree(method)) return Status::kFine;
+  const bool leaves = method == Method::kSpan;
+  if (arguments.tree_file) {
+    const std::string& path = *arguments.tree_file;
+    Result<BuildMeasure> loaded =
+        load_measured(engine, library, scene, path, leaves);
+    if (!loaded) return fail(path, loaded.error());
+    tree = *std::move(loaded);
+    return Status::kFine;
+  }
+  std::optional<BuildMeasure> built =
+      build_measured(engine, library, scene, arguments.build, leaves);
+  if (!built) return stop("interrupted; nothing was written");
+  tree = *std::move(built);
+  progress("tree: " + to_string(tree, scene.polygon_count()));
+  return Status::kFine;
+}
+
+Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
+                         const Camera& camera,
+                         const RenderArguments& arguments) {
+  const Result<std::optional<Rows>> rows =
+      rows_of(arguments, camera->height_px);
+  if (!rows) return rows.error();
+  Shot shot;
+  shot.method = method_of(arguments);
+  shot.options = choose_options(loaded.file, arguments.view);
+  shot.rows = *rows;
+  shot.alpha = arguments.alpha.value_or(kOpaque);
+  shot.threads = thread_count(arguments.build);
+  shot.simd = arguments.simd.value_or(fast::SimdLevel::kBest);
+  Frame frame;
+  if (shot.rows) {
+    frame.part = io::PartOfPicture{shot.rows->first, camera->height_px};
+  }
+  std::vector<double> times_ms;
+  for (std::uint32_t i = 0; i < arguments.repeat.value_or(1); ++i) {
+    const Stopwatch watch;
+    frame.picture = engine.render(loaded.file.scene, camera, shot);
+    times_ms.push_back(watch.elapsed_ms());
+  }
+  frame.frame_ms = median(std::move(times_ms));
+  return frame;
+}
+
+Status write_frame(const Frame& frame, const Outputs& outputs) {
+  if (outputs.picture_file) {
+    note_part(*outputs.picture_file);
+    const Result<Done> written =
+        io::write_png(*outputs.picture_file, frame.picture.colors, frame.part);
+    if (!written) return fail(*outputs.picture_file, written.error());
+  }
+  if (outputs.ids_file) {
+    note_part(*outputs.ids_file);
+    const Result<Done> written =
+        io::write_npy(*outputs.ids_file, frame.picture.items);
+    if (!written) return fail(*outputs.ids_file, written.error());
+  }
+  return Status::kFine;
+}
+
+void print_summary(const io::LoadedScene& loaded, const BuildMeasure& tree,
+                   const Frame& frame, std::int64_t frames,
+                   const RenderArguments& arguments) {
+  const std::size_t polygons = loaded.file.scene.polygon_count();
+  say("{}: {} polygons; {}\n", arguments.path, polygons,
+      to_string(loaded.report));
+  const Method method = method_of(arguments);
+  if (needs_tree(method)) say("tree: {}\n", to_string(tree, polygons));
+  say("{}: {}x{}, ", name_of(method), frame.picture.items.width_px,
+      frame.picture.items.height_px);
+  if (frames > 1) {
+    say("{} frames, the median ", frames);
+  } else {
+    say("{} pixels painted, ", frame.picture.pixels_painted);
+  }
+  say("{:.3f} ms ({})\n", frame.frame_ms, tree.library);
+}
+
+nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
+                        const Frame& frame, std::int64_t frames,
+                        const RenderArguments& arguments) {
+  nlohmann::json stats = stats_of(loaded, tree);
+  stats["method"] = name_of(method_of(arguments));
+  stats["threads"] = thread_count(arguments.build);
+  stats["width_px"] = frame.picture.items.width_px;
+  stats["height_px"] = frame.picture.items.height_px;
+  stats["frame_ms"] = frame.frame_ms;
+  stats["frames"] = frames;
+  stats["repeats"] = arguments.repeat.value_or(1);
+  stats["pixels_painted"] = frame.picture.pixels_painted;
+  stats["fragments_displayed"] = frame.picture.fragments_displayed;
+  return stats;
+}
+
+}  // namespace halfspace::tools

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/loading.hpp"
+#include "halfspace/io/picture.hpp"
+#include "image/building.hpp"
+#include "image/engine.hpp"
+#include "image/viewing.hpp"
+
+namespace halfspace::tools {
+
+/// What the command line of `render` says.
+struct RenderArguments {
+  std::string path;
+  std::optional<std::string> picture_file;
+  std::optional<std::string> ids_file;
+  std::optional<std::string> tree_file;
+  std::optional<std::string> camera_path_file;
+  std::optional<Range> frames;
+  std::optional<Range> rows;
+  std::optional<std::uint8_t> alpha;
+  std::optional<Method> method;
+  std::optional<fast::SimdLevel> simd;
+  std::optional<std::uint32_t> repeat;
+  std::optional<int> grid_bits;
+  std::optional<double> shadow;  ///< the share of the pixels to be checked
+  std::string shadow_file = "halfspace-shadow.scene";
+  ViewArguments view;
+  BuildArguments build;
+};
+
+/// The method asked for; if none is, the painter where there is an alpha, else
+/// the span buffer.
+Method method_of(const RenderArguments& arguments);
+
+/// The library asked for; if none is, the fast one where it has the method.
+Library library_of(const RenderArguments& arguments);
+
+inline constexpr Word<fast::SimdLevel> kSimdWords[] = {
+    {"portable", fast::SimdLevel::kPortable},
+    {"avx2", fast::SimdLevel::kAvx2},
+    {"avx512", fast::SimdLevel::kAvx512},
+    {"best", fast::SimdLevel::kBest}};
+
+/// What is wrong with the options taken together; empty if nothing.
+std::string complaint(const RenderArguments& arguments, const Engine& engine);
+
+/// A picture, and what it took.
+struct Frame {
+  Picture picture;
+  std::optional<io::PartOfPicture> part;  ///< nothing: it is the whole
+  double frame_ms = 0;                    ///< median of the repeats
+};
+
+/// Makes or loads the tree that the method needs, if it needs one.
+Status make_tree(Engine& engine, const Scene& scene,
+                 const RenderArguments& arguments, BuildMeasure& tree);
+
+/// Makes the image, or the rows asked for.
+/// Errors: kOutOfRange (there are no such rows).
+Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
+                         const Camera& camera,
+                         const RenderArguments& arguments);
+
+/// The files of one image.
+struct Outputs {
+  std::optional<std::string> picture_file;
+  std::optional<std::string> ids_file;
+};
+
+Status write_frame(const Frame& frame, const Outputs& outputs);
+
+/// What was done, line by line, on standard output: `frames` of them, of which
+/// this was the last.
+void print_summary(const io::LoadedScene& loaded, const BuildMeasure& tree,
+                   const Frame& frame, std::int64_t frames,
+                   const RenderArguments& arguments);
+
+/// The same for --stats.
+nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
+                        const Frame& frame, std::int64_t frames,
+                        const RenderArguments& arguments);
+
+}  // namespace halfspace::tools

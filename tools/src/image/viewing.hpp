@@ -1,0 +1,74 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "cli/loading.hpp"
+#include "halfspace/camera.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/io/view.hpp"
+#include "halfspace/result.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace halfspace::tools {
+
+/// The camera and the picture, as far as the command line describes them.
+struct ViewArguments {
+  std::optional<glm::dvec3> eye;
+  std::optional<glm::dvec3> target;
+  std::optional<glm::dvec3> up;
+  std::optional<double> fov_deg;
+  bool orthographic = false;
+  std::optional<double> ortho_height;
+  std::optional<double> near;
+  std::optional<Size> size;
+  std::optional<bool> cull;
+  std::optional<Rgb> background;
+  std::optional<Rgb> surface;
+  std::optional<glm::dvec3> light;
+  std::optional<io::ViewDirection> view;  ///< a direction of --view
+  std::optional<Shading> shading;         ///< nothing: as the file says
+};
+
+/// Adds the options, each of which fills its member.
+/// Requires: `arguments` outlives the parsing.
+void add_view_options(CLI::App& app, ViewArguments& arguments);
+
+/// The camera, and how far rounding moved it. Units: grid steps.
+struct ChosenCamera {
+  Camera camera;
+  double max_move = 0;
+  bool from_file = false;
+};
+
+/// The camera of the file if it has one and the arguments describe no other;
+/// else the one they describe, completed from the automatic view. Its size is
+/// the file's if the arguments give none.
+///
+/// Errors: those of io::look_at and io::automatic_options; kBadCamera where the
+///         arguments ask for a part of another camera than the file's. All but
+///         kEmpty are about the arguments.
+Result<ChosenCamera> choose_camera(const SceneFile& file,
+                                   const ViewArguments& arguments);
+
+/// The error of a camera for the scene in a file, in words: it is about the
+/// scene, or about the arguments.
+std::string camera_error(const std::string& path, const Error& error);
+
+/// Whether the arguments ask for colours that only meshes are given.
+bool changes_colors(const ViewArguments& arguments);
+
+/// The file's options, but for what the arguments say.
+ImageOptions choose_options(const SceneFile& file,
+                            const ViewArguments& arguments);
+
+/// How a mesh is imported to be looked at: on a grid fine enough for cameras.
+io::ImportOptions import_options(const ViewArguments& arguments,
+                                 std::optional<int> grid_bits);
+
+}  // namespace halfspace::tools
