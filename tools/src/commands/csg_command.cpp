@@ -325,7 +325,7 @@ Status Job::shadow_status() const {
 }
 
 std::optional<double> parse_distance(std::string_view text) {
-  const std::optional<double> distance = parse_real(text);
+  const std::optional<double> distance = parse_number<double>(text);
   return distance && *distance >= 0 ? distance : std::nullopt;
 }
 
@@ -417,8 +417,8 @@ void add_csg(CLI::App& program, Status& status) {
   app->add_flag("--strict", arguments->strict,
                 "Do not write a result of which rounding lost a face or a part "
                 "of the surface");
-  add_parsed(*app, "--max-move", "DISTANCE", arguments->max_move,
-             parse_distance,
+  add_parsed(*app, "--max-move", "DISTANCE", "a number of at least 0",
+             arguments->max_move, parse_distance,
              "Do not write a result of which rounding moves the surface "
              "farther, along an axis");
   app->add_flag("--repair", arguments->repair,
