@@ -139,13 +139,29 @@ void take_all() {
   take(&ref::side_of_eye);  // S4.2
   take(&fast::side_of_eye);  // S4.2
   take(&ref::clip);  // S4.3
-  take(&fast::scan_convert);  // S4.3
+  {  // S4.3
+    using namespace fast;
+    using Kind = std::vector<ObjectSegment>(const Scene&, const Fragment&, const Camera&, FilterStats&, SimdLevel);
+    take<Kind>(&fast::scan_convert);
+  }
   take(&ref::scan_convert);  // S4.4
-  take(&fast::scan_convert);  // S4.4
+  {  // S4.4
+    using namespace fast;
+    using Kind = std::vector<ObjectSegment>(const Scene&, const Fragment&, const Camera&, FilterStats&, SimdLevel);
+    take<Kind>(&fast::scan_convert);
+  }
   take(&ref::scan_convert);  // S4.5
-  take(&fast::scan_convert);  // S4.5
+  {  // S4.5
+    using namespace fast;
+    using Kind = std::vector<ObjectSegment>(const Scene&, const Fragment&, const Camera&, FilterStats&, SimdLevel);
+    take<Kind>(&fast::scan_convert);
+  }
   take(&ref::scan_convert);  // S4.6
-  take(&fast::scan_convert);  // S4.6
+  {  // S4.6
+    using namespace fast;
+    using Kind = std::vector<ObjectSegment>(const Scene&, const Fragment&, const Camera&, FilterStats&, SimdLevel);
+    take<Kind>(&fast::scan_convert);
+  }
   take(&ref::merge_case);  // S4.7
   take(&ref::merge_segment);  // S4.7
   take(&fast::merge_case);  // S4.7
