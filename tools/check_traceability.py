@@ -215,12 +215,15 @@ def tests_of(program):
 
 def check_runs(wanted, names, report, faults):
     """Every test of every law has passed, on as many cases as it should."""
-    ran = {}
+    ran, skipped = {}, set()
     for line in report.splitlines():
         # S2Split/0.L3ThePartsLieOnTheirSides 812 passed
         name, cases, how = line.split()
+        # Beyond the portable one instruction sets may be missing.
         if how == "passed":
             ran[name] = max(int(cases), ran.get(name, 0))
+        elif how == "skipped" and re.search(r"/[2-9]\.", name):
+            skipped.add(name)
         else:
             faults.append(f"{name} has not passed")
     most = {law: {} for law in wanted}
@@ -231,6 +234,8 @@ def check_runs(wanted, names, report, faults):
         law = f"{match[1]}.{match[3]}"
         if law not in wanted:
             faults.append(f"{name} is of no law")
+        elif name in skipped:
+            print(f"{name}: skipped, this machine lacks what it is for")
         elif name not in ran:
             faults.append(f"{name} has not run")
         else:
@@ -241,7 +246,7 @@ def check_runs(wanted, names, report, faults):
         least, ref_only = wanted[law]
         # A suite without a number tests what both share.
         expected = {"/0"} if ref_only else {"/0", "/1"}
-        if set(counts) not in ({""}, expected):
+        if set(counts) != {""} and not expected <= set(counts):
             faults.append(f"{law} has run for {sorted(counts)} of "
                           f"{sorted(expected)}")
         for cases in counts.values():

@@ -23,11 +23,13 @@ class Report : public ::testing::EmptyTestEventListener {
     // A law that tries all there is in one loop has run once.
     const std::uint64_t cases =
         std::max<std::uint64_t>(1, halfspace::law::take_case_count());
-    const bool passed = info.result()->Passed();
+    const testing::TestResult& result = *info.result();
+    const char* how = result.Skipped()  ? " skipped\n"
+                      : result.Passed() ? " passed\n"
+                                        : " failed\n";
     // One write, so that tests that run side by side do not mix lines.
     const std::string line = std::string(info.test_suite_name()) + "." +
-                             info.name() + " " + std::to_string(cases) +
-                             (passed ? " passed\n" : " failed\n");
+                             info.name() + " " + std::to_string(cases) + how;
     std::ofstream(path, std::ios::app | std::ios::binary) << line;
   }
 };

@@ -49,6 +49,8 @@ PLANTED = [
      "S2Suite. ", "S2.L3 has run for"),
     ("a law that two clauses see differently", TABLE, "laws: S3.L5, S3.L7 (1)",
      "laws: S3.L5 (2), S3.L7 (1)", "asks less or more of S3.L5"),
+    ("a test that is skipped", REPORT, "S2Suite/1.L3Some 100000 passed",
+     "S2Suite/1.L3Some 0 skipped", "S2Suite/1.L3Some has not passed"),
     ("a test that fails", REPORT, "S2Suite/0.L3Some 100000 passed",
      "S2Suite/0.L3Some 100000 failed", "S2Suite/0.L3Some has not passed"),
     ("a test of few cases", REPORT, "S2Suite/1.L3Some 100000 passed",
