@@ -78,11 +78,13 @@ bool segments_meet(int axis, const GridPoint& p, const GridPoint& q,
   if (pa != 0 || pb != 0 || ap != 0 || aq != 0) return true;
   // On one line: their extents must have a point in common.
   for (int other = 0; other < 3; ++other) {
-    const auto [pl, ph] =
-        std::minmax(coordinate_of(p, other), coordinate_of(q, other));
-    const auto [al, ah] =
-        std::minmax(coordinate_of(a, other), coordinate_of(b, other));
-    if (ph < al || ah < pl) return false;
+    const std::int64_t first = coordinate_of(p, other);
+    const std::int64_t last = coordinate_of(q, other);
+    const std::int64_t from = coordinate_of(a, other);
+    const std::int64_t to = coordinate_of(b, other);
+    if (std::max(first, last) < std::min(from, to) ||
+        std::max(from, to) < std::min(first, last))
+      return false;
   }
   return true;
 }

@@ -244,6 +244,8 @@ void FaceMerger::put_together(const VertexStars& stars) {
 }  // namespace
 
 Solid merge_faces(Solid solid, Merge rule) {
+  // A solid without faces need not have a table.
+  if (solid.faces.empty()) return solid;
   pack_edges(solid);
   FaceMerger(solid, rule).run();
   return solid;
