@@ -51,10 +51,11 @@ class FragmentSides {
   std::vector<HalfPlane> sides_;
 };
 
-/// Where a box may be seen, or nothing if it cannot be.
+/// A rectangle that holds the image of a box; false if it cannot be seen.
 ///
-/// Requires: what rounding adds is far below a sixteenth of a pixel, or else
-///           the box is taken to be seen everywhere.
+/// With e and f the errors of X and Y and of t, X / t is off by at most
+/// (e + |X / t| f) / (t - f), and by rounding; twice that bounds all of it,
+/// since t is beyond 2^20 f where it divides.
 bool image_of(const Box& box, const View& view, CellBox& image) {
   const double infinite = std::numeric_limits<double>::infinity();
   image = {infinite, infinite, -infinite, -infinite};
@@ -73,8 +74,15 @@ bool image_of(const Box& box, const View& view, CellBox& image) {
     const double w = view.perspective ? t : 1;
     const double u = 2 * view.x.at(x, y, z) / w;
     const double v = 2 * view.y.at(x, y, z) / w;
-    image = {std::min(image.left, u), std::min(image.top, v),
-             std::max(image.right, u), std::max(image.bottom, v)};
+    const double t_error = view.perspective ? view.t_error : 0;
+    const auto doubt = [&](double value) {
+      return 4 * (view.xy_error + std::abs(value) * t_error) / w +
+             8 * kRounding * std::abs(value);
+    };
+    image = {std::min(image.left, u - doubt(u)),
+             std::min(image.top, v - doubt(v)),
+             std::max(image.right, u + doubt(u)),
+             std::max(image.bottom, v + doubt(v))};
   }
   if (reaches_eye) image = {-infinite, -infinite, infinite, infinite};
   return any_in_front;
