@@ -39,6 +39,13 @@ struct ViewArguments {
 /// Requires: `arguments` outlives the parsing.
 void add_view_options(CLI::App& app, ViewArguments& arguments);
 
+/// The view that the arguments describe, completed from the automatic view.
+///
+/// Requires: arguments.size.
+/// Errors: those of io::automatic_options.
+Result<io::ViewOptions> complete_view(const Scene& scene,
+                                      const ViewArguments& arguments);
+
 /// The camera, and how far rounding moved it. Units: grid steps.
 struct ChosenCamera {
   Camera camera;
