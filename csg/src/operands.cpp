@@ -191,7 +191,7 @@ Result<bool> needs_repair(const GridSolid& solid,
       fast::check_operand(numbered(fast::to_solid(solid), polygons));
   if (fine || options.repair) return !fine;
   Error error = fine.error();
-  // Of a surface that faces inwards nothing would be kept.
+  // Resolution would keep nothing of a surface that faces inwards.
   if (error.code == ErrorCode::kSelfCrossing) {
     error.message += " (" + options.repair_word + " keeps what it winds round)";
   } else if (error.code == ErrorCode::kInsideOut) {

@@ -93,8 +93,8 @@ class Operands {
   ///         script it is moved.
   Result<GridSolid> leaf(std::int32_t id);
 
-  /// Of each polygon of a leaf that was asked for the one in its file that it
-  /// is, or is a part of.
+  /// For each polygon of a loaded leaf: the polygon of its file that it is, or
+  /// is a part of.
   const std::vector<PolygonId>& polygons_of(std::int32_t leaf) const {
     return polygons_[static_cast<std::size_t>(leaf)];
   }
