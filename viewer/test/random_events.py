@@ -60,8 +60,8 @@ def main():
     chance = random.Random(seed)
     lines = [made_line(chance, 700, 500) for _ in range(int(count))]
     # Whatever was clicked: at the end there is a picture.
-    lines += ["release left", "release middle", "release right", "key Escape",
-              "key Escape", "drop box.off", "wait", "dump"]
+    lines += ["release left", "release middle", "release right",
+              "drop box.off", "wait", "dump"]
     (folder / "events").write_text("\n".join(lines) + "\n")
     for old in folder.glob("out-*"):
         old.unlink()

@@ -108,8 +108,6 @@ cmp -s window.png help.png && wrong 'the help is not shown'
 # What is wrong is one line.
 expect 2 'line 2' view box.off --play <(printf 'wait\njump\n')
 expect 2 'no.events' view box.off --play no.events
-expect 2 'parts' view <(echo '{}') --play /dev/null ||
-  wrong 'a view without parts'
 echo '{}' >empty.view
 expect 2 'view.parts' view empty.view --play /dev/null
 expect 2 'view.parts' render empty.view -o none.png

@@ -12,7 +12,7 @@ namespace {
 io::Number sum(const io::Number& a, const io::Number& b) {
   const std::int32_t two = std::min(a.two, b.two);
   const std::int32_t five = std::min(a.five, b.five);
-  const auto scaled = [&](const io::Number& n) {
+  const auto scaled = [&](const io::Number& n) -> io::Integer {
     io::Integer value = n.mantissa;
     value <<= static_cast<unsigned>(n.two - two);
     return value * boost::multiprecision::pow(

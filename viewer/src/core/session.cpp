@@ -54,11 +54,11 @@ bool Session::update() {
 
 void Session::take(Loaded loaded) {
   if (!loaded.model) {
-    const Error& error = loaded.model.error();
-    if (error.code != ErrorCode::kStopped) message_ = error.message;
+    give_up(loaded.model.error());
     return;
   }
   model_ = *std::move(loaded.model);
+  shown_ = std::move(loaded.state);
   message_.clear();
   if (wants_first_view_ || !state_.camera) see_first();
   camera_.reset();
@@ -67,6 +67,18 @@ void Session::take(Loaded loaded) {
     see_first();
     if (state_.camera) set_camera(*state_.camera);
   }
+}
+
+void Session::give_up(const Error& error) {
+  if (error.code != ErrorCode::kStopped) message_ = error.message;
+  // What was shown is shown still, so it is the state again.
+  if (!have_same_scene(state_, shown_) && !undone_from_.empty())
+    undone_from_.pop_back();
+  const auto camera = state_.camera;
+  const Looks looks = state_.looks;
+  state_ = shown_;
+  state_.camera = camera;
+  if (!model_) state_.looks = looks;
 }
 
 void Session::see_first() {

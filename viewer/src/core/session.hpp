@@ -91,10 +91,12 @@ class Session {
   void load();
   void ask_for_frame();
   void take(Loaded loaded);
+  void give_up(const Error& error);
   void see_first();
   void note_file_times();
 
   State state_;
+  State shown_;  ///< of the model
   FirstView first_view_;
   std::vector<State> undone_from_, redone_from_;
   std::shared_ptr<const Model> model_;

@@ -100,17 +100,20 @@ void ask(Session&, Ui& ui) {
   ui.question = question;
 }
 
-void escape(Session&, Ui& ui) {
-  if (ui.has_help)
+void escape(Session& session, Ui& ui) {
+  if (ui.has_help) {
     ui.has_help = false;
-  else if (ui.question != FileQuestion::kNone)
+  } else if (ui.question != FileQuestion::kNone) {
     ui.question = FileQuestion::kNone;
-  else if (!ui.points.empty())
+  } else if (!session.message().empty()) {
+    session.say("");
+  } else if (!ui.points.empty()) {
     ui.points.clear();
-  else if (ui.is_fullscreen)
+  } else if (ui.is_fullscreen) {
     ui.is_fullscreen = false;
-  else
+  } else {
     ui.wants_to_quit = true;
+  }
 }
 
 std::vector<KeyAction> made_actions() {
