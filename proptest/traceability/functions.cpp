@@ -6,6 +6,7 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
+#include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/render.hpp"
@@ -23,6 +24,7 @@
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
+#include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -240,6 +242,18 @@ void take_all() {
   take(&fast::visible_map);  // S7.4
   take(&ref::area_of_key);  // S7.5
   take(&fast::visible_map);  // S7.5
+  take(&ref::draw);  // S8.1
+  take(&fast::draw);  // S8.1
+  take(&ref::draw);  // S8.2
+  take(&fast::draw);  // S8.2
+  take(&ref::draw);  // S8.3
+  take(&fast::draw);  // S8.3
+  take(&ref::draw);  // S8.4
+  take(&fast::draw);  // S8.4
+  take(&ref::draw);  // S8.5
+  take(&fast::draw);  // S8.5
+  take(&ref::draw);  // S8.6
+  take(&fast::draw);  // S8.6
 }
 
 }  // namespace
@@ -248,5 +262,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 100 ? 0 : 1;
+  return halfspace::taken == 112 ? 0 : 1;
 }
