@@ -65,7 +65,7 @@ std::optional<Common> common_of(const Fragment& polygon, const Plane& plane) {
   return Common{*low, *high, !(any_positive && any_negative)};
 }
 
-/// The way in which an interval is drawn: the less, the sooner (S8.6).
+/// The way in which an interval is drawn: the less, the sooner (S9.6).
 constexpr int kHidden = 8;
 constexpr int kNoWay = 2 * kHidden;
 int way_of(const DrawnInterval& interval) {
@@ -115,7 +115,7 @@ class Drawer {
   }
 
  private:
-  /// S8.1: every side is cut at the ends of all sides on its line.
+  /// S9.1: every side is cut at the ends of all sides on its line.
   void find_edges() {
     struct PolygonSide {
       Point from, to;
@@ -160,7 +160,7 @@ class Drawer {
         [&](const Point& v) { return sign(value_at(planes_[p], v)) == 0; });
   }
 
-  /// S8.2.
+  /// S9.2.
   std::optional<EdgeClass> class_of(const std::vector<PolygonAt>& at) const {
     const auto all = [&at](const auto& holds) {
       return std::all_of(at.begin(), at.end(), holds);
@@ -206,7 +206,7 @@ class Drawer {
     return sign(cosine) > 0 && left < right;
   }
 
-  /// S8.3.
+  /// S9.3.
   void find_intersections() {
     for (std::size_t p = 0; p < polygons_.size(); ++p) {
       for (std::size_t q = 0; q < p; ++q) {
@@ -233,7 +233,7 @@ class Drawer {
     return is_on_line(eye, scaled(edge.from), scaled(edge.to));
   }
 
-  /// S8.5: the intervals of one edge.
+  /// S9.5: the intervals of one edge.
   void divide(const Edge& edge) {
     if (is_point(edge)) return;
     // Step 1: the part that is in the view.
@@ -326,7 +326,7 @@ class Drawer {
     return dot(across, difference(lattice, s0)) / dot(across, eye);
   }
 
-  /// S8.4.
+  /// S9.4.
   std::int32_t layers_at(const Segment& image, const Rational& share) const {
     const ImagePoint p = along(image, share);
     const Rational nearness =
@@ -348,7 +348,7 @@ class Drawer {
     return std::min(left, right);
   }
 
-  /// S8.6: line by line of the image.
+  /// S9.6: line by line of the image.
   void join() {
     std::vector<bool> done(drawing_.intervals.size());
     for (std::size_t i = 0; i < done.size(); ++i) {

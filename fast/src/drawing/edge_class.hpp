@@ -9,7 +9,7 @@
 
 namespace halfspace::fast {
 
-/// The class of an edge by the polygons at it (S8.2); nothing if it is not
+/// The class of an edge by the polygons at it (S9.2); nothing if it is not
 /// drawn.
 std::optional<EdgeClass> class_of(std::span<const EdgeSide> sides,
                                   const Sight& sight, const Hiding& hiding,

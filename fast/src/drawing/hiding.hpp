@@ -40,7 +40,7 @@ struct Layered {
   std::int32_t layers = 0;
 };
 
-/// What hides the edges of a scene (S8.4).
+/// What hides the edges of a scene (S9.4).
 class Hiding {
  public:
   /// `eye_signs`: by polygon the sign of its plane at the eye, 0 if the

@@ -14,7 +14,7 @@ struct EdgeSide {
   std::int32_t direction = 1;  ///< -1: its side passes the edge backwards
 };
 
-/// An edge of a scene (S8.1).
+/// An edge of a scene (S9.1).
 struct SceneEdge {
   VertexId from = 0;
   VertexId to = 0;

@@ -13,7 +13,7 @@ struct Piece {
   Cut to;
 };
 
-/// Adds the strokes of a drawing, joined along the lines of the image (S8.6).
+/// Adds the strokes of a drawing, joined along the lines of the image (S9.6).
 /// `pieces`: by interval; its edge is that of the same number in `lines`.
 void add_strokes(Drawing& drawing, const std::vector<Line>& lines,
                  const std::vector<Piece>& pieces, const Hiding& hiding,

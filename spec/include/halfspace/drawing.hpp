@@ -5,7 +5,7 @@
 
 namespace halfspace {
 
-/// What makes an edge a line of a drawing (S8.2), the first one that holds.
+/// What makes an edge a line of a drawing (S9.2), the first one that holds.
 enum class EdgeClass : std::uint8_t {
   kSection,       ///< a polygon at it is marked as cut
   kBorder,        ///< one polygon is at it
@@ -17,14 +17,14 @@ enum class EdgeClass : std::uint8_t {
 /// The unit of DrawingOptions::crease_cosine.
 constexpr int kCosineBits = 30;
 
-/// What a drawing depends on, beside scene and camera (S8).
+/// What a drawing depends on, beside scene and camera (S9).
 struct DrawingOptions {
   bool cull = false;  ///< as ImageOptions::cull
   /// Two polygons make a crease if the cosine of the angle by which their
   /// planes turn is less than this times 2^-30: from -2^30 to 2^30, which is
   /// every angle but a flat one.
   std::int32_t crease_cosine = std::int32_t{1} << kCosineBits;
-  /// Whether a polygon is a cut (S8.2), by id; empty: none is.
+  /// Whether a polygon is a cut (S9.2), by id; empty: none is.
   std::vector<bool> cuts;
 };
 

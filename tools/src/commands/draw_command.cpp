@@ -301,7 +301,7 @@ void add_draw(CLI::App& program, Status& status) {
   add_view_options(*app, arguments->view);
   add_quiet_option(*app);
   app->footer(
-      "What is seen is worked out exactly (spec/S7-map.md, spec/S8-drawing.md):"
+      "What is seen is worked out exactly (spec/S7-map.md, spec/S9-drawing.md):"
       "\nno region is in the wrong place, and an edge ends where it does.\n\n"
       "Examples:\n"
       "  halfspace draw part.stl -o part.svg\n"

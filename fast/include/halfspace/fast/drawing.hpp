@@ -13,7 +13,7 @@
 
 namespace halfspace::fast {
 
-/// A line of a drawing in space (S8.1, S8.3).
+/// A line of a drawing in space (S9.1, S9.3).
 struct DrawingEdge {
   EdgeClass edge_class = EdgeClass::kCrease;
   /// Its ends; -1 for an intersection, whose ends are no vertices.
@@ -33,7 +33,7 @@ struct DrawingPoint {
   friend bool operator==(const DrawingPoint&, const DrawingPoint&) = default;
 };
 
-/// A part of an edge with one number of layers in front of it (S8.5).
+/// A part of an edge with one number of layers in front of it (S9.5).
 struct EdgeInterval {
   std::int32_t edge = 0;
   std::int32_t layers = 0;  ///< 0: it is visible
@@ -46,7 +46,7 @@ struct EdgeInterval {
   friend bool operator==(const EdgeInterval&, const EdgeInterval&) = default;
 };
 
-/// A straight stroke of the pen (S8.6).
+/// A straight stroke of the pen (S9.6).
 struct Stroke {
   EdgeClass edge_class = EdgeClass::kCrease;
   std::int32_t layers = 0;  ///< the least along it; 0: it is visible
@@ -59,7 +59,7 @@ struct Stroke {
   friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 
-/// A drawing (S8).
+/// A drawing (S9).
 ///
 /// Shape: intervals in the order of their edges and along them; strokes in that
 ///        of their ends.
@@ -76,7 +76,7 @@ struct DrawingLimits {
   std::size_t most_intervals = 50'000'000;
 };
 
-/// The drawing of a scene (S8): its edges' visible and hidden parts, and the
+/// The drawing of a scene (S9): its edges' visible and hidden parts, and the
 /// strokes that show them.
 ///
 /// Candidates for hiding an edge come from a bounding volume hierarchy over

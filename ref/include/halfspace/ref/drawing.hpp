@@ -10,7 +10,7 @@
 
 namespace halfspace::ref {
 
-/// A part of an edge with one number of layers in front of it (S8.5).
+/// A part of an edge with one number of layers in front of it (S9.5).
 /// Units: pixels for the image.
 struct DrawnInterval {
   EdgeClass edge_class = EdgeClass::kCrease;
@@ -23,7 +23,7 @@ struct DrawnInterval {
   ImagePoint to;
 };
 
-/// A straight stroke of the pen (S8.6), `from` before `to` by x, then y.
+/// A straight stroke of the pen (S9.6), `from` before `to` by x, then y.
 struct DrawnStroke {
   EdgeClass edge_class = EdgeClass::kCrease;
   std::int32_t layers = 0;
@@ -31,14 +31,14 @@ struct DrawnStroke {
   ImagePoint to;
 };
 
-/// A drawing (S8): intervals in the order of their edges' ends, strokes in that
+/// A drawing (S9): intervals in the order of their edges' ends, strokes in that
 /// of their own.
 struct Drawing {
   std::vector<DrawnInterval> intervals;
   std::vector<DrawnStroke> strokes;
 };
 
-/// The drawing of a scene (S8).
+/// The drawing of a scene (S9).
 ///
 /// Every edge is cut wherever a plane of any polygon, side seen from the eye
 /// or limit of the view meets it, and what is in front of the middle of each

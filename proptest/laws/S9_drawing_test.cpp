@@ -12,7 +12,7 @@
 #include "halfspace/ref/visible_map.hpp"
 #include "laws/law.hpp"
 
-/// Laws of drawings (S8). Those of both implementations are compared by the
+/// Laws of drawings (S9). Those of both implementations are compared by the
 /// nearest doubles to their points, of which exact points have one each.
 namespace halfspace {
 namespace {
@@ -151,9 +151,9 @@ struct FastDrawing {
 };
 
 template <class Impl>
-class S8Drawing : public ::testing::Test {};
+class S9Drawing : public ::testing::Test {};
 using DrawingImplementations = ::testing::Types<RefDrawing, FastDrawing>;
-TYPED_TEST_SUITE(S8Drawing, DrawingImplementations);
+TYPED_TEST_SUITE(S9Drawing, DrawingImplementations);
 
 DrawingOptions options_of(const SceneFile& view) {
   DrawingOptions options;
@@ -161,7 +161,7 @@ DrawingOptions options_of(const SceneFile& view) {
   return options;
 }
 
-TYPED_TEST(S8Drawing, L1IntervalsAreWhatIsInTheView) {
+TYPED_TEST(S9Drawing, L1IntervalsAreWhatIsInTheView) {
   std::size_t hidden = 0;
   law::for_all_views(
       [&](const SceneFile& view) {
@@ -242,7 +242,7 @@ bool is_covered(const Spot& from, const Spot& to,
   return true;
 }
 
-TYPED_TEST(S8Drawing, L2StrokesCoverTheIntervalsOnce) {
+TYPED_TEST(S9Drawing, L2StrokesCoverTheIntervalsOnce) {
   std::size_t joined = 0;
   std::size_t pairs = 0;  // of strokes on one line
   law::for_all_views(
@@ -286,7 +286,7 @@ TYPED_TEST(S8Drawing, L2StrokesCoverTheIntervalsOnce) {
   EXPECT_GT(pairs, 20u);
 }
 
-TYPED_TEST(S8Drawing, L3BordersOfTheMapAreDrawn) {
+TYPED_TEST(S9Drawing, L3BordersOfTheMapAreDrawn) {
   std::size_t several = 0;
   law::for_all_views(
       [&](const SceneFile& view) {
@@ -309,7 +309,7 @@ TYPED_TEST(S8Drawing, L3BordersOfTheMapAreDrawn) {
   EXPECT_GT(several, 100u);
 }
 
-TYPED_TEST(S8Drawing, L4CornersAndOrientationDoNotMatter) {
+TYPED_TEST(S9Drawing, L4CornersAndOrientationDoNotMatter) {
   law::for_all_views(
       [](const SceneFile& view) {
         Drawn drawn = TypeParam::draw(view, options_of(view));
@@ -334,7 +334,7 @@ TYPED_TEST(S8Drawing, L4CornersAndOrientationDoNotMatter) {
       kDrawings);
 }
 
-TEST(S8DrawingAgree, RefAndFastDrawTheSame) {
+TEST(S9DrawingAgree, RefAndFastDrawTheSame) {
   std::set<EdgeClass> met;
   law::for_all_views(
       [&met](const SceneFile& view) {
