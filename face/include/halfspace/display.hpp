@@ -95,7 +95,7 @@ struct Hit {
 /// views. All that is asked of it may be asked from several threads at once.
 class HALFSPACE_API Display {
  public:
-  /// Of polygons, which need not bound a solid. What is not planar or not
+  /// Takes polygons, which need not bound a solid. What is not planar or not
   /// convex is cut into triangles. Errors: kEmpty, kBadIndex, kNotFinite,
   /// kOutOfRange.
   static Result<Display> of(Mesh mesh);

@@ -9,7 +9,7 @@
 /// What the writers of figures share.
 namespace halfspace::io {
 
-/// A number with at most so many decimals, the shortest text of it.
+/// The shortest text of a number with at most this number of decimals.
 std::string decimal(double value, int decimals);
 
 /// A point with its digits after rounding: what is the same text is one point.
