@@ -9,6 +9,7 @@
 
 #include "halfspace/boolean.hpp"
 #include "halfspace/csg/plan.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
@@ -31,6 +32,9 @@ struct OperandOptions {
   /// not made of mirrors, quarter turns, powers of 2 and 5, and shifts by short
   /// decimals, and planes whose numbers are not short.
   bool exact = false;
+  /// How surfaces are checked, one after another: by how many threads, and who
+  /// is shown the share of each that is done, and may stop it (kStopped).
+  fast::CheckOptions check = {};
 };
 
 /// A solid before it is moved: that of a file, or one made in memory.
