@@ -36,7 +36,7 @@ LIBRARIES = {
     "csg": {"spec", "ref", "fast", "io", "csg"},
     "face": {"spec", "fast", "io", "csg", "face"},
 }
-PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples")
+PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples", "python")
 
 # The rooms of folders: the file with their list, or the list.
 ROOMS = {"fast/src": "fast/CMakeLists.txt",
