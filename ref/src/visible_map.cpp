@@ -163,7 +163,7 @@ class Forms {
       };
       if (!std::all_of(polygon.insides.begin(), polygon.insides.end(), covers))
         continue;
-      // Of polygons in one plane the first stays in front.
+      // Where polygons share a plane, the first stays in front.
       if (nearest != nullptr &&
           sign_beside(polygon.nearness - *nearest, p, dx, dy) <= 0)
         continue;

@@ -12,7 +12,7 @@
 namespace halfspace::io {
 namespace {
 
-/// A number with at most so many decimals, the shortest text of it.
+/// The shortest text of a number with at most this number of decimals.
 std::string decimal(double value, int decimals) {
   char text[64];
   const auto end = std::to_chars(text, text + sizeof text, value,

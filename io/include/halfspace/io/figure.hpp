@@ -42,8 +42,8 @@ struct Figure {
 
 /// How a figure is written.
 struct FigureOptions {
-  /// Coordinates are written with so many decimals, zeros at the end left out:
-  /// none moves by more than half a unit of the last one.
+  /// Coordinates are written with this number of decimals, zeros at the end
+  /// left out: none moves by more than half a unit of the last one.
   int decimals = 3;
 };
 
