@@ -14,14 +14,14 @@ Examples
 """
 
 from ._core import VERSION as __version__
-from ._display import (Display, DynamicScreen, Pick, Picture, SeenPolygon,
+from ._display import (Display, DynamicScreen, Hit, Pick, Picture, SeenPolygon,
                        Traversal, View, VisibleMap)
 from ._errors import Error, ErrorCode
 from ._mesh import Mesh
 from ._solid import Plane, Region, RoundingReport, Solid
 
 __all__ = [
-    "Display", "DynamicScreen", "Error", "ErrorCode", "Mesh", "Pick",
+    "Display", "DynamicScreen", "Error", "ErrorCode", "Hit", "Mesh", "Pick",
     "Picture", "Plane", "Region", "RoundingReport", "SeenPolygon", "Solid",
     "Traversal", "View", "VisibleMap", "__version__",
 ]

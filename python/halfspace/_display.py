@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import (Any, Iterable, List, NamedTuple, Optional,
                     Sequence, Tuple, Union)
 
@@ -12,9 +13,9 @@ import numpy.typing as npt
 
 from . import _core
 from ._mesh import Floats, Ints, Mesh, MeshLike, mesh_of
-from ._solid import Path, Solid, Vector
+from ._solid import Path, Solid, Vector, _triple
 
-__all__ = ["Display", "DynamicScreen", "Pick", "Picture", "SeenPolygon",
+__all__ = ["Display", "DynamicScreen", "Hit", "Pick", "Picture", "SeenPolygon",
            "Traversal", "View", "VisibleMap"]
 
 Bytes = npt.NDArray[np.uint8]
@@ -100,10 +101,51 @@ class Picture:
 
 
 class Pick(NamedTuple):
-    """The polygon seen at a pixel, and the solid that it belongs to."""
+    """The polygon seen at a pixel, and the solid that it belongs to.
+
+    Attributes
+    ----------
+    polygon, solid : int
+        Of the display; of those that it was made of.
+    point : tuple of 3 floats
+        What the pixel's centre sees, to the nearest doubles.
+    distance : float
+        From the eye; in orthographic views from its plane.
+    """
 
     polygon: int
     solid: int
+    point: Tuple[float, float, float]
+    distance: float
+
+
+class Hit(NamedTuple):
+    """What a ray hits: the doubles are the nearest ones to exact numbers.
+
+    Attributes
+    ----------
+    polygon, solid : int
+        Of the display; of those that it was made of.
+    point : tuple of 3 floats
+    distance : float
+        From where the ray begins.
+    parameter : float
+        The share of the direction, or of the way.
+    fraction : fractions.Fraction
+        The same exactly.
+    """
+
+    polygon: int
+    solid: int
+    point: Tuple[float, float, float]
+    distance: float
+    parameter: float
+    fraction: Fraction
+
+
+def _hit(parts: Any) -> Hit:
+    polygon, solid, point, distance, parameter, fraction = parts
+    return Hit(polygon, solid, point, distance, parameter, Fraction(fraction))
 
 
 class SeenPolygon(NamedTuple):
@@ -371,11 +413,58 @@ class Display:
         --------
         >>> from halfspace import Display, Solid, View
         >>> display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
-        >>> display.pick(View(width_px=64, height_px=48), 32, 20)
-        Pick(polygon=2, solid=0)
+        >>> pick = display.pick(View(width_px=64, height_px=48), 32, 20)
+        >>> pick.polygon, pick.solid
+        (2, 0)
         """
         found = self._core.pick(view, int(x), int(y))
         return None if found is None else Pick(*found)
+
+    def first_hit(self, start: Vector, along: Vector) -> Optional[Hit]:
+        """What the ray from a point on in a direction hits first, edges of
+        polygons included. Polygons in whose plane the ray runs are not hit.
+
+        Parameters
+        ----------
+        start, along : sequence of 3 floats
+            Rounded to the camera's lattice; from there on all is exact.
+
+        Raises
+        ------
+        Error
+            ``NOT_FINITE``, ``OUT_OF_RANGE``, ``BAD_RAY``.
+
+        Examples
+        --------
+        >>> from halfspace import Display, Solid
+        >>> display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
+        >>> display.first_hit((0.5, 0.5, 4), (0, 0, -7)).fraction
+        Fraction(3, 7)
+        """
+        found = self._core.first_hit(_triple(start), _triple(along))
+        return None if found is None else _hit(found)
+
+    def all_hits(self, start: Vector, along: Vector) -> List[Hit]:
+        """All that a ray hits, in order."""
+        return [_hit(parts) for parts in self._core.hits(
+            _triple(start), _triple(along), False)]
+
+    def hits_between(self, start: Vector, end: Vector) -> List[Hit]:
+        """All that the way between two points hits, its ends included."""
+        return [_hit(parts) for parts in self._core.hits(
+            _triple(start), _triple(end), True)]
+
+    def see_each_other(self, a: Vector, b: Vector) -> bool:
+        """Whether nothing is between two points.
+
+        Examples
+        --------
+        >>> from halfspace import Display, Solid
+        >>> display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
+        >>> display.see_each_other((2, 2, 2), (-1, -1, -1))
+        False
+        """
+        return self._core.see_each_other(_triple(a), _triple(b))
 
     def front_to_back(self, view: View = View(), *,
                       spans: bool = False) -> Traversal:

@@ -27,6 +27,7 @@ class ErrorCode(enum.Enum):
     NOT_CONVEX = "polygon not convex"
     NOT_TRIANGLE = "polygon not a triangle"
     BAD_CAMERA = "bad camera"
+    BAD_RAY = "bad ray"
     OPEN = "open surface"
     SELF_CROSSING = "surface crosses itself"
     INSIDE_OUT = "surface inside out"

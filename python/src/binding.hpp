@@ -41,6 +41,7 @@ auto without_lock(const Work& work) {
 /// Three numbers, as any sequence of Python gives them.
 using Triple = std::array<double, 3>;
 inline Point point_of(const Triple& t) { return {t[0], t[1], t[2]}; }
+inline Triple triple_of(const Point& p) { return {p.x, p.y, p.z}; }
 
 /// A read-only array over memory that `owner` keeps: nothing is copied.
 template <class T>

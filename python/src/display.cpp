@@ -70,7 +70,45 @@ py::object pick(const Shown& shown, const py::object& object, std::int32_t x,
     return shown.asked([&](const Display& d) { return d.pick(view, x, y); });
   }));
   if (!pick) return py::none();
-  return py::make_tuple(pick->polygon, pick->solid);
+  return py::make_tuple(pick->polygon, pick->solid, triple_of(pick->point),
+                        pick->distance);
+}
+
+py::tuple hit_tuple(const Hit& hit) {
+  return py::make_tuple(hit.polygon, hit.solid, triple_of(hit.point),
+                        hit.distance, hit.parameter, hit.fraction);
+}
+
+py::object first_hit(const Shown& shown, const Triple& from,
+                     const Triple& along) {
+  const std::optional<Hit> hit = value_of(without_lock([&] {
+    return shown.asked([&](const Display& d) {
+      return d.first_hit(point_of(from), point_of(along));
+    });
+  }));
+  return hit ? py::object(hit_tuple(*hit)) : py::none();
+}
+
+/// All hits of a ray, or of the way to a point.
+py::list hits(const Shown& shown, const Triple& from, const Triple& to,
+              bool is_way) {
+  const std::vector<Hit> found = value_of(without_lock([&] {
+    return shown.asked([&](const Display& d) {
+      return is_way ? d.hits_between(point_of(from), point_of(to))
+                    : d.all_hits(point_of(from), point_of(to));
+    });
+  }));
+  py::list result;
+  for (const Hit& hit : found) result.append(hit_tuple(hit));
+  return result;
+}
+
+bool see_each_other(const Shown& shown, const Triple& a, const Triple& b) {
+  return value_of(without_lock([&] {
+    return shown.asked([&](const Display& d) {
+      return d.see_each_other(point_of(a), point_of(b));
+    });
+  }));
 }
 
 /// A traversal as arrays: lists of lists are one array and where each begins.
@@ -178,6 +216,9 @@ void bind_display(py::module_& module) {
            })
       .def("render", &render)
       .def("pick", &pick)
+      .def("first_hit", &first_hit)
+      .def("hits", &hits)
+      .def("see_each_other", &see_each_other)
       .def("order", &order)
       .def("insert", [](Shown& shown, const Mesh& mesh) {
         value_of(without_lock([&] { return shown.insert(mesh); }));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "display.hpp"
+#include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/figure.hpp"
 
@@ -51,15 +52,19 @@ double lattice_range(const Scene& scene) {
       1, scene.grid_bits() - 1 + kLatticeBits + kCameraRangeBits - 1);
 }
 
+/// The length of a grid step. Units: model units.
+double step_of(const Scene& scene) {
+  const Unit unit = scene.unit();
+  return std::pow(static_cast<double>(unit.base),
+                  static_cast<double>(unit.exponent));
+}
+
 /// The camera that shows what the rows say, rounded once to the lattice: the
 /// image plane is as far away as the lattice reaches.
 Result<Camera> camera_of_rows(const Scene& scene, ImageRows rows,
                               const dvec3& to_viewer, std::int32_t width_px,
                               std::int32_t height_px) {
-  const Unit unit = scene.unit();
-  const double step = std::pow(static_cast<double>(unit.base),
-                               static_cast<double>(unit.exponent));
-  const double lattice_step = std::ldexp(step, -kLatticeBits);
+  const double lattice_step = std::ldexp(step_of(scene), -kLatticeBits);
   for (auto* row : {&rows.x, &rows.y, &rows.w}) {
     for (std::size_t i = 0; i < 3; ++i) (*row)[i] *= lattice_step;
   }
@@ -153,6 +158,77 @@ std::unique_ptr<ShownMap> visible_map(
   };
   value_of(without_lock([&] { return shown.asked_with_tree(work); }));
   return result;
+}
+
+/// The corners of the scene's polygons as triangles, in model units, and the
+/// polygon of the display of each.
+py::tuple scene_triangles(const Shown& shown) {
+  std::vector<std::array<Point, 3>> triangles;
+  std::vector<std::int32_t> polygons;
+  without_lock([&] {
+    shown.asked([&](const Display& display) {
+      const Scene& scene = display.scene();
+      const double step = step_of(scene);
+      const auto point = [&](VertexId vertex) -> Point {
+        const GridPoint& p = scene.point(vertex);
+        return {step * static_cast<double>(p.x),
+                step * static_cast<double>(p.y),
+                step * static_cast<double>(p.z)};
+      };
+      for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+        const auto corners = scene.corners(static_cast<PolygonId>(p));
+        for (std::size_t k = 2; k < corners.size(); ++k) {
+          triangles.push_back(
+              {point(corners[0]), point(corners[k - 1]), point(corners[k])});
+          polygons.push_back(display.polygons_of_scene()[p]);
+        }
+      }
+      return true;
+    });
+    return true;
+  });
+  return py::make_tuple(array_of<double>(std::move(triangles)),
+                        array_of<std::int32_t>(std::move(polygons)));
+}
+
+/// The parts of polygons from back to front as a camera sees them: the polygon
+/// of each, where its corners begin, and the corners in model units.
+py::tuple painters_order(Shown& shown, const ShownCamera& camera) {
+  std::vector<std::int32_t> polygons;
+  std::vector<std::uint32_t> first = {0};
+  std::vector<Point> points;
+  const auto work = [&](const Display& display, const fast::BspTree& tree) {
+    const Scene& scene = display.scene();
+    const double step = step_of(scene);
+    const std::size_t count = scene.data().vertices.size();
+    fast::back_to_front(
+        tree, scene, camera.camera,
+        [&](const fast::Node&, const fast::TreeFragment& fragment) {
+          polygons.push_back(
+              display.polygons_of_scene()[static_cast<std::size_t>(
+                  fragment.source)]);
+          for (std::uint32_t k = 0; k < fragment.corner_count; ++k) {
+            const auto v = static_cast<std::size_t>(
+                tree.corners[fragment.first_corner + k].vertex);
+            if (v < count) {
+              const GridPoint& p = scene.data().vertices[v];
+              points.push_back({step * static_cast<double>(p.x),
+                                step * static_cast<double>(p.y),
+                                step * static_cast<double>(p.z)});
+            } else {
+              const fast::Vertex& p = tree.cut_vertices[v - count];
+              points.push_back({step * p.x, step * p.y, step * p.z});
+            }
+          }
+          first.push_back(static_cast<std::uint32_t>(points.size()));
+          return true;
+        });
+    return true;
+  };
+  without_lock([&] { return shown.asked_with_tree(work); });
+  return py::make_tuple(array_of<std::int32_t>(std::move(polygons)),
+                        array_of<std::uint32_t>(std::move(first)),
+                        array_of<double>(std::move(points)));
 }
 
 io::FigurePoint point_of(const fast::VisibleMap& map, std::int32_t vertex) {
@@ -251,6 +327,8 @@ void bind_map(py::module_& module) {
                                 width_px, height_px);
       });
   module.def("visible_map", &visible_map);
+  module.def("scene_triangles", &scene_triangles);
+  module.def("painters_order", &painters_order);
 }
 
 }  // namespace halfspace::python

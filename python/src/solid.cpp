@@ -54,8 +54,6 @@ auto asked(const Solid& solid, const Question& question) {
   return value_of(without_lock([&] { return question(solid); }));
 }
 
-Triple triple_of(const Point& p) { return {p.x, p.y, p.z}; }
-
 OperandOptions operand_options(bool resolve, bool merge_coplanar,
                                bool may_round) {
   return {resolve, merge_coplanar, may_round};

@@ -1,11 +1,13 @@
 """Arrays: types, shapes, owners, and that nothing is copied on the way out."""
 import gc
 import tracemalloc
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
-from halfspace import Display, DynamicScreen, Mesh, Solid, View
+from halfspace import (Display, DynamicScreen, Error, ErrorCode, Mesh, Solid,
+                       View)
 
 SMALL = View(width_px=64, height_px=48)
 
@@ -129,3 +131,16 @@ def test_meshio_comes_and_goes():
     with pytest.raises(ValueError):
         Solid.from_mesh(meshio.Mesh([[0.0, 0, 0], [1, 0, 0]],
                                     [("line", [[0, 1]])]))
+
+
+def test_rays_hit_what_is_there():
+    display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
+    hits = display.all_hits((0.25, 0.5, 3), (0, 0, -6))
+    assert [hit.fraction for hit in hits] == [Fraction(1, 3), Fraction(1, 2)]
+    assert hits[0].point == (0.25, 0.5, 1) and hits[0].distance == 2
+    assert len(display.hits_between((0.25, 0.5, 3), (0.25, 0.5, 0.5))) == 1
+    assert display.first_hit((0.25, 0.5, 3), (0, 0, 1)) is None
+    assert display.see_each_other((2, 2, 2), (3, 3, 3))
+    with pytest.raises(Error) as caught:
+        display.first_hit((0, 0, 0), (0, 0, 0))
+    assert caught.value.code is ErrorCode.BAD_RAY

@@ -7,7 +7,7 @@
 namespace halfspace::fast {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -28,8 +28,8 @@ RayLine::RayLine(const LatticeVector& origin, const LatticeVector& direction,
   }
   reach_ = farthest + limit;
   range_ = {
-      reach == Reach::kLine ? -kInfinity : 0,
-      reach == Reach::kSegment || reach == Reach::kBetween ? 1 : kInfinity};
+      reach == Reach::kLine ? -kNoLimit : 0,
+      reach == Reach::kSegment || reach == Reach::kBetween ? 1 : kNoLimit};
   meet_grid(limit);
 }
 
