@@ -6,6 +6,7 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
+#include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/ray.hpp"
@@ -25,6 +26,7 @@
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
+#include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -257,6 +259,18 @@ void take_all() {
   take(&fast::pick);  // S8.4
   take(&ref::see_each_other);  // S8.5
   take(&fast::see_each_other);  // S8.5
+  take(&ref::draw);  // S9.1
+  take(&fast::draw);  // S9.1
+  take(&ref::draw);  // S9.2
+  take(&fast::draw);  // S9.2
+  take(&ref::draw);  // S9.3
+  take(&fast::draw);  // S9.3
+  take(&ref::draw);  // S9.4
+  take(&fast::draw);  // S9.4
+  take(&ref::draw);  // S9.5
+  take(&fast::draw);  // S9.5
+  take(&ref::draw);  // S9.6
+  take(&fast::draw);  // S9.6
 }
 
 }  // namespace
@@ -265,5 +279,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 110 ? 0 : 1;
+  return halfspace::taken == 122 ? 0 : 1;
 }
