@@ -105,7 +105,7 @@ Integer rounded(const Fraction& value) {
   return result;
 }
 
-bool is_finite(const glm::dvec3& v) {
+bool all_finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
@@ -137,7 +137,7 @@ Result<Rounded> to_lattice(const glm::dvec3& v, const Unit& unit) {
 
 Result<RoundedRay> ray_between(const Scene& scene, const glm::dvec3& from,
                                const glm::dvec3& to, Reach reach) {
-  if (!is_finite(from) || !is_finite(to))
+  if (!all_finite(from) || !all_finite(to))
     return Error{ErrorCode::kNotFinite, "a number of the ray is not finite"};
   const Result<Rounded> begin = to_lattice(from, scene.unit());
   if (!begin) return begin.error();
@@ -153,7 +153,7 @@ Result<RoundedRay> ray_between(const Scene& scene, const glm::dvec3& from,
 
 Result<RoundedRay> ray_along(const Scene& scene, const glm::dvec3& from,
                              const glm::dvec3& direction) {
-  if (!is_finite(from) || !is_finite(direction))
+  if (!all_finite(from) || !all_finite(direction))
     return Error{ErrorCode::kNotFinite, "a number of the ray is not finite"};
   const Result<Rounded> begin = to_lattice(from, scene.unit());
   if (!begin) return begin.error();
