@@ -289,4 +289,14 @@ Solid Solid::from_file(std::filesystem::path path,
       name, [name, options] { return detail::file_leaf(name, options); });
 }
 
+Result<Mended> mended(const std::filesystem::path& path,
+                      const MendOptions& options) {
+  std::vector<std::string> done;
+  const Result<detail::LeafData> data =
+      detail::mended_leaf(path.string(), options, done);
+  if (!data) return data.error();
+  return Mended{detail::leaf_solid(path.string(), [data] { return data; }),
+                std::move(done)};
+}
+
 }  // namespace halfspace

@@ -266,6 +266,21 @@ TEST(FaceSolid, SectionsAreRegionsWithHoles) {
   EXPECT_EQ(pipe.section({{0, 0, 1}, 20})->size(), 0u);
 }
 
+TEST(FaceSolid, AFileIsMended) {
+  {
+    // A tetrahedron with one face the wrong way round.
+    std::ofstream file("face_turned.off");
+    file << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+            "3 0 2 1\n3 0 1 3\n3 1 3 2\n3 0 3 2\n";
+  }
+  EXPECT_FALSE(Solid::from_file("face_turned.off").volume());
+  const Result<Mended> mended = halfspace::mended("face_turned.off");
+  ASSERT_TRUE(mended);
+  EXPECT_EQ(mended->done,
+            std::vector<std::string>{"1 polygon turned to agree with others"});
+  EXPECT_EQ(*mended->solid.exact_volume(), "1/6");
+}
+
 TEST(FaceSolid, TextAndFilesAreOperands) {
   ASSERT_TRUE(cube(2).save("face_cube.off"));
   const Solid file = Solid::from_file("face_cube.off");
