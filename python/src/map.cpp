@@ -271,7 +271,7 @@ py::bytes draw(const ShownMap& shown, const std::string& ending,
     for (const fast::MapArc& arc : map.arcs) {
       if (arc.left >= 0 && arc.right >= 0)
         strokes.strokes.push_back(
-            {point_of(map, arc.from), point_of(map, arc.to)});
+            {point_of(map, arc.from), point_of(map, arc.to), {}});
     }
     figure.strokes.push_back(std::move(strokes));
   }
