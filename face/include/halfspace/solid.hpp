@@ -213,6 +213,12 @@ class HALFSPACE_API Solid {
   /// The parts on the negative and on the positive side of a plane.
   std::pair<Solid, Solid> split(const Plane& plane) const;
 
+  /// The connected parts, each with its cavities; parts that only touch are
+  /// apart. Each has the operands, origins and properties of the whole, and
+  /// is a solid like others. Exact. Errors: those of the solid; where a part is
+  /// moved by a map that rounds it away, that has the error kOutOfRange.
+  Result<std::vector<Solid>> decompose() const;
+
   /// Whether two are the same expression, made at the same place; not whether
   /// they are the same points, which is is_empty(a ^ b).
   friend bool operator==(const Solid&, const Solid&) = default;
