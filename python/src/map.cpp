@@ -252,6 +252,7 @@ py::bytes draw(const ShownMap& shown, const std::string& ending,
     io::FigureRegion drawn;
     drawn.fill = colors[r];
     const fast::MapRegion& region = map.regions[r];
+    drawn.is_background = region.item == kBackground;
     drawn.title = region.item == kBackground
                       ? "background"
                       : "polygon " + std::to_string(region.item);
