@@ -145,7 +145,9 @@ class Hit(NamedTuple):
 
 def _hit(parts: Any) -> Hit:
     polygon, solid, point, distance, parameter, fraction = parts
-    return Hit(polygon, solid, point, distance, parameter, Fraction(fraction))
+    x, y, z = point
+    return Hit(polygon, solid, (x, y, z), distance, parameter,
+               Fraction(fraction))
 
 
 class SeenPolygon(NamedTuple):
@@ -418,7 +420,11 @@ class Display:
         (2, 0)
         """
         found = self._core.pick(view, int(x), int(y))
-        return None if found is None else Pick(*found)
+        if found is None:
+            return None
+        polygon, solid, point, distance = found
+        px, py, pz = point
+        return Pick(polygon, solid, (px, py, pz), distance)
 
     def first_hit(self, start: Vector, along: Vector) -> Optional[Hit]:
         """What the ray from a point on in a direction hits first, edges of
