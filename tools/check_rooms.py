@@ -37,7 +37,7 @@ LIBRARIES = {
     "face": {"spec", "fast", "io", "csg", "face"},
     "viewer": {"spec", "fast", "io", "face", "viewer"},
 }
-PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples")
+PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples", "python")
 
 # The rooms of folders: the file with their list, or the list.
 ROOMS = {"fast/src": "fast/CMakeLists.txt",

@@ -368,6 +368,16 @@ Result<Display> Display::of_file(const std::filesystem::path& path) {
 
 std::size_t Display::polygon_count() const { return state_->polygon_count; }
 
+const Scene& Display::scene() const { return state_->scene; }
+
+std::span<const std::int32_t> Display::polygons_of_scene() const {
+  return state_->faces;
+}
+
+Result<Camera> Display::camera(const View& view) const {
+  return camera_of(state_->scene, view);
+}
+
 Result<Picture> Display::render(const View& view) const {
   Result<fast::Rendering> image = state_->rendered(view, std::nullopt);
   if (!image) return image.error();

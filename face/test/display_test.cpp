@@ -20,6 +20,25 @@ View small_view() {
   return view;
 }
 
+TEST(FaceDisplay, LeadsToTheExactSceneAndCamera) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}, {0, 0, 3}};
+  mesh.add({0, 1, 4});
+  mesh.add({0, 1, 2, 3});  // not planar: two triangles
+  const Display display = *Display::of(mesh);
+  const auto polygons = display.polygons_of_scene();
+  EXPECT_EQ(display.scene().polygon_count(), 3u);
+  EXPECT_EQ(std::vector<std::int32_t>(polygons.begin(), polygons.end()),
+            (std::vector<std::int32_t>{0, 1, 1}));
+  const View view = small_view();
+  const Result<Camera> camera = display.camera(view);
+  ASSERT_TRUE(camera);
+  EXPECT_EQ((*camera)->width_px, 64);
+  View flat = view;
+  flat.eye = flat.target = Point{1, 1, 1};
+  EXPECT_EQ(display.camera(flat).error().code, ErrorCode::kBadCamera);
+}
+
 TEST(FaceDisplay, AScanLineRendererGetsThePicture) {
   const Display display = *Display::of(knot());
   const View view = small_view();

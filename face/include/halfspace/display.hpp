@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "halfspace/api.hpp"
+#include "halfspace/camera.hpp"
 #include "halfspace/drawing.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/mesh.hpp"
 #include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
 #include "halfspace/solid.hpp"
 
 namespace halfspace {
@@ -213,6 +215,15 @@ class HALFSPACE_API Display {
   /// makes a new tree where they need another grid.
   /// Errors: kBadIndex, kNotFinite, kOutOfRange; nothing is changed then.
   Result<Done> insert(const Mesh& mesh);
+
+  /// The exact polygons behind the display, for who goes on with them by
+  /// `spec/` and `fast/`: on their grid, polygons in pieces where they were cut
+  /// into triangles. Valid until the display changes.
+  const Scene& scene() const;
+  /// By polygon of the scene, the polygon of the display.
+  std::span<const std::int32_t> polygons_of_scene() const;
+  /// The camera of a view, for that scene. Errors: those of render().
+  Result<Camera> camera(const View& view) const;
 
  private:
   struct State;
