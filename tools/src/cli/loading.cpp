@@ -5,13 +5,14 @@
 #include <new>
 
 #include "cli/options.hpp"
+#include "halfspace/csg/exact.hpp"
 
 namespace halfspace::tools {
 
 Result<io::LoadedScene> load(const std::string& path,
                              const io::ImportOptions& options) {
   try {
-    return io::load_scene(path, options);
+    return csg::load_scene(path, options);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfRange,
                  path + ": there is not enough memory to read it"};
