@@ -41,7 +41,8 @@ PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples")
 # The rooms of folders: the file with their list, or the list.
 ROOMS = {"fast/src": "fast/CMakeLists.txt",
          "proptest": "proptest/CMakeLists.txt",
-         "io/src": ("base", "polygon", "mesh", "scene", "view", "picture"),
+         "io/src": ("base", "polygon", "mesh", "scene", "view", "picture",
+                    "figure"),
          "tools/src": ("cli", "image", "commands")}
 
 # Who looks inside a library that is not theirs, and why.

@@ -273,10 +273,11 @@ SolidData flipped(SolidData data) {
   return data;
 }
 
-Result<fast::Solid> checked_solid(const SolidData& data) {
+Result<fast::Solid> checked_solid(const SolidData& data,
+                                  const fast::CheckOptions& options) {
   Result<fast::Solid> solid = fast::to_solid(data);
   if (!solid || data.is_checked) return solid;
-  const Result<Done> fine = fast::check_operand(*solid);
+  const Result<Done> fine = fast::check_operand(*solid, options);
   if (!fine) return fine.error();
   return solid;
 }

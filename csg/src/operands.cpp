@@ -13,7 +13,6 @@
 #include "halfspace/csg/measure.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/csg/volume.hpp"
-#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "step_map.hpp"
@@ -101,11 +100,12 @@ Result<bool> needs_repair(const GridSolid& solid,
             : "the surface is inside out: its volume is " + volume +
                   "; flip(...) in an expression turns its faces round"};
   }
-  const Result<Done> fine =
-      fast::check_operand(numbered(fast::to_solid(solid), polygons));
+  const Result<Done> fine = fast::check_operand(
+      numbered(fast::to_solid(solid), polygons), options.check);
+  if (!fine && fine.error().code == ErrorCode::kStopped) return fine.error();
   if (fine || options.repair) return !fine;
   Error error = fine.error();
-  // Of a surface that faces inwards nothing would be kept.
+  // Resolution would keep nothing of a surface that faces inwards.
   if (error.code == ErrorCode::kSelfCrossing) {
     error.message += " (" + options.repair_word + " keeps what it winds round)";
   } else if (error.code == ErrorCode::kInsideOut) {
@@ -155,7 +155,7 @@ Result<Source> exact_source(const std::string& path, std::string_view bytes,
   source.report.unit = data->unit;
   source.report.grid_bits = data->grid_bits;
   if (!data->is_checked && options.find_crossings) {
-    const Result<fast::Solid> fine = checked_solid(*data);
+    const Result<fast::Solid> fine = checked_solid(*data, options.check);
     const auto code = fine ? ErrorCode::kEmpty : fine.error().code;
     source.to_repair = options.repair && (code == ErrorCode::kSelfCrossing ||
                                           code == ErrorCode::kInsideOut);

@@ -10,12 +10,14 @@
 
 #include "halfspace/csg/exact.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/picture.hpp"
+#include "halfspace/io/ray.hpp"
 #include "halfspace/io/read_mesh.hpp"
 #include "halfspace/io/view.hpp"
 #include "import.hpp"
@@ -201,6 +203,33 @@ struct Display::State {
     }
     return *ordered;
   }
+  /// The polygon of the display that a polygon of the scene is part of, and its
+  /// solid. Solids without polygons begin where the next one does.
+  std::int32_t polygon_of(PolygonId id) const {
+    return faces[static_cast<std::size_t>(id)];
+  }
+  std::int32_t solid_of(std::int32_t polygon) const {
+    const auto next =
+        std::upper_bound(solid_starts.begin(), solid_starts.end(), polygon);
+    return static_cast<std::int32_t>(next - solid_starts.begin()) - 1;
+  }
+  Hit hit_of(const RayHit& hit, const Ray& ray) const {
+    const std::int32_t polygon = polygon_of(hit.polygon);
+    const dvec3 point = io::point_of(hit, ray, scene.unit());
+    return {polygon,
+            solid_of(polygon),
+            {point.x, point.y, point.z},
+            io::distance_of(hit, ray, scene.unit()),
+            io::parameter_of(hit),
+            io::exact_parameter_of(hit)};
+  }
+  std::vector<Hit> hits_of(const Ray& ray) {
+    std::vector<Hit> result;
+    for (const RayHit& hit : fast::all_hits(scene, picture_tree(0), ray))
+      result.push_back(hit_of(hit, ray));
+    return result;
+  }
+
   Result<fast::Rendering> rendered(const View& view,
                                    const std::optional<fast::Rectangle>& part) {
     const Result<Camera> camera = camera_of(scene, view);
@@ -301,16 +330,53 @@ Result<std::optional<Pick>> Display::pick(const View& view, std::int32_t x,
                                           std::int32_t y) const {
   if (x < 0 || y < 0 || x >= view.width_px || y >= view.height_px)
     return std::optional<Pick>();
-  const Result<fast::Rendering> image =
-      state_->rendered(view, fast::Rectangle{x, y, x + 1, y + 1});
-  if (!image) return image.error();
-  const PolygonId polygon = image->items.pixels.front();
-  if (polygon == kBackground) return std::optional<Pick>();
-  const auto& starts = state_->solid_starts;
-  // Solids without polygons begin where the next one does.
-  const auto next = std::upper_bound(starts.begin(), starts.end(), polygon);
-  return std::optional(
-      Pick{polygon, static_cast<std::int32_t>(next - starts.begin()) - 1});
+  const Scene& scene = state_->scene;
+  const Result<Camera> camera = camera_of(scene, view);
+  if (!camera) return camera.error();
+  const PolygonId seen = fast::pick(scene, state_->picture_tree(view.threads),
+                                    *camera, image_options(view), x, y);
+  if (seen == kBackground) return std::optional<Pick>();
+  const std::int32_t polygon = state_->polygon_of(seen);
+  const io::PixelPoint at = io::pixel_point(scene, *camera, seen, x, y);
+  return std::optional(Pick{polygon,
+                            state_->solid_of(polygon),
+                            {at.point.x, at.point.y, at.point.z},
+                            at.distance});
+}
+
+Result<std::optional<Hit>> Display::first_hit(const Point& from,
+                                              const Point& along) const {
+  const auto made =
+      io::ray_along(state_->scene, vector_of(from), vector_of(along));
+  if (!made) return made.error();
+  const auto hit =
+      fast::first_hit(state_->scene, state_->picture_tree(0), made->ray);
+  if (!hit) return std::optional<Hit>();
+  return std::optional(state_->hit_of(*hit, made->ray));
+}
+
+Result<std::vector<Hit>> Display::all_hits(const Point& from,
+                                           const Point& along) const {
+  const auto made =
+      io::ray_along(state_->scene, vector_of(from), vector_of(along));
+  if (!made) return made.error();
+  return state_->hits_of(made->ray);
+}
+
+Result<std::vector<Hit>> Display::hits_between(const Point& from,
+                                               const Point& to) const {
+  const auto made = io::ray_between(state_->scene, vector_of(from),
+                                    vector_of(to), Reach::kSegment);
+  if (!made) return made.error();
+  return state_->hits_of(made->ray);
+}
+
+Result<bool> Display::see_each_other(const Point& a, const Point& b) const {
+  const auto made = io::ray_between(state_->scene, vector_of(a), vector_of(b),
+                                    Reach::kBetween);
+  if (!made) return made.error();
+  return fast::see_each_other(state_->scene, state_->picture_tree(0),
+                              made->ray);
 }
 
 namespace {

@@ -93,6 +93,7 @@ Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
   csg::OperandOptions how;
   how.exact = true;
   how.repair_word = "OperandOptions::resolve";
+  how.check.threads = thread_count(options.threads);
   Result<csg::Operands> operands =
       csg::Operands::join(*std::move(sources), lowered->script, *plan, how);
   if (!operands) return operands.error();
@@ -100,7 +101,8 @@ Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
   work.threads = thread_count(options.threads);
   work.progress = options.progress;
   auto solid = csg::evaluate_solid(*plan, *operands, work);
-  if (!solid && operands->can_be_finer()) {
+  if (!solid && solid.error().code != ErrorCode::kStopped &&
+      operands->can_be_finer()) {
     operands = operands->on_finest_grid();
     if (!operands) return operands.error();
     solid = csg::evaluate_solid(*plan, *operands, work);

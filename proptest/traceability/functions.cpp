@@ -6,8 +6,10 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
+#include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
@@ -20,14 +22,17 @@
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/ray.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
+#include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/predicate.hpp"
 #include "halfspace/ref/projection.hpp"
+#include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
@@ -240,6 +245,32 @@ void take_all() {
   take(&fast::visible_map);  // S7.4
   take(&ref::area_of_key);  // S7.5
   take(&fast::visible_map);  // S7.5
+  take(&make_ray);  // S8.1
+  take(&ref::all_hits);  // S8.2
+  take(&ref::distance_of);  // S8.2
+  take(&fast::all_hits);  // S8.2
+  take(&ref::all_hits);  // S8.3
+  {  // S8.3
+    using namespace fast;
+    using Kind = std::optional<RayHit>(const Scene&, const BspTree&, const Ray&);
+    take<Kind>(&fast::first_hit);
+  }
+  take(&ref::pick);  // S8.4
+  take(&fast::pick);  // S8.4
+  take(&ref::see_each_other);  // S8.5
+  take(&fast::see_each_other);  // S8.5
+  take(&ref::draw);  // S9.1
+  take(&fast::draw);  // S9.1
+  take(&ref::draw);  // S9.2
+  take(&fast::draw);  // S9.2
+  take(&ref::draw);  // S9.3
+  take(&fast::draw);  // S9.3
+  take(&ref::draw);  // S9.4
+  take(&fast::draw);  // S9.4
+  take(&ref::draw);  // S9.5
+  take(&fast::draw);  // S9.5
+  take(&ref::draw);  // S9.6
+  take(&fast::draw);  // S9.6
 }
 
 }  // namespace
@@ -248,5 +279,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 100 ? 0 : 1;
+  return halfspace::taken == 122 ? 0 : 1;
 }

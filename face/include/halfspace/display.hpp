@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "halfspace/api.hpp"
@@ -75,13 +76,26 @@ using Visit = std::function<bool(const SeenPolygon&)>;
 struct Pick {
   std::int32_t polygon = 0;
   std::int32_t solid = 0;  ///< of those that the display was made of
+  Point point{};           ///< that the pixel's centre sees; nearest doubles
+  double distance = 0;     ///< from the eye; orthographic: from its plane
+};
+
+/// What a ray hits: each number but the fraction is the nearest double to the
+/// exact one.
+struct Hit {
+  std::int32_t polygon = 0;
+  std::int32_t solid = 0;  ///< of those that the display was made of
+  Point point{};
+  double distance = 0;        ///< from where the ray begins
+  double parameter = 0;       ///< the share of `along`, or of the way
+  std::string fraction = {};  ///< the same exactly, such as `3/7`
 };
 
 /// Polygons to look at, with a BSP tree of them: made once, for any number of
 /// views. All that is asked of it may be asked from several threads at once.
 class HALFSPACE_API Display {
  public:
-  /// Of polygons, which need not bound a solid. What is not planar or not
+  /// Takes polygons, which need not bound a solid. What is not planar or not
   /// convex is cut into triangles. Errors: kEmpty, kBadIndex, kNotFinite,
   /// kOutOfRange.
   static Result<Display> of(Mesh mesh);
@@ -105,6 +119,20 @@ class HALFSPACE_API Display {
   /// What is seen at a pixel; nothing at the background, and off the image.
   Result<std::optional<Pick>> pick(const View& view, std::int32_t x,
                                    std::int32_t y) const;
+
+  /// What the ray from a point on in a direction hits, edges of polygons
+  /// included (S8.2): first, or all in order; and what the way from one point
+  /// to another hits, its ends included. Polygons in whose plane the ray runs
+  /// are not hit. Exact, once points are rounded to the camera's lattice.
+  /// Errors: kNotFinite, kOutOfRange, kBadRay.
+  Result<std::optional<Hit>> first_hit(const Point& from,
+                                       const Point& along) const;
+  Result<std::vector<Hit>> all_hits(const Point& from,
+                                    const Point& along) const;
+  Result<std::vector<Hit>> hits_between(const Point& from,
+                                        const Point& to) const;
+  /// Whether nothing is between two points (S8.5).
+  Result<bool> see_each_other(const Point& a, const Point& b) const;
 
   /// Hands out parts of polygons so that none hides one before it, or one after
   /// it (S3.7). Polygons seen edge-on may be left out.

@@ -184,8 +184,8 @@ class HALFSPACE_API Solid {
   Solid& operator-=(const Solid& other) { return *this = *this - other; }
   Solid& operator&=(const Solid& other) { return *this = *this & other; }
   Solid& operator^=(const Solid& other) { return *this = *this ^ other; }
-  /// Of many at once; of none: the empty solid. The same points as one after
-  /// the other, in n log n.
+  /// Combines many solids at once; without any, the empty solid. The same
+  /// points as one after the other, in n log n.
   static Solid union_of(std::span<const Solid> solids);
   static Solid intersection_of(std::span<const Solid> solids);
   /// The parts on the negative and on the positive side of a plane.

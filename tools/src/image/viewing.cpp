@@ -19,8 +19,6 @@ namespace {
 /// products of three coordinates still fit 64 bits.
 constexpr int kRefineBits = 20;
 
-constexpr Size kUsualSize = {640, 480};
-
 constexpr Word<std::optional<Shading>> kShadingWords[] = {
     {"file", std::nullopt},
     {"flat", Shading::kFlat},
@@ -167,6 +165,13 @@ void add_picture_options(CLI::App& app, ViewArguments& arguments) {
 }
 
 }  // namespace
+
+std::optional<io::ViewDirection> view_direction(std::string_view word) {
+  for (const Word<io::ViewDirection>& view : kViewWords) {
+    if (view.word == word) return view.value;
+  }
+  return std::nullopt;
+}
 
 void add_view_options(CLI::App& app, ViewArguments& arguments) {
   const std::string group = "Camera";

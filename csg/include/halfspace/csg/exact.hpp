@@ -5,6 +5,7 @@
 #include <string>
 
 #include "halfspace/csg/matrix.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/number.hpp"
@@ -38,7 +39,8 @@ SolidData flipped(SolidData data);
 /// The data's solid in a table of its own.
 /// Errors: those of fast::to_solid(); and unless the data are checked, those of
 ///         fast::check_operand().
-Result<fast::Solid> checked_solid(const SolidData& data);
+Result<fast::Solid> checked_solid(const SolidData& data,
+                                  const fast::CheckOptions& options = {});
 
 /// The solid's surface in doubles (S6.8), imported. The polygons' numbers are
 /// those of the origins.

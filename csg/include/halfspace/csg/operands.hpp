@@ -10,6 +10,7 @@
 #include "halfspace/boolean.hpp"
 #include "halfspace/csg/exact.hpp"
 #include "halfspace/csg/plan.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
@@ -35,6 +36,9 @@ struct OperandOptions {
   /// What must be rounded goes to a grid of 54 bits, where it moves the least,
   /// and not to one that is fine enough for most.
   bool finest_grid = false;
+  /// How surfaces are checked, one after another: by how many threads, and who
+  /// is shown the share of each that is done, and may stop it (kStopped).
+  fast::CheckOptions check = {};
 };
 
 /// A solid before it is moved: that of a file, or one made in memory.
@@ -123,8 +127,8 @@ class Operands {
   /// The parts of which a leaf's polygons are, if its file has any.
   const SolidData* parts_of(std::int32_t leaf) const;
 
-  /// Of each polygon of a leaf that was asked for the one in its file that it
-  /// is, or is a part of.
+  /// For each polygon of a loaded leaf: the polygon of its file that it is, or
+  /// is a part of.
   const std::vector<PolygonId>& polygons_of(std::int32_t leaf) const {
     return polygons_[static_cast<std::size_t>(leaf)];
   }
