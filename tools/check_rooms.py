@@ -35,6 +35,7 @@ LIBRARIES = {
     "shadow": {"spec", "ref", "fast", "shadow"},
     "csg": {"spec", "ref", "fast", "io", "csg"},
     "face": {"spec", "fast", "io", "csg", "face"},
+    "viewer": {"spec", "fast", "io", "face", "viewer"},
 }
 PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples")
 
@@ -43,7 +44,8 @@ ROOMS = {"fast/src": "fast/CMakeLists.txt",
          "proptest": "proptest/CMakeLists.txt",
          "io/src": ("base", "polygon", "mesh", "scene", "view", "picture",
                     "figure"),
-         "tools/src": ("cli", "image", "commands")}
+         "tools/src": ("cli", "image", "commands"),
+         "viewer/src": ("core", "window")}
 
 # Who looks inside a library that is not theirs, and why.
 INSIDERS = {

@@ -92,11 +92,12 @@ double step_of(const Unit& unit) {
 
 dvec3 vector_of(const Point& p) { return {p.x, p.y, p.z}; }
 
+Error no_pixels() {
+  return {ErrorCode::kOutOfRange, "the picture has no columns or no rows"};
+}
+
 Result<Camera> camera_of(const Scene& scene, const View& view) {
-  if (view.width_px < 1 || view.height_px < 1) {
-    return Error{ErrorCode::kOutOfRange,
-                 "the picture has no columns or no rows"};
-  }
+  if (view.width_px < 1 || view.height_px < 1) return no_pixels();
   io::ViewOptions options;
   if (!view.eye || !view.target) {
     const auto automatic =
@@ -127,6 +128,8 @@ ImageOptions image_options(const View& view) {
   options.background = view.background;
   return options;
 }
+
+Error stopped() { return {ErrorCode::kStopped, "the work was stopped"}; }
 
 io::Mesh exact_mesh(const Mesh& mesh) {
   detail::ExactPoints exact = detail::exact_points(mesh.vertices);
@@ -186,22 +189,28 @@ struct Display::State {
     return state;
   }
 
-  const fast::BspTree& picture_tree(int threads) {
+  /// Null where view.progress stopped it.
+  const fast::BspTree* picture_tree(const View& view) {
     const std::lock_guard lock(mutex);
-    if (tree) return *tree;
+    if (tree) return &*tree;
     fast::DisplayTreeOptions options;
-    options.threads = std::max(threads, 0);
-    tree = fast::build_display_tree(scene, options);
-    return *tree;
+    options.threads = std::max(view.threads, 0);
+    options.progress = view.progress;
+    fast::BspTree made = fast::build_display_tree(scene, options);
+    if (made.nodes.empty()) return nullptr;
+    tree = std::move(made);
+    return &*tree;
   }
-  const fast::BspTree& ordered_tree() {
-    const fast::BspTree& made = picture_tree(0);
+  const fast::BspTree& picture_tree() { return *picture_tree(View{}); }
+  const fast::BspTree* ordered_tree(const View& view) {
+    const fast::BspTree* made = picture_tree(view);
+    if (made == nullptr) return nullptr;
     const std::lock_guard lock(mutex);
     if (!ordered) {
-      ordered = made;
+      ordered = *made;
       fast::divide_leaves(*ordered, scene);
     }
-    return *ordered;
+    return &*ordered;
   }
   /// The polygon of the display that a polygon of the scene is part of, and its
   /// solid. Solids without polygons begin where the next one does.
@@ -225,7 +234,7 @@ struct Display::State {
   }
   std::vector<Hit> hits_of(const Ray& ray) {
     std::vector<Hit> result;
-    for (const RayHit& hit : fast::all_hits(scene, picture_tree(0), ray))
+    for (const RayHit& hit : fast::all_hits(scene, picture_tree(), ray))
       result.push_back(hit_of(hit, ray));
     return result;
   }
@@ -237,8 +246,10 @@ struct Display::State {
     fast::RenderOptions how;
     how.threads = detail::thread_count(view.threads);
     how.rectangle = part;
-    fast::Rendering image = fast::render(scene, picture_tree(view.threads),
-                                         *camera, image_options(view), how);
+    const fast::BspTree* made = picture_tree(view);
+    if (made == nullptr) return stopped();
+    fast::Rendering image =
+        fast::render(scene, *made, *camera, image_options(view), how);
     for (PolygonId& id : image.items.pixels) {
       if (id != kBackground) id = faces[static_cast<std::size_t>(id)];
     }
@@ -333,8 +344,10 @@ Result<std::optional<Pick>> Display::pick(const View& view, std::int32_t x,
   const Scene& scene = state_->scene;
   const Result<Camera> camera = camera_of(scene, view);
   if (!camera) return camera.error();
-  const PolygonId seen = fast::pick(scene, state_->picture_tree(view.threads),
-                                    *camera, image_options(view), x, y);
+  const fast::BspTree* tree = state_->picture_tree(view);
+  if (tree == nullptr) return stopped();
+  const PolygonId seen =
+      fast::pick(scene, *tree, *camera, image_options(view), x, y);
   if (seen == kBackground) return std::optional<Pick>();
   const std::int32_t polygon = state_->polygon_of(seen);
   const io::PixelPoint at = io::pixel_point(scene, *camera, seen, x, y);
@@ -350,7 +363,7 @@ Result<std::optional<Hit>> Display::first_hit(const Point& from,
       io::ray_along(state_->scene, vector_of(from), vector_of(along));
   if (!made) return made.error();
   const auto hit =
-      fast::first_hit(state_->scene, state_->picture_tree(0), made->ray);
+      fast::first_hit(state_->scene, state_->picture_tree(), made->ray);
   if (!hit) return std::optional<Hit>();
   return std::optional(state_->hit_of(*hit, made->ray));
 }
@@ -375,17 +388,18 @@ Result<bool> Display::see_each_other(const Point& a, const Point& b) const {
   const auto made = io::ray_between(state_->scene, vector_of(a), vector_of(b),
                                     Reach::kBetween);
   if (!made) return made.error();
-  return fast::see_each_other(state_->scene, state_->picture_tree(0),
-                              made->ray);
+  return fast::see_each_other(state_->scene, state_->picture_tree(), made->ray);
 }
 
 namespace {
 
 /// Hands out the fragments that a traversal finds.
 template <class Traverse>
-Result<Done> visit_all(const Scene& scene, const fast::BspTree& tree,
+Result<Done> visit_all(const Scene& scene, const fast::BspTree* made,
                        const std::vector<PolygonId>& faces, const View& view,
                        const Visit& visit, const Traverse& traverse) {
+  if (made == nullptr) return stopped();
+  const fast::BspTree& tree = *made;
   const Result<Camera> camera = camera_of(scene, view);
   if (!camera) return camera.error();
   const double step = step_of(scene.unit());
@@ -422,14 +436,24 @@ Result<Done> visit_all(const Scene& scene, const fast::BspTree& tree,
 
 Result<Done> Display::front_to_back(const View& view,
                                     const Visit& visit) const {
-  return visit_all(state_->scene, state_->ordered_tree(), state_->faces, view,
-                   visit, fast::front_to_back);
+  return visit_all(state_->scene, state_->ordered_tree(view), state_->faces,
+                   view, visit, fast::front_to_back);
 }
 
 Result<Done> Display::back_to_front(const View& view,
                                     const Visit& visit) const {
-  return visit_all(state_->scene, state_->ordered_tree(), state_->faces, view,
-                   visit, fast::back_to_front);
+  return visit_all(state_->scene, state_->ordered_tree(view), state_->faces,
+                   view, visit, fast::back_to_front);
+}
+
+Result<Done> Display::scan(const View& view, const Paint& paint) const {
+  if (view.width_px < 1 || view.height_px < 1) return no_pixels();
+  DynamicScreen screen(view.width_px, view.height_px);
+  return front_to_back(view, [&](const SeenPolygon& polygon) {
+    for (const PixelSpan& span : screen.light(polygon.spans()))
+      paint(polygon, span);
+    return !screen.is_full();
+  });
 }
 
 Result<Done> Display::insert(const Mesh& mesh) {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "halfspace/api.hpp"
@@ -32,6 +34,9 @@ struct View {
   bool cull = false;  ///< polygons seen from behind are not there
   Rgb background = {255, 255, 255};
   int threads = 0;  ///< 0: as many as the machine has
+  /// As that of WorkOptions, for the display's tree, which the first view
+  /// makes.
+  std::function<bool(double)> progress = {};
 };
 
 /// A picture: at each pixel its colour, and the polygon that is seen.
@@ -48,6 +53,7 @@ struct PixelSpan {
   std::int32_t line = 0;
   std::int32_t first = 0;
   std::int32_t last = 0;
+  std::int32_t size() const { return last - first + 1; }
   friend bool operator==(const PixelSpan&, const PixelSpan&) = default;
 };
 
@@ -69,8 +75,32 @@ struct HALFSPACE_API SeenPolygon {
   const Source* source = nullptr;  ///< for spans()
 };
 
-/// Receives parts of polygons in order; false ends the traversal.
-using Visit = std::function<bool(const SeenPolygon&)>;
+/// Receives parts of polygons in order: a function of them that returns
+/// nothing, or whether the traversal is to go on.
+class Visit {
+ public:
+  template <class Function>
+  requires std::is_invocable_v<Function&, const SeenPolygon&> &&
+      (!std::is_same_v<std::remove_cvref_t<Function>, Visit>)
+          Visit(Function function) {
+    using Answer = std::invoke_result_t<Function&, const SeenPolygon&>;
+    if constexpr (std::is_void_v<Answer>) {
+      visit_ = [function](const SeenPolygon& seen) mutable {
+        function(seen);
+        return true;
+      };
+    } else {
+      visit_ = std::move(function);
+    }
+  }
+  bool operator()(const SeenPolygon& seen) const { return visit_(seen); }
+
+ private:
+  std::function<bool(const SeenPolygon&)> visit_;
+};
+
+/// Receives the pixels in which a polygon is seen.
+using Paint = std::function<void(const SeenPolygon&, const PixelSpan&)>;
 
 /// The polygon seen at a pixel, and the solid that it belongs to.
 struct Pick {
@@ -114,7 +144,8 @@ class HALFSPACE_API Display {
   std::size_t polygon_count() const;
 
   /// The picture. Exact, whatever the number of threads: at each pixel the
-  /// nearest polygon (S5.1). Errors: kBadCamera, kNotFinite, kOutOfRange.
+  /// nearest polygon (S5.1). Errors, here and below: kBadCamera, kNotFinite,
+  /// kOutOfRange, kStopped (by view.progress).
   Result<Picture> render(const View& view = {}) const;
   /// What is seen at a pixel; nothing at the background, and off the image.
   Result<std::optional<Pick>> pick(const View& view, std::int32_t x,
@@ -139,6 +170,9 @@ class HALFSPACE_API Display {
   /// Cost: the first time, a tree without leaves.
   Result<Done> front_to_back(const View& view, const Visit& visit) const;
   Result<Done> back_to_front(const View& view, const Visit& visit) const;
+  /// Hands out each pixel in which something is seen once, in spans: front to
+  /// back, on a dynamic screen, until that is full (F2B).
+  Result<Done> scan(const View& view, const Paint& paint) const;
 
   /// Adds polygons, numbered after those that are there, to the tree (S3.6), or
   /// makes a new tree where they need another grid.

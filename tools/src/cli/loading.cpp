@@ -6,12 +6,14 @@
 
 #include "cli/options.hpp"
 #include "halfspace/csg/exact.hpp"
+#include "halfspace/viewer/model.hpp"
 
 namespace halfspace::tools {
 
 Result<io::LoadedScene> load(const std::string& path,
                              const io::ImportOptions& options) {
   try {
+    if (viewer::is_view_name(path)) return viewer::load_view(path);
     return csg::load_scene(path, options);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfRange,

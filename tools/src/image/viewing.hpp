@@ -40,6 +40,13 @@ struct ViewArguments {
 /// Requires: `arguments` outlives the parsing.
 void add_view_options(CLI::App& app, ViewArguments& arguments);
 
+/// The view that the arguments describe, completed from the automatic view.
+///
+/// Requires: arguments.size.
+/// Errors: those of io::automatic_options.
+Result<io::ViewOptions> complete_view(const Scene& scene,
+                                      const ViewArguments& arguments);
+
 /// The size of images if none is given.
 constexpr Size kUsualSize = {640, 480};
 
