@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
@@ -97,7 +99,7 @@ class Figures {
     }
     if (arguments_.lines != "edges") return Done{};
     const Result<fast::Drawing> drawing =
-        fast::draw(scene_.scene, camera, drawing_options(arguments_, cull_));
+        fast::draw(scene_.scene(), camera, drawing_options(arguments_, cull_));
     if (!drawing) return drawing.error();
     StrokeStyle style;
     style.width = arguments_.line_width * (on_sheet ? kSheetLineMm : 1);
@@ -123,13 +125,13 @@ class Figures {
       LongWork work("building the tree");
       fast::DisplayTreeOptions display;
       display.progress = [&work](double share) { return work.report(share); };
-      tree_ = fast::build_display_tree(scene_.scene, display);
+      tree_ = fast::build_display_tree(scene_.scene(), display);
       if (LongWork::interrupted())
         return Error{ErrorCode::kStopped, "interrupted"};
-      fast::divide_leaves(*tree_, scene_.scene);
+      fast::divide_leaves(*tree_, scene_.scene());
     }
     const Result<fast::VisibleMap> map = fast::visible_map(
-        scene_.scene, *tree_, camera, {cull_, keys_of(scene_, arguments_.by)},
+        scene_.scene(), *tree_, camera, {cull_, keys_of(scene_, arguments_.by)},
         {arguments_.most_cells});
     if (!map) return map.error();
     regions_ += map->regions.size();
@@ -156,7 +158,7 @@ class Figures {
 
 /// The one view of the options.
 Result<Done> draw_view(const DrawArguments& arguments,
-                       const LoadedFigure& loaded, Figures& figures) {
+                       const FigureScene& loaded, Figures& figures) {
   const Result<ChosenCamera> chosen =
       choose_camera(loaded.file, arguments.view);
   const Size size = arguments.view.size.value_or(kUsualSize);
@@ -175,15 +177,14 @@ Result<Done> draw_view(const DrawArguments& arguments,
 
 /// Several views on a sheet of paper.
 Result<Done> draw_sheet(const DrawArguments& arguments,
-                        const LoadedFigure& loaded, Figures& figures) {
+                        const FigureScene& loaded, Figures& figures) {
   const SheetArguments& sheet = arguments.sheet;
   io::Figure& figure = figures.figure();
   figure.width = sheet.width_mm();
   figure.height = sheet.height_mm();
   figure.unit_mm = 1;
-  if (loaded.scene.scene.polygon_count() == 0) return Done{};
-  const Result<std::vector<SheetView>> views =
-      views_on(sheet, loaded.scene.scene);
+  if (loaded.scene().polygon_count() == 0) return Done{};
+  const Result<std::vector<SheetView>> views = views_on(sheet, loaded.scene());
   if (!views) return views.error();
   for (const SheetView& view : *views) {
     const Result<Done> done = figures.add(view.camera, view.placing, true);
@@ -212,11 +213,13 @@ Status run_draw(DrawArguments arguments) {
   complete(arguments);
   const std::string wrong = complaint_of(arguments);
   if (!wrong.empty()) return fail(wrong);
-  const Result<LoadedFigure> loaded = load_figure(
+  const Result<FigureScene> loaded = load_figure(
       arguments.paths, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.paths[0], loaded.error());
+  // Reading leaves holes that large arrays do not fit.
+  malloc_trim(0);
   const ImageOptions image = choose_options(loaded->file, arguments.view);
-  Figures figures(arguments, loaded->scene, image.cull, image.background);
+  Figures figures(arguments, *loaded, image.cull, image.background);
   const Result<Done> drawn = arguments.sheet.is_used()
                                  ? draw_sheet(arguments, *loaded, figures)
                                  : draw_view(arguments, *loaded, figures);
@@ -230,7 +233,7 @@ Status run_draw(DrawArguments arguments) {
       arguments.output, figures.figure(), {arguments.decimals});
   if (!written) return fail(arguments.output, written.error());
   say("{}: {} polygons; {} regions, {} arcs, {} strokes\n", loaded->name,
-      loaded->scene.scene.polygon_count(), figures.regions(), figures.arcs(),
+      loaded->scene().polygon_count(), figures.regions(), figures.arcs(),
       figures.strokes());
   return Status::kFine;
 }
@@ -293,7 +296,7 @@ void add_draw(CLI::App& program, Status& status) {
       ->capture_default_str();
   app->add_option("--most-cells", arguments->most_cells,
                   "Give up where the map needs more cells")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31))
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
       ->capture_default_str();
   add_line_options(*app, *arguments);
   add_sheet_options(*app, arguments->sheet);

@@ -109,7 +109,7 @@ std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
 
 std::vector<std::int32_t> keys_of(const FigureScene& figure,
                                   const std::string& by) {
-  const Scene& scene = figure.scene;
+  const Scene& scene = figure.scene();
   const std::size_t count = scene.polygon_count();
   if (by == "polygon") return {};
   if (by == "all") return std::vector<std::int32_t>(count, 0);
@@ -143,7 +143,7 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
       drawn.fill =
           kPalette[static_cast<std::size_t>(region.key) % kPalette.size()];
     } else {
-      drawn.fill = scene.scene.color(region.item);
+      drawn.fill = scene.scene().color(region.item);
     }
     figure.regions.push_back(std::move(drawn));
   }

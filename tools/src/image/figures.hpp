@@ -10,14 +10,16 @@
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/io/figure.hpp"
-#include "halfspace/scene.hpp"
+#include "halfspace/scene_file.hpp"
 
 namespace halfspace::tools {
 
 /// A scene of several files, and how its figures show it.
 struct FigureScene {
-  Scene scene;
+  SceneFile file;                   ///< with the camera of a .scene
   std::vector<std::int32_t> files;  ///< by polygon
+  std::string name;                 ///< of the first file
+  const Scene& scene() const { return file.scene; }
 };
 
 /// The keys by which regions are joined (S7.3): `polygon` (none), `face`,
