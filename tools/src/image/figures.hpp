@@ -44,6 +44,20 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
                  const FigureScene& scene, const std::string& by,
                  Rgb background_color, bool background, const Placing& placing);
 
+/// A plane across an axis, in the model's units.
+struct CutPlane {
+  int axis = 0;
+  double at = 0;
+};
+
+/// By polygon whether all its corners have the grid's coordinate that is
+/// nearest to the plane's.
+std::vector<bool> cuts_of(const Scene& scene, const CutPlane& plane);
+
+/// Hatches the regions of a map with key 1. Units: those of the figure.
+void add_hatching(io::Figure& figure, const fast::VisibleMap& map, double gap,
+                  double width, const Placing& placing);
+
 /// Adds the borders of a map's regions.
 void add_borders(io::Figure& figure, const fast::VisibleMap& map, double width,
                  const Placing& placing);
