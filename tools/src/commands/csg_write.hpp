@@ -30,7 +30,7 @@ struct CsgContext {
 /// Errors: those of write_mesh() and of import, for scenes; kUnwritable.
 Result<io::ExportReport> write_result(const std::string& path,
                                       const csg::Outcome& result,
-                                      SolidForm form);
+                                      SolidForm form = SolidForm::kBinary);
 
 /// Writes the origin of each polygon of the result as text. A line
 /// `solid I NAME PATH` for each solid, as it was moved at a place in the
