@@ -12,6 +12,7 @@
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/fast/solid_data.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/io/load_scene.hpp"
 
@@ -36,10 +37,9 @@ class FastAlgebra {
         leaf_count_(static_cast<std::int32_t>(plan.leaves.size())) {}
 
   Result<Value> leaf(std::int32_t id) {
-    const Result<GridSolid> solid = operands_.leaf(id);
-    if (!solid) return solid.error();
-    Value value = numbered(fast::to_solid(*solid, nothing_, id),
-                           operands_.polygons_of(id));
+    Result<Value> made = unresolved(id);
+    if (!made) return made;
+    Value value = *std::move(made);
     if (operands_.to_merge(id))
       value = fast::merge_faces(std::move(value), fast::Merge::kColor);
     if (!operands_.to_repair(id)) return value;
@@ -87,6 +87,15 @@ class FastAlgebra {
   }
 
  private:
+  /// The leaf as its file has it.
+  Result<Value> unresolved(std::int32_t id) {
+    if (operands_.is_exact(id)) return operands_.exact_leaf(id, nothing_);
+    const Result<GridSolid> solid = operands_.leaf(id);
+    if (!solid) return solid.error();
+    return numbered(fast::to_solid(*solid, nothing_, id),
+                    operands_.polygons_of(id));
+  }
+
   static bool is_half_space(const Value& value) {
     return std::any_of(
         value.faces.begin(), value.faces.end(),
@@ -113,6 +122,18 @@ fast::Solid merged_by(fast::Solid solid, MergeRule rule) {
       break;
   }
   return solid;
+}
+
+/// The data of the result of a plan.
+SolidData exact_data(fast::Solid solid, const Plan& plan,
+                     const Operands& operands) {
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < plan.leaves.size(); ++i) {
+    const auto leaf = static_cast<std::int32_t>(i);
+    parts.push_back({operands.name_in_files(leaf), operands.parts_of(leaf)});
+  }
+  parts.resize(plan.leaves.size() + plan.planes.size(), {"half", nullptr});
+  return data_of(std::move(solid), parts);
 }
 
 /// The mesh as a scene, its vertices being in steps of the unit: exactly, or
@@ -232,13 +253,41 @@ BooleanOp boolean_op(NodeKind kind) {
   }
 }
 
+namespace {
+
+/// Whether the solid is closed: only of closed faces can there be polygons.
+bool note_closed(const fast::Solid& made, Outcome& result) {
+  result.bad_edges =
+      std::max(fast::bad_edges(made).size(), fast::open_faces(made).size());
+  return result.bad_edges == 0;
+}
+
+}  // namespace
+
+Outcome exact_outcome(fast::Solid solid, const Plan& plan,
+                      const Operands& operands,
+                      const EvaluateOptions& options) {
+  Outcome result;
+  if (!note_closed(solid, result)) return result;
+  solid = merged_by(std::move(solid), options.merge);
+  if (!note_closed(solid, result)) return result;
+  result.faces = solid.faces.size();
+  const fast::ExportedMesh mesh =
+      fast::to_mesh(solid, {.triangles = false, .threads = options.threads});
+  take_polygons(solid, mesh, {2, 0}, result);
+  result.polygons = result.faces;
+  result.bad_edges = 0;
+  result.origins.clear();
+  for (const fast::Face& face : solid.faces)
+    result.origins.push_back({face.part, face.polygon});
+  result.data = exact_data(std::move(solid), plan, operands);
+  return result;
+}
+
 Result<Outcome> outcome_of(fast::Solid solid, const EvaluateOptions& options) {
   Outcome result;
-  // Only of closed faces can there be polygons.
   const auto is_closed = [&result](const fast::Solid& made) {
-    result.bad_edges =
-        std::max(fast::bad_edges(made).size(), fast::open_faces(made).size());
-    return result.bad_edges == 0;
+    return note_closed(made, result);
   };
   if (!is_closed(solid)) return result;
   solid = merged_by(std::move(solid), options.merge);
@@ -276,7 +325,10 @@ Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
   Result<std::optional<fast::Solid>> solid = evaluator.result();
   if (!solid) return solid.error();
   if (!*solid) return std::optional<Outcome>();
-  Result<Outcome> result = outcome_of(**std::move(solid), options);
+  Result<Outcome> result =
+      options.exact_data
+          ? exact_outcome(**std::move(solid), plan, operands, options)
+          : outcome_of(**std::move(solid), options);
   if (!result) return result.error();
   result->repairs = algebra.repairs();
   return std::optional<Outcome>(*std::move(result));

@@ -23,6 +23,13 @@ class RefAlgebra {
       : operands_(operands), options_(options) {}
 
   Result<Value> leaf(std::int32_t id) {
+    if (operands_.is_exact(id)) {
+      return Error{ErrorCode::kUnknownFormat,
+                   operands_.path_of(id) +
+                       ": the reference takes no exact solids; the fast "
+                       "library does",
+                   -1};
+    }
     const Result<GridSolid> solid = operands_.leaf(id);
     if (!solid) return solid.error();
     Value value{ref::to_solid(*solid), false};

@@ -13,98 +13,12 @@
 #include "halfspace/csg/measure.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/csg/volume.hpp"
+#include "halfspace/io/file.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "step_map.hpp"
 
 namespace halfspace::csg {
 namespace {
-
-/// A mesh of points alone: faces without area hold them. Import drops those,
-/// but finds the grid that holds the points.
-io::Mesh mesh_of_points(const std::vector<io::Number>& coordinates) {
-  io::Mesh mesh;
-  for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    const auto id = static_cast<VertexId>(i);
-    mesh.vertices.push_back({coordinates[i], {}, {}});
-    mesh.corners.insert(mesh.corners.end(), {id, id, id});
-    mesh.first_corner.push_back(
-        static_cast<std::uint32_t>(mesh.corners.size()));
-  }
-  return mesh;
-}
-
-void add_extent(const Extent& extent, std::vector<io::Number>& coordinates) {
-  coordinates.insert(coordinates.end(),
-                     {extent.step, extent.least, extent.greatest});
-}
-
-/// What is free is rounded to steps that are no more of its size than this: a
-/// grid of 40 bits has them for solids of one size or so.
-constexpr double kFineness = 0x1p-28;
-
-/// Whether the number is a decimal of at most 12 digits: not one that was
-/// computed in doubles, most likely.
-bool is_short(const io::Number& number) {
-  const std::int32_t ten = std::min(number.two, number.five);
-  if (number.two - ten > 40 || number.five - ten > 17) return false;
-  io::Integer digits =
-      abs(number.mantissa) *
-      pow(io::Integer(5), static_cast<unsigned>(number.five - ten));
-  digits <<= static_cast<unsigned>(number.two - ten);
-  return digits < 1'000'000'000'000;
-}
-
-/// Whether each coordinate of an image is one of the point, times plus or minus
-/// a power of 2 and one of 5, and shifted by a short decimal.
-bool keeps_grids(const Matrix& matrix) {
-  return std::all_of(matrix.rows.begin(), matrix.rows.end(),
-                     [](const auto& row) {
-                       int used = 0;
-                       for (std::size_t j = 0; j < 3; ++j) {
-                         if (row[j].mantissa == 0) continue;
-                         if (abs(row[j].mantissa) != 1) return false;
-                         ++used;
-                       }
-                       return used == 1 && is_short(row[3]);
-                     });
-}
-
-/// A power of two that no coordinate is beyond.
-io::Number bound_of(const Extent& extent) {
-  const double most = std::max(std::abs(io::to_double(extent.least)),
-                               std::abs(io::to_double(extent.greatest)));
-  int exponent = 0;
-  std::frexp(most, &exponent);
-  return {1, exponent, 0};
-}
-
-double size_of(const Extent& extent) {
-  return io::to_double(extent.greatest) - io::to_double(extent.least);
-}
-
-bool is_short(const Plane& plane) {
-  return std::all_of(
-      plane.points.begin(), plane.points.end(), [](const Numbers3& point) {
-        return std::all_of(
-            point.begin(), point.end(),
-            [](const io::Number& number) { return is_short(number); });
-      });
-}
-
-double size_of(const Plane& plane) {
-  double size = 0;
-  for (const Numbers3& point : plane.points) {
-    for (const io::Number& number : point)
-      size = std::max(size, std::abs(io::to_double(number)));
-  }
-  return size;
-}
-
-std::string text_of(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
 
 /// The polygons of moved points that rounding may have bent, imported anew.
 Result<io::Imported> imported_again(const SceneData& data) {
@@ -238,9 +152,45 @@ Result<Source> make_source(const std::string& path,
   return source;
 }
 
+/// The source that the bytes of a `.hsolid` file are.
+Result<Source> exact_source(const std::string& path, std::string_view bytes,
+                            const OperandOptions& options, bool flip) {
+  Result<SolidData> data = read_solid(bytes);
+  if (!data) return io::error_about(path, data.error());
+  if (flip) *data = flipped(*std::move(data));
+  Source source;
+  source.path = path;
+  source.report.polygons = data->faces.size();
+  source.report.unit = data->unit;
+  source.report.grid_bits = data->grid_bits;
+  if (!data->is_checked && options.find_crossings) {
+    const Result<fast::Solid> fine = checked_solid(*data, options.check);
+    const auto code = fine ? ErrorCode::kEmpty : fine.error().code;
+    source.to_repair = options.repair && (code == ErrorCode::kSelfCrossing ||
+                                          code == ErrorCode::kInsideOut);
+    if (!fine && !source.to_repair) return io::error_about(path, fine.error());
+  }
+  source.exact = std::make_shared<const SolidData>(*std::move(data));
+  return source;
+}
+
 Result<Source> read_source(const std::string& path,
                            const OperandOptions& options, bool flip) {
-  Result<io::LoadedScene> loaded = io::load_scene(path, {});
+  std::string input;
+  if (path == "-") {
+    Result<std::string> bytes = io::read_input();
+    if (!bytes) return bytes.error();
+    if (is_solid_file(*bytes))
+      return exact_source(io::kInputName, *bytes, options, flip);
+    input = *std::move(bytes);
+  }
+  if (io::is_solid_name(path)) {
+    const Result<std::string> bytes = io::read_file(path);
+    if (!bytes) return io::error_about(path, bytes.error());
+    return exact_source(path, *bytes, options, flip);
+  }
+  Result<io::LoadedScene> loaded =
+      path == "-" ? io::scene_of_input(input, {}) : io::load_scene(path, {});
   if (!loaded) return loaded.error();
   if (flip) loaded->file.scene = flipped(loaded->file.scene);
   return make_source(path,
@@ -254,132 +204,6 @@ Result<Source> primitive_source(const std::string& name, const io::Mesh& mesh,
   Result<io::Imported> imported = io::import_scene(mesh, {});
   if (!imported) return io::error_about(name, imported.error());
   return make_source(name, *imported, options);
-}
-
-Result<Done> Operands::choose_grid() {
-  std::vector<io::Number> coordinates;
-  bool decimal = true, any_kept = false;
-  for (const Leaf& leaf : plan_->leaves) {
-    const Scene& scene = sources_[static_cast<std::size_t>(leaf.file)]->scene;
-    if (scene.polygon_count() == 0) continue;
-    decimal = decimal && scene.unit().base == 10;
-    const Matrix& matrix =
-        plan_->matrices[static_cast<std::size_t>(leaf.matrix)];
-    any_kept = any_kept || keeps_grids(matrix);
-    const StepMap map = step_map(matrix, scene.unit());
-    add_extent(extent_of(map, scene.data().vertices), coordinates);
-  }
-  for (const Plane& plane : plan_->planes) {
-    for (const Numbers3& point : plane.points)
-      coordinates.insert(coordinates.end(), point.begin(), point.end());
-  }
-  io::Mesh mesh = mesh_of_points(coordinates);
-  mesh.decimal = decimal;
-  Result<io::Imported> imported =
-      io::import_scene(mesh, {.grid_bits = options_.grid_bits});
-  // What is moved and cannot be held by any grid is rounded, to a grid that
-  // holds the others, or else with them to that of 40 bits.
-  const bool is_moved = plan_->matrices.size() > 1;
-  if (imported && imported->report.moved > 0 && is_moved &&
-      !options_.grid_bits) {
-    if (any_kept && choose_exact_grid(true)) return Done{};
-    imported = io::import_scene(mesh, {.grid_bits = 40});
-  }
-  if (!imported) return imported.error();
-  report_.unit = imported->report.unit;
-  report_.grid_bits = imported->report.grid_bits;
-  return Done{};
-}
-
-/// Chooses a grid that holds everything exactly but for what is free; with
-/// `rounds_moved`, also for what is moved by a map that grids do not hold, and
-/// planes of numbers that were computed.
-/// Returns false where no grid will do.
-bool Operands::choose_exact_grid(bool rounds_moved) {
-  std::vector<io::Number> coordinates;
-  bool decimal = true, any_exact = false;
-  double least_size = std::numeric_limits<double>::infinity();
-  for (const Leaf& leaf : plan_->leaves) {
-    const Source& source = *sources_[static_cast<std::size_t>(leaf.file)];
-    if (source.scene.polygon_count() == 0) continue;
-    const Matrix& matrix =
-        plan_->matrices[static_cast<std::size_t>(leaf.matrix)];
-    StepMap map = step_map(matrix, source.scene.unit());
-    const auto& points = source.scene.data().vertices;
-    const Extent extent = extent_of(map, points);
-    if (!source.is_free && !(rounds_moved && !keeps_grids(matrix))) {
-      decimal = decimal && source.scene.unit().base == 10;
-      any_exact = true;
-      add_extent(extent, coordinates);
-      continue;
-    }
-    coordinates.push_back(bound_of(extent));
-    for (auto& row : map.rows) row[3] = 0;
-    least_size = std::min(least_size, size_of(extent_of(map, points)));
-  }
-  for (const Plane& plane : plan_->planes) {
-    if (rounds_moved && !is_short(plane)) {
-      least_size = std::min(least_size, size_of(plane));
-      continue;
-    }
-    for (const Numbers3& point : plane.points)
-      coordinates.insert(coordinates.end(), point.begin(), point.end());
-  }
-  io::Mesh mesh = mesh_of_points(coordinates);
-  mesh.decimal = decimal && any_exact;
-  const bool any_free = std::isfinite(least_size);
-  for (const int bits : kGridBits) {
-    const auto imported = io::import_scene(
-        mesh, {.grid_bits = bits, .refine_bits = any_free ? bits : 0});
-    if (!imported || imported->report.moved > 0) continue;
-    const Unit unit = imported->report.unit;
-    const double step = std::pow(static_cast<double>(unit.base), unit.exponent);
-    const bool is_last = bits == std::end(kGridBits)[-1];
-    if (any_free && step > least_size * kFineness && !is_last) continue;
-    report_.unit = unit;
-    report_.grid_bits = bits;
-    return true;
-  }
-  return false;
-}
-
-Result<Done> Operands::choose_exact_grid() {
-  if (choose_exact_grid(false) || choose_exact_grid(true)) return Done{};
-  return no_grid();
-}
-
-/// The error of solids that no grid holds; names two that do not go together.
-Error Operands::no_grid() const {
-  std::int32_t finest = -1, farthest = -1;
-  double step = 0, reach = 0;
-  for (std::size_t i = 0; i < plan_->leaves.size(); ++i) {
-    const Leaf& leaf = plan_->leaves[i];
-    const Source& source = *sources_[static_cast<std::size_t>(leaf.file)];
-    if (source.is_free || source.scene.polygon_count() == 0) continue;
-    const Extent extent = extent_of(
-        step_map(plan_->matrices[static_cast<std::size_t>(leaf.matrix)],
-                 source.scene.unit()),
-        source.scene.data().vertices);
-    const double its_step = io::to_double(extent.step);
-    if (finest < 0 || its_step < step) {
-      finest = static_cast<std::int32_t>(i);
-      step = its_step;
-    }
-    const double its_reach = io::to_double(bound_of(extent));
-    if (farthest < 0 || its_reach > reach) {
-      farthest = static_cast<std::int32_t>(i);
-      reach = its_reach;
-    }
-  }
-  std::string message =
-      "no grid of 54 bits holds all coordinates exactly, in powers of two or "
-      "of "
-      "ten";
-  if (finest >= 0) {
-    message += ": " + name_of(finest) + " has steps of " + text_of(step) +
-               ", and " + name_of(farthest) + " reaches to " + text_of(reach);
-  }
-  return {ErrorCode::kOutOfRange, message, finest};
 }
 
 Result<Operands> Operands::load(const Script& script, const Plan& plan,
@@ -411,6 +235,7 @@ Result<Operands> Operands::join(
     const Plan& plan, const OperandOptions& options) {
   Operands operands(script, plan, options);
   operands.sources_ = std::move(sources);
+  operands.rounded_.resize(operands.sources_.size());
   for (const auto& source : operands.sources_) {
     io::ImportReport& report = operands.report_;
     report.vertices += source->report.vertices;
@@ -421,19 +246,32 @@ Result<Operands> Operands::join(
     report.dropped += source->report.dropped;
     operands.corners_added_ += source->corners_added;
   }
+  const Result<Done> found = operands.find_exact_leaves();
+  if (!found) return found.error();
   const Result<Done> chosen =
       options.exact ? operands.choose_exact_grid() : operands.choose_grid();
   if (!chosen) return chosen.error();
+  const Result<Done> rounds = operands.round_what_grid_lacks();
+  if (!rounds) return rounds.error();
   return operands;
 }
 
 const Source& Operands::source_of(std::int32_t leaf) const {
-  const auto file = plan_->leaves[static_cast<std::size_t>(leaf)].file;
-  return *sources_[static_cast<std::size_t>(file)];
+  const auto file = static_cast<std::size_t>(
+      plan_->leaves[static_cast<std::size_t>(leaf)].file);
+  return sources_[file]->exact && !is_exact(leaf) ? *rounded_[file]
+                                                  : *sources_[file];
+}
+
+Result<Operands> Operands::on_finest_grid() const {
+  OperandOptions options = options_;
+  options.finest_grid = true;
+  return join(sources_, *script_, *plan_, options);
 }
 
 std::size_t Operands::polygon_count(std::int32_t leaf) const {
-  return source_of(leaf).scene.polygon_count();
+  return is_exact(leaf) ? source_of(leaf).exact->faces.size()
+                        : source_of(leaf).scene.polygon_count();
 }
 
 const std::string& Operands::path_of(std::int32_t leaf) const {
@@ -446,10 +284,16 @@ std::string Operands::name_of(std::int32_t leaf) const {
   return file.name.empty() ? file.path : file.name;
 }
 
+std::string Operands::name_in_files(std::int32_t leaf) const {
+  const Leaf& at = plan_->leaves[static_cast<std::size_t>(leaf)];
+  const File& file = script_->files[static_cast<std::size_t>(at.file)];
+  if (file.path.empty()) return file.name;
+  return std::filesystem::path(file.path).filename().string();
+}
+
 /// Makes `polygons` those in the file that the scene's are parts of.
-Result<Scene> Operands::moved_scene(const Leaf& leaf,
+Result<Scene> Operands::moved_scene(const Leaf& leaf, const Source& source,
                                     std::vector<PolygonId>& polygons) {
-  const Source& source = *sources_[static_cast<std::size_t>(leaf.file)];
   const Scene& scene = source.scene;
   polygons = source.polygons;
   const Matrix& matrix = plan_->matrices[static_cast<std::size_t>(leaf.matrix)];
@@ -500,16 +344,11 @@ Error Operands::nothing_left(std::int32_t leaf) const {
 Result<GridSolid> Operands::leaf(std::int32_t id) {
   const Leaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
   const auto located = [&](Error error) {
-    // The first matrix moves nothing.
-    const std::string at =
-        leaf.place.line > 0 ? " at " + to_string(leaf.place) : "";
-    error.message = (leaf.matrix == 0 ? "as it stands" : "as moved") + at +
-                    ": " + error.message;
-    return io::error_about(path_of(id), std::move(error));
+    return this->located(id, std::move(error));
   };
   const std::size_t moved_before = report_.moved;
   std::vector<PolygonId>& polygons = polygons_[static_cast<std::size_t>(id)];
-  Result<Scene> scene = moved_scene(leaf, polygons);
+  Result<Scene> scene = moved_scene(leaf, source_of(id), polygons);
   if (!scene) return located(scene.error());
   Result<GridSolid> solid = make_solid(closed(*std::move(scene)));
   if (!solid) return located(solid.error());

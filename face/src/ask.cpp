@@ -9,7 +9,9 @@
 #include "halfspace/csg/topology.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/to_mesh.hpp"
+#include "halfspace/io/file.hpp"
 #include "halfspace/io/format.hpp"
+#include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/write_mesh.hpp"
 #include "node.hpp"
 #include "number.hpp"
@@ -94,6 +96,24 @@ void color_faces(const Evaluation& evaluation, fast::Solid& solid) {
   }
 }
 
+/// Writes the solid as it is, its faces' origins with it.
+Result<Done> saved_exactly(const std::filesystem::path& path,
+                           const Evaluation& evaluation, fast::Solid solid) {
+  if (solid.unbounded) {
+    return Error{ErrorCode::kUnbounded,
+                 path.string() + ": the solid reaches infinitely far"};
+  }
+  std::vector<csg::Part> parts;
+  for (const Evaluation::Use& use : evaluation.uses) {
+    parts.push_back({SolidNode::solid_of(use.node).name(),
+                     use.node->leaf->data()->source->exact.get()});
+  }
+  for (const Evaluation::Cut& cut : evaluation.cuts)
+    parts.push_back({SolidNode::solid_of(cut.node).name(), nullptr});
+  return io::write_file(path, write_solid(csg::data_of(std::move(solid), parts),
+                                          SolidForm::kBinary));
+}
+
 }  // namespace
 
 Result<Done> Solid::evaluate(const WorkOptions& options) const {
@@ -133,6 +153,9 @@ Result<Done> Solid::save(const std::filesystem::path& path,
   const std::lock_guard lock((*evaluation)->mutex);
   fast::Solid solid = (*evaluation)->solid;
   color_faces(**evaluation, solid);
+  if (io::is_solid_name(path)) {
+    return saved_exactly(path, **evaluation, std::move(solid));
+  }
   csg::EvaluateOptions how;
   how.merge = rule_of(options.merge);
   how.triangles = options.triangles;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "halfspace/boolean.hpp"
+#include "halfspace/csg/exact.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/ray.hpp"
@@ -350,14 +351,14 @@ Result<Display> Display::of(std::span<const Solid> solids) {
 
 Result<Display> Display::of_file(const std::filesystem::path& path) {
   const std::string name = path.string();
-  if (!io::is_scene_name(path)) {
+  if (!io::is_scene_name(path) && !io::is_solid_name(path)) {
     Result<io::Mesh> mesh = io::read_mesh(path);
     if (!mesh) return mesh.error();
     auto state = State::of(*std::move(mesh));
     if (!state) return io::error_about(name, state.error());
     return Display(*std::move(state));
   }
-  Result<io::LoadedScene> loaded = io::load_scene(name, {});
+  Result<io::LoadedScene> loaded = csg::load_scene(name, {});
   if (!loaded) return loaded.error();
   auto state = std::make_unique<State>();
   state->scene = std::move(loaded->file.scene);

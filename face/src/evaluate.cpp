@@ -104,6 +104,12 @@ Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
   work.threads = thread_count(options.threads);
   work.progress = options.progress;
   auto solid = csg::evaluate_solid(*plan, *operands, work);
+  if (!solid && solid.error().code != ErrorCode::kStopped &&
+      operands->can_be_finer()) {
+    operands = operands->on_finest_grid();
+    if (!operands) return operands.error();
+    solid = csg::evaluate_solid(*plan, *operands, work);
+  }
   if (!solid) return solid.error();
   if (!*solid) return Error{ErrorCode::kStopped, "the work was stopped"};
   auto result = std::make_shared<Evaluation>();

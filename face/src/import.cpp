@@ -82,6 +82,14 @@ std::shared_ptr<const Mesh> properties_of(const io::Mesh& mesh) {
   return properties;
 }
 
+/// By origin the colour of the first face that has it.
+std::vector<Rgb> colors_of_origins(const SolidData& data) {
+  std::vector<Rgb> colors(data.origins.size());
+  for (auto face = data.faces.rbegin(); face != data.faces.rend(); ++face)
+    colors[face->origin] = face->color;
+  return colors;
+}
+
 }  // namespace
 
 Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
@@ -179,7 +187,8 @@ Result<LeafData> file_leaf(const std::string& path,
                            const OperandOptions& options) {
   ImportHow how;
   how.options = options;
-  if (!io::is_scene_name(path)) {
+  const bool is_exact = io::is_solid_name(path);
+  if (!io::is_scene_name(path) && !is_exact) {
     Result<io::Mesh> mesh = io::read_mesh(path);
     if (!mesh) return mesh.error();
     auto properties = properties_of(*mesh);
@@ -194,7 +203,8 @@ Result<LeafData> file_leaf(const std::string& path,
   source->merge_coplanar = options.merge_coplanar;
   source->is_free = options.may_round;
   auto properties = std::make_shared<Mesh>();
-  properties->colors = source->scene.data().colors;
+  properties->colors = is_exact ? colors_of_origins(*source->exact)
+                                : source->scene.data().colors;
   LeafData data;
   data.source = std::make_shared<const csg::Source>(*std::move(source));
   data.properties = std::move(properties);

@@ -335,5 +335,21 @@ TEST(FaceSolid, TextAndFilesAreOperands) {
   EXPECT_EQ(*(text & cube(1)).volume(), 1);
 }
 
+TEST(FaceSolid, ExactFilesKeepAllThatIsAsked) {
+  const Solid part =
+      cube(3) - Solid::hull({{-1, -1, 1}, {4, 0, 2}, {1, 5, 1}, {1, 2, 7}});
+  ASSERT_TRUE(part.save("face_part.hsolid"));
+  const Solid read = Solid::from_file("face_part.hsolid");
+  EXPECT_EQ(*read.exact_volume(), *part.exact_volume());
+  EXPECT_TRUE(*(read ^ part).is_empty());
+  // Moved exactly, too; and what is open to all sides is no file's.
+  EXPECT_TRUE(*(read.mirrored({{1, 0, 0}, 3}).translated({0.5, 0, 0}) ^
+                part.mirrored({{1, 0, 0}, 3}).translated({0.5, 0, 0}))
+                   .is_empty());
+  const auto turned = read.rotated({0, 0, 1}, 33).volume();
+  ASSERT_TRUE(turned) << turned.error().message;
+  EXPECT_NEAR(*turned, *part.volume(), 1e-9);
+}
+
 }  // namespace
 }  // namespace halfspace

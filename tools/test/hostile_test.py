@@ -22,6 +22,9 @@ import resource
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "examples"))
+from read_solid import crc32c  # noqa: E402
+
 TIMEOUT_S = 60
 ADDRESS_SPACE = 2_000_000_000
 
@@ -63,6 +66,16 @@ class Tries:
                            check=True, stdout=subprocess.DEVNULL)
             self.sources[suffix] = (folder / name).read_bytes()
         (folder / "b.off").write_bytes(self.sources["off"])
+        # Exact solids: in bytes, and as a text that has no checksum.
+        script = "translate(A, 1, 2, 3) - rotate(A, 1, 1, 1, 40)"
+        for suffix, form in (("hsolid", "hsolid"),
+                             ("text.hsolid", "hsolid-text")):
+            done = subprocess.run(
+                [program, "csg", script, "A=b.off", "-o", "-", "--format", form],
+                cwd=folder, check=True, stdout=subprocess.PIPE)
+            self.sources[suffix] = done.stdout
+        text = self.sources["text.hsolid"]
+        self.sources["text.hsolid"] = text[:-len("01234567\n")] + b"-\n"
         self.wrong = 0
 
     def damaged(self, data):
@@ -106,13 +119,17 @@ class Tries:
         source = f"try.{suffix}"
         data = self.sources[suffix]
         spoil = self.random.randrange(3)
-        (self.folder / source).write_bytes(
-            self.damaged(data) if spoil == 0 else data)
+        if spoil == 0:
+            data = self.damaged(data)
+            if suffix == "hsolid" and self.random.randrange(4):
+                # What is behind the checksum is to be reached, too.
+                data = data[:-4] + crc32c(data[:-4]).to_bytes(4, "little")
+        (self.folder / source).write_bytes(data)
         command = self.random.choice(list(OPTIONS))
         outputs = []
         if command == "csg":
             out = self.random.choice(["out.off", "out.stl", "out.scene", source,
-                                      "b.off", "none/out.off", "/dev/full",
+                                      "out.hsolid", "b.off", "none/out.off", "/dev/full",
                                       "out.txt", ""])
             expression = (self.random.choice(EXPRESSIONS) if spoil == 1
                           else "A - B")

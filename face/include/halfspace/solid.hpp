@@ -166,7 +166,8 @@ class HALFSPACE_API Solid {
   static Solid hull(std::vector<Point> points);
   /// The solid whose surface is the mesh, faces outwards.
   static Solid from_mesh(Mesh mesh, const OperandOptions& options = {});
-  /// The solid in an OBJ, STL, PLY, OFF or scene file; read when it is needed.
+  /// The solid in an OBJ, STL, PLY, OFF, scene or `.hsolid` file; read when it
+  /// is needed. That of a `.hsolid` file is the exact solid that was saved.
   static Solid from_file(std::filesystem::path path,
                          const OperandOptions& options = {});
   /// What a script says (docs/guide.md has the language); its files are sought
@@ -230,7 +231,9 @@ class HALFSPACE_API Solid {
   /// Exact: rounded once, to nearest, from exact vertices; properties too.
   Result<Mesh> mesh(const MeshOptions& options = {}) const;
   /// Writes the surface; the name of the file says the format. Grid coordinates
-  /// are written exactly. Errors: kUnwritable, kUnknownFormat, too.
+  /// are written exactly. A name that ends in `.hsolid` gets the solid itself,
+  /// exactly (spec/solid-format.md), with no options.
+  /// Errors: kUnwritable, kUnknownFormat, too; kUnbounded (for `.hsolid`).
   Result<Done> save(const std::filesystem::path& path,
                     const MeshOptions& options = {}) const;
   /// The operands that the result was made of, unmoved, half-spaces last: as

@@ -19,6 +19,15 @@ inline int grid_bits_of(const Solid& solid) {
   return solid.table ? solid.table->grid_bits() : 26;
 }
 
+/// A lease of the solid's table, or while another thread has that, of one for
+/// the same grid.
+inline TableLease lease_beside(const Solid& solid) {
+  if (solid.table) {
+    if (auto lease = TableLease::of(solid.table)) return std::move(*lease);
+  }
+  return TableLease::of_new(grid_bits_of(solid));
+}
+
 /// `work(solid, lease)` with a lease of the solid's table; while another thread
 /// has that, with the same solid in a table of its own.
 template <class Work>

@@ -115,15 +115,6 @@ Solid in_table(const GridSolid& solid, TableLease lease, std::int32_t part) {
   return result;
 }
 
-/// A lease of the solid's table, or while another thread has that, of one for
-/// the same grid.
-TableLease lease_beside(const Solid& solid) {
-  if (solid.table) {
-    if (auto lease = TableLease::of(solid.table)) return std::move(*lease);
-  }
-  return TableLease::of_new(grid_bits_of(solid));
-}
-
 }  // namespace
 
 Solid to_solid(const GridSolid& solid, std::int32_t part) {

@@ -21,7 +21,7 @@ ImportReport unchanged(const Scene& scene) {
 }
 
 Result<LoadedScene> scene_of_text(const std::string& path,
-                                  const std::string& text,
+                                  std::string_view text,
                                   const ImportOptions& options) {
   Result<SceneFile> file = read_scene(text);
   if (!file) return error_about(path, file.error());
@@ -71,22 +71,6 @@ Format format_of_bytes(std::string_view bytes) {
   return is_binary_stl || word == "solid" ? Format::kStl : Format::kObj;
 }
 
-/// What comes in on standard input, whose first bytes tell its format.
-Result<LoadedScene> load_input(const ImportOptions& options) {
-  const std::string name = "standard input";
-  Result<std::string> bytes = read_file("/dev/stdin");
-  if (!bytes) {
-    Error error = bytes.error();
-    error.message =
-        name + error.message.substr(std::string("/dev/stdin").size());
-    return error;
-  }
-  if (bytes->starts_with("halfspace-scene"))
-    return scene_of_text(name, *bytes, options);
-  const Result<Mesh> mesh = read_mesh(*bytes, format_of_bytes(*bytes));
-  return scene_of_mesh(name, mesh, options);
-}
-
 }  // namespace
 
 Error error_about(const std::string& path, Error error) {
@@ -109,12 +93,38 @@ bool is_scene_name(const std::filesystem::path& path) {
                        ".scene");
 }
 
+bool is_solid_name(const std::filesystem::path& path) {
+  return has_extension(has_extension(path, ".gz") ? path.stem() : path,
+                       ".hsolid");
+}
+
+Result<std::string> read_input() {
+  Result<std::string> bytes = read_file("/dev/stdin");
+  if (bytes) return bytes;
+  Error error = bytes.error();
+  error.message =
+      kInputName + error.message.substr(std::string("/dev/stdin").size());
+  return error;
+}
+
+Result<LoadedScene> scene_of_input(std::string_view bytes,
+                                   const ImportOptions& options) {
+  if (bytes.starts_with("halfspace-scene"))
+    return scene_of_text(kInputName, bytes, options);
+  return scene_of_mesh(kInputName, read_mesh(bytes, format_of_bytes(bytes)),
+                       options);
+}
+
 Result<LoadedScene> load_scene(const std::string& path,
                                const ImportOptions& options) {
   if (path.empty()) {
     return Error{ErrorCode::kUnreadable, "the name of the file is empty"};
   }
-  if (path == "-") return load_input(options);
+  if (path == "-") {
+    const Result<std::string> bytes = read_input();
+    if (!bytes) return bytes.error();
+    return scene_of_input(*bytes, options);
+  }
   if (is_scene_name(path)) return load_scene_file(path, options);
   return scene_of_mesh(path, read_mesh(path), options);
 }

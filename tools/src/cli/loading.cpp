@@ -5,6 +5,7 @@
 #include <new>
 
 #include "cli/options.hpp"
+#include "halfspace/csg/exact.hpp"
 #include "halfspace/viewer/model.hpp"
 
 namespace halfspace::tools {
@@ -13,7 +14,7 @@ Result<io::LoadedScene> load(const std::string& path,
                              const io::ImportOptions& options) {
   try {
     if (viewer::is_view_name(path)) return viewer::load_view(path);
-    return io::load_scene(path, options);
+    return csg::load_scene(path, options);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfRange,
                  path + ": there is not enough memory to read it"};

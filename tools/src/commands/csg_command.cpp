@@ -41,7 +41,7 @@ struct CsgArguments {
   std::string output;
   std::optional<std::string_view> format;  ///< of standard output
   std::string origin;
-  csg::MergeRule merge = csg::MergeRule::kOrigin;
+  std::optional<csg::MergeRule> merge;
   bool strict = false;
   bool trust = false;
   bool repair = false;
@@ -52,10 +52,25 @@ struct CsgArguments {
   BuildArguments build;
 };
 
+/// The format of exact solids in their form for people.
+constexpr std::string_view kTextForm = "hsolid-text";
+
+std::string extension_of(std::string_view format) {
+  return "." + std::string(format == kTextForm ? "hsolid" : format);
+}
+
 /// A name that ends as the output's format does.
 std::string output_name(const CsgArguments& arguments) {
   if (arguments.output != "-" || !arguments.format) return arguments.output;
-  return "-." + std::string(*arguments.format);
+  return "-" + extension_of(*arguments.format);
+}
+
+bool is_exact(const CsgArguments& arguments) {
+  return io::is_solid_name(output_name(arguments));
+}
+
+SolidForm solid_form(const CsgArguments& arguments) {
+  return arguments.format == kTextForm ? SolidForm::kText : SolidForm::kBinary;
 }
 
 /// Writes the result to the file, or to standard output.
@@ -63,17 +78,18 @@ Result<io::ExportReport> write_result_of(const CsgArguments& arguments,
                                          const csg::Outcome& result) {
   if (arguments.output != "-") {
     note_part(arguments.output);
-    return write_result(arguments.output, result);
+    return write_result(arguments.output, result, solid_form(arguments));
   }
   io::ExportReport report;
-  const Result<Done> written = write_through(
-      "." + std::string(*arguments.format),
-      [&](const std::string& path) -> Result<Done> {
-        const Result<io::ExportReport> made = write_result(path, result);
-        if (!made) return made.error();
-        report = *made;
-        return Done{};
-      });
+  const Result<Done> written =
+      write_through(extension_of(*arguments.format),
+                    [&](const std::string& path) -> Result<Done> {
+                      const Result<io::ExportReport> made =
+                          write_result(path, result, solid_form(arguments));
+                      if (!made) return made.error();
+                      report = *made;
+                      return Done{};
+                    });
   if (!written) return written.error();
   return report;
 }
@@ -214,7 +230,10 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
   }
   LongWork work(std::to_string(plan.booleans) + " booleans");
   csg::EvaluateOptions options;
-  options.merge = arguments_.merge;
+  options.exact_data = is_exact(arguments_);
+  // What is to be gone on with stays as it is, as it would in one script.
+  options.merge = arguments_.merge.value_or(
+      options.exact_data ? csg::MergeRule::kNone : csg::MergeRule::kOrigin);
   const bool is_stl =
       io::format_of(output_name(arguments_)) == io::Format::kStl;
   // Files of triangles would have others than their origins tell of.
@@ -286,7 +305,13 @@ Status Job::run() {
   const std::string wrong = file_complaint(*plan, *operands);
   if (!wrong.empty()) return fail(wrong);
   const Stopwatch watch;
-  const Result<std::optional<csg::Outcome>> result = evaluate(*plan, *operands);
+  Result<std::optional<csg::Outcome>> result = evaluate(*plan, *operands);
+  if (!result && result.error().code != ErrorCode::kStopped &&
+      operands->can_be_finer()) {
+    operands = operands->on_finest_grid();
+    if (!operands) return fail(operands.error().message);
+    result = evaluate(*plan, *operands);
+  }
   if (!result) return fail_at_work(result.error());
   if (!*result) return stop("stopped; nothing was written");
   return finish(*script, *plan, *operands, **result, watch.elapsed_ms());
@@ -347,14 +372,21 @@ std::optional<double> parse_distance(std::string_view text) {
 Status run_csg(const CsgArguments& arguments) {
   const std::string output = output_name(arguments);
   if (output == "-") return fail("-o -: give --format as well");
-  if (!io::is_scene_name(output) && !io::format_of(output)) {
-    return fail((output.empty() ? "-o" : output) + ": the name must end in " +
-                io::format_extensions(".scene"));
+  if (!io::is_scene_name(output) && !io::is_solid_name(output) &&
+      !io::format_of(output)) {
+    return fail(
+        (output.empty() ? "-o" : output) + ": the name must end in " +
+        io::format_extensions(".scene, or for exact solids in .hsolid"));
   }
+  if (arguments.format == kTextForm && !io::is_solid_name(output))
+    return fail("--format hsolid-text: the name must end in .hsolid");
   const bool by_ref =
       library_of(arguments.build, Library::kFast) == Library::kRef;
   if (by_ref && !arguments.origin.empty())
     return fail("--origin: the reference does not know it; use --impl fast");
+  if (by_ref && is_exact(arguments))
+    return fail(output +
+                ": the reference writes no exact solids; use --impl fast");
   if (by_ref && arguments.shadow)
     return fail("--shadow: it is the reference that checks; use --impl fast");
   if (arguments.trust && arguments.repair)
@@ -364,11 +396,10 @@ Status run_csg(const CsgArguments& arguments) {
   return Job(arguments, *std::move(request)).run();
 }
 
-constexpr Word<std::string_view> kFormatWords[] = {{"off", "off"},
-                                                   {"obj", "obj"},
-                                                   {"stl", "stl"},
-                                                   {"ply", "ply"},
-                                                   {"scene", "scene"}};
+constexpr Word<std::string_view> kFormatWords[] = {
+    {"off", "off"},        {"obj", "obj"},     {"stl", "stl"},
+    {"ply", "ply"},        {"scene", "scene"}, {"hsolid", "hsolid"},
+    {kTextForm, kTextForm}};
 
 constexpr Word<csg::MergeRule> kMergeWords[] = {
     {"origin", csg::MergeRule::kOrigin},
@@ -413,12 +444,13 @@ void add_csg(CLI::App& program, Status& status) {
       ->type_name("");
   app->add_option("-o,--output", arguments->output,
                   "The result: " + io::format_names() +
-                      " or .scene, gzipped if it ends in .gz; - is standard "
-                      "output")
+                      ", .scene, or exactly .hsolid, gzipped if it ends in "
+                      ".gz; - is standard output")
       ->required()
       ->type_name("OUT");
   add_choice(*app, "--format", kFormatWords, arguments->format,
-             "The format of the result where OUT is -, standard output");
+             "The format of the result where OUT is -, standard output; "
+             "hsolid-text is the form of .hsolid that people can read");
   app->add_option("--script", arguments->script,
                   "Read the statements in this file instead")
       ->type_name("FILE");
@@ -427,8 +459,9 @@ void add_csg(CLI::App& program, Status& status) {
                   "result comes from")
       ->type_name("FILE");
   add_choice(*app, "--merge", kMergeWords, arguments->merge,
-             "Which faces in one plane become one: parts of one polygon, those "
-             "of one colour, all, or none");
+             "Which faces in one plane become one: parts of one polygon "
+             "(without this option; in a .hsolid: none), those of one colour, "
+             "all, or none");
   app->add_flag("--strict", arguments->strict,
                 "Do not write a result of which rounding lost a face or a part "
                 "of the surface");

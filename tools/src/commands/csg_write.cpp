@@ -61,7 +61,14 @@ std::size_t polygons_in(const CsgContext& context) {
 }  // namespace
 
 Result<io::ExportReport> write_result(const std::string& path,
-                                      const csg::Outcome& result) {
+                                      const csg::Outcome& result,
+                                      SolidForm form) {
+  if (result.data) {
+    const Result<Done> written =
+        write_output(path, write_solid(*result.data, form));
+    if (!written) return written.error();
+    return io::ExportReport();
+  }
   if (io::is_scene_name(path)) return write_scene_file(path, result);
   if (result.scene) return io::write_scene_mesh(path, *result.scene);
   Result<io::ExportReport> report = io::write_mesh(path, result.mesh);

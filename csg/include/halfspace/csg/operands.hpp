@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "halfspace/boolean.hpp"
+#include "halfspace/csg/exact.hpp"
 #include "halfspace/csg/plan.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/solid.hpp"
@@ -34,6 +35,9 @@ struct OperandOptions {
   /// not made of mirrors, quarter turns, powers of 2 and 5, and shifts by short
   /// decimals, and planes whose numbers are not short.
   bool exact = false;
+  /// What must be rounded goes to a grid of 54 bits, where it moves the least,
+  /// and not to one that is fine enough for most.
+  bool finest_grid = false;
   /// How surfaces are checked, one after another: by how many threads, and who
   /// is shown the share of each that is done, and may stop it (kStopped).
   fast::CheckOptions check = {};
@@ -41,10 +45,12 @@ struct OperandOptions {
 
 /// A solid before it is moved: that of a file, or one made in memory.
 struct Source {
-  std::string path;  ///< for messages
-  Scene scene;
+  std::string path;                 ///< for messages
+  Scene scene;                      ///< empty where `exact` is
   std::vector<PolygonId> polygons;  ///< of the file, by polygon of the scene
-  bool to_repair = false;           ///< its surface passes through itself
+  /// The solid of a `.hsolid` file: it has no polygons on a grid.
+  std::shared_ptr<const SolidData> exact;
+  bool to_repair = false;  ///< its surface passes through itself
   /// Its coordinates were computed: any grid that is fine enough may hold them.
   bool is_free = false;
   /// Faces in one plane and of one colour become one before anything is done
@@ -55,8 +61,10 @@ struct Source {
   std::size_t corners_added = 0;  ///< where vertices lay within edges
 };
 
-/// The solid in a file; with `flip`, with every polygon turned round.
-/// Errors: those of reading and importing, and of fast::check_operand(). The
+/// The solid in a file; with `flip`, with every polygon turned round. The
+/// solid of a `.hsolid` file that says that it was checked is not checked
+/// again. Errors: those of reading and importing, and of fast::check_operand().
+/// The
 ///         message names the file.
 Result<Source> read_source(const std::string& path,
                            const OperandOptions& options, bool flip = false);
@@ -93,11 +101,33 @@ class Operands {
       std::vector<std::shared_ptr<const Source>> sources, const Script& script,
       const Plan& plan, const OperandOptions& options);
 
+  /// Whether something was rounded, and a grid of 54 bits would round it less:
+  /// then a surface that passes through itself for that may be whole there.
+  bool can_be_finer() const {
+    return report_.moved > 0 && report_.grid_bits < 54 && !options_.grid_bits;
+  }
+  /// The same operands on such a grid.
+  Result<Operands> on_finest_grid() const;
+
   /// The solid of a leaf, mirrored ones turned outwards again.
   /// Errors: those of make_source(); kOutOfRange (it is less than a step of
   ///         the grid). The message names the file, and where in the
   ///         script it is moved.
   Result<GridSolid> leaf(std::int32_t id);
+
+  /// Whether a leaf is the solid of a `.hsolid` file, which the grid holds
+  /// exactly: then it has no polygons on a grid, but exact_leaf().
+  bool is_exact(std::int32_t leaf) const {
+    return exact_[static_cast<std::size_t>(leaf)];
+  }
+
+  /// Such a leaf's solid, where it is moved to. The polygons of its faces are
+  /// its file's origins.
+  /// Errors: those of fast::to_solid(). The message names the file.
+  Result<fast::Solid> exact_leaf(std::int32_t id, const fast::Solid& with);
+
+  /// The parts of which a leaf's polygons are, if its file has any.
+  const SolidData* parts_of(std::int32_t leaf) const;
 
   /// For each polygon of a loaded leaf: the polygon of its file that it is, or
   /// is a part of.
@@ -141,6 +171,10 @@ class Operands {
   /// A leaf in words: its name, or its file, and where it is.
   std::string name_of(std::int32_t leaf) const;
 
+  /// The name of a leaf in `.hsolid` files: that of its file as it was given,
+  /// without folders; or its own.
+  std::string name_in_files(std::int32_t leaf) const;
+
   /// The file of a leaf.
   const std::string& path_of(std::int32_t leaf) const;
 
@@ -150,22 +184,43 @@ class Operands {
       : script_(&script),
         plan_(&plan),
         options_(options),
+        exact_(plan.leaves.size()),
+        needs_(plan.leaves.size()),
         repair_(plan.leaves.size()),
         polygons_(plan.leaves.size()) {}
   Scene closed(Scene scene);
+  Error located(std::int32_t leaf, Error error) const;
+  Result<Done> find_exact_leaves();
+  Result<Done> round_leaf(std::int32_t leaf);
+  Result<Done> round_what_grid_lacks();
+  void add_need(std::int32_t leaf, std::vector<io::Number>& coordinates) const;
+  bool is_rounded_by_move(std::int32_t leaf) const;
+  bool is_empty(std::int32_t leaf) const;
+  std::int32_t leaf_count() const {
+    return static_cast<std::int32_t>(plan_->leaves.size());
+  }
+  const Matrix& matrix_of(std::int32_t leaf) const;
+  Unit unit_of(std::int32_t leaf) const;
+  void set_grid(const Unit& unit, int bits);
   Result<Done> choose_grid();
   Result<Done> choose_exact_grid();
   bool choose_exact_grid(bool rounds_moved);
   Error no_grid() const;
   const Source& source_of(std::int32_t leaf) const;
-  Result<Scene> moved_scene(const Leaf& leaf, std::vector<PolygonId>& polygons);
+  Result<Scene> moved_scene(const Leaf& leaf, const Source& source,
+                            std::vector<PolygonId>& polygons);
 
   const Script* script_;
   const Plan* plan_;
   OperandOptions options_;
   std::vector<std::shared_ptr<const Source>> sources_;  // by file
-  std::vector<bool> repair_;                            // by leaf
-  std::vector<std::vector<PolygonId>> polygons_;        // by leaf
+  /// By file: the surface in doubles of an exact solid that some leaf moves so
+  /// that no grid holds it.
+  std::vector<std::shared_ptr<const Source>> rounded_;
+  std::vector<bool> exact_;                       // by leaf
+  std::vector<std::optional<ExactNeed>> needs_;   // by leaf
+  std::vector<bool> repair_;                      // by leaf
+  std::vector<std::vector<PolygonId>> polygons_;  // by leaf
   io::ImportReport report_;
   std::size_t corners_added_ = 0;
 };

@@ -14,6 +14,7 @@
 #include "halfspace/io/write_mesh.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
+#include "halfspace/solid_file.hpp"
 
 namespace halfspace::csg {
 
@@ -40,6 +41,8 @@ struct EvaluateOptions {
   /// move its surface. The fast library's.
   fast::FileNumber number = fast::FileNumber::kDouble;
   std::optional<double> max_move = std::nullopt;
+  /// The result is wanted for a `.hsolid` file. The fast library's.
+  bool exact_data = false;
   BuildOptions build;  ///< the trees of the reference
   int threads = 1;     ///< the fast library's
   /// Replaces fast::boolean() where neither solid is a half-space, for instance
@@ -87,6 +90,8 @@ struct Outcome {
   /// The result exactly, where all its vertices are points of a grid and it is
   /// not wanted in floats.
   std::optional<Scene> scene;
+  /// The result exactly, if that was asked for: then it is nothing else.
+  std::optional<SolidData> data;
   /// Its vertices in the file's numbers, else.
   io::OutputMesh mesh;
   std::size_t moved = 0;        ///< vertices that the numbers do not hold
@@ -106,6 +111,11 @@ struct Outcome {
 /// Errors: those of the operands.
 Result<std::optional<fast::Solid>> evaluate_solid(
     const Plan& plan, Operands& operands, const EvaluateOptions& options);
+
+/// The solid for a `.hsolid` file. Its parts are those of exact operands, one
+/// after the other, and other operands, by the names of their files.
+Outcome exact_outcome(fast::Solid solid, const Plan& plan,
+                      const Operands& operands, const EvaluateOptions& options);
 
 /// The solid, ready to be written: its faces merged by options.merge.
 /// Errors: those of fast::rounded_mesh().

@@ -33,6 +33,10 @@ bool has_extension(const std::filesystem::path& path,
 /// `.scene.gz`.
 bool is_scene_name(const std::filesystem::path& path);
 
+/// Whether the name is that of an exact solid: whether it ends in `.hsolid`, or
+/// in `.hsolid.gz`.
+bool is_solid_name(const std::filesystem::path& path);
+
 /// The scene in a file, whose name tells whether it is a mesh or a scene file,
 /// or for `-` on standard input, whose first bytes tell.
 ///
@@ -42,6 +46,18 @@ bool is_scene_name(const std::filesystem::path& path);
 ///         the scene file's own). The message names the file.
 Result<LoadedScene> load_scene(const std::string& path,
                                const ImportOptions& options);
+
+/// What standard input is called in messages.
+inline const std::string kInputName = "standard input";
+
+/// The bytes of standard input, unpacked if they are gzipped.
+/// Errors: those of read_file().
+Result<std::string> read_input();
+
+/// The scene that bytes of standard input are: their first ones tell.
+/// Errors: those of load_scene().
+Result<LoadedScene> scene_of_input(std::string_view bytes,
+                                   const ImportOptions& options);
 
 /// The unit as text, such as `10^-3`.
 std::string to_string(const Unit& unit);

@@ -1,0 +1,365 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "halfspace/csg/operands.hpp"
+#include "halfspace/fast/solid_data.hpp"
+#include "halfspace/io/load_scene.hpp"
+#include "step_map.hpp"
+
+/// The grid that holds all solids of a plan (S1.7).
+namespace halfspace::csg {
+namespace {
+
+/// A mesh of points alone: faces without area hold them. Import drops those,
+/// but finds the grid that holds the points.
+io::Mesh mesh_of_points(const std::vector<io::Number>& coordinates) {
+  io::Mesh mesh;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const auto id = static_cast<VertexId>(i);
+    mesh.vertices.push_back({coordinates[i], {}, {}});
+    mesh.corners.insert(mesh.corners.end(), {id, id, id});
+    mesh.first_corner.push_back(
+        static_cast<std::uint32_t>(mesh.corners.size()));
+  }
+  return mesh;
+}
+
+void add_extent(const Extent& extent, std::vector<io::Number>& coordinates) {
+  coordinates.insert(coordinates.end(),
+                     {extent.step, extent.least, extent.greatest});
+}
+
+/// What is free is rounded to steps that are no more of its size than this: a
+/// grid of 40 bits has them for solids of one size or so.
+constexpr double kFineness = 0x1p-28;
+
+/// Whether the number is a decimal of at most 12 digits: not one that was
+/// computed in doubles, most likely.
+bool is_short(const io::Number& number) {
+  const std::int32_t ten = std::min(number.two, number.five);
+  if (number.two - ten > 40 || number.five - ten > 17) return false;
+  io::Integer digits =
+      abs(number.mantissa) *
+      pow(io::Integer(5), static_cast<unsigned>(number.five - ten));
+  digits <<= static_cast<unsigned>(number.two - ten);
+  return digits < 1'000'000'000'000;
+}
+
+/// Whether each coordinate of an image is one of the point, times plus or minus
+/// a power of 2 and one of 5, and shifted by a short decimal.
+bool keeps_grids(const Matrix& matrix) {
+  return std::all_of(matrix.rows.begin(), matrix.rows.end(),
+                     [](const auto& row) {
+                       int used = 0;
+                       for (std::size_t j = 0; j < 3; ++j) {
+                         if (row[j].mantissa == 0) continue;
+                         if (abs(row[j].mantissa) != 1) return false;
+                         ++used;
+                       }
+                       return used == 1 && is_short(row[3]);
+                     });
+}
+
+/// A power of two that no coordinate is beyond.
+io::Number bound_of(const Extent& extent) {
+  const double most = std::max(std::abs(io::to_double(extent.least)),
+                               std::abs(io::to_double(extent.greatest)));
+  int exponent = 0;
+  std::frexp(most, &exponent);
+  return {1, exponent, 0};
+}
+
+double size_of(const Extent& extent) {
+  return io::to_double(extent.greatest) - io::to_double(extent.least);
+}
+
+bool is_short(const Plane& plane) {
+  return std::all_of(
+      plane.points.begin(), plane.points.end(), [](const Numbers3& point) {
+        return std::all_of(
+            point.begin(), point.end(),
+            [](const io::Number& number) { return is_short(number); });
+      });
+}
+
+double size_of(const Plane& plane) {
+  double size = 0;
+  for (const Numbers3& point : plane.points) {
+    for (const io::Number& number : point)
+      size = std::max(size, std::abs(io::to_double(number)));
+  }
+  return size;
+}
+
+std::string text_of(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+}  // namespace
+
+const Matrix& Operands::matrix_of(std::int32_t leaf) const {
+  const auto id = plan_->leaves[static_cast<std::size_t>(leaf)].matrix;
+  return plan_->matrices[static_cast<std::size_t>(id)];
+}
+
+bool Operands::is_empty(std::int32_t leaf) const {
+  return is_exact(leaf) ? source_of(leaf).exact->faces.empty()
+                        : source_of(leaf).scene.polygon_count() == 0;
+}
+
+/// Whether a leaf's coordinates may be rounded, if need be, for they were
+/// computed: its matrix is not one that grids hold, or it is the surface in
+/// doubles of an exact solid.
+bool Operands::is_rounded_by_move(std::int32_t leaf) const {
+  if (is_exact(leaf)) return false;
+  return !keeps_grids(matrix_of(leaf)) || source_of(leaf).exact != nullptr;
+}
+
+/// What a grid must be a divisor of, and reach, to hold a leaf.
+void Operands::add_need(std::int32_t leaf,
+                        std::vector<io::Number>& coordinates) const {
+  if (const auto& need = needs_[static_cast<std::size_t>(leaf)]) {
+    coordinates.insert(coordinates.end(),
+                       {need->step, need->least, need->greatest});
+    return;
+  }
+  const Scene& scene = source_of(leaf).scene;
+  add_extent(
+      extent_of(step_map(matrix_of(leaf), scene.unit()), scene.data().vertices),
+      coordinates);
+}
+
+Unit Operands::unit_of(std::int32_t leaf) const {
+  const Source& source = source_of(leaf);
+  return is_exact(leaf) ? source.exact->unit : source.scene.unit();
+}
+
+void Operands::set_grid(const Unit& unit, int bits) {
+  report_.unit = unit;
+  report_.grid_bits = bits;
+  if (options_.grid_bits) return;
+  for (const auto& need : needs_) {
+    if (need) report_.grid_bits = std::max(report_.grid_bits, need->grid_bits);
+  }
+}
+
+Result<Done> Operands::choose_grid() {
+  std::vector<io::Number> coordinates;
+  bool decimal = true, any_kept = false, any_rounded = false;
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    if (is_empty(leaf)) continue;
+    decimal = decimal && unit_of(leaf).base == 10;
+    const bool is_rounded = is_rounded_by_move(leaf);
+    any_kept = any_kept || !is_rounded;
+    any_rounded = any_rounded || is_rounded;
+    add_need(leaf, coordinates);
+  }
+  for (const Plane& plane : plan_->planes) {
+    for (const Numbers3& point : plane.points)
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
+  }
+  io::Mesh mesh = mesh_of_points(coordinates);
+  mesh.decimal = decimal;
+  Result<io::Imported> imported =
+      io::import_scene(mesh, {.grid_bits = options_.grid_bits});
+  // What is moved and cannot be held by any grid is rounded, to a grid that
+  // holds the others. Where there is none, or no others, all are rounded: those
+  // that were not moved as little as can be, lest they cross themselves.
+  const bool is_moved = plan_->matrices.size() > 1 || any_rounded;
+  if (imported && imported->report.moved > 0 && is_moved &&
+      !options_.grid_bits) {
+    if (any_kept && choose_exact_grid(true)) return Done{};
+    const bool is_fine = any_kept || options_.finest_grid;
+    imported = io::import_scene(mesh, {.grid_bits = is_fine ? 54 : 40});
+  }
+  if (!imported) return imported.error();
+  set_grid(imported->report.unit, imported->report.grid_bits);
+  return Done{};
+}
+
+/// Chooses a grid that holds everything exactly but for what is free; with
+/// `rounds_moved`, also for what is moved by a map that grids do not hold, and
+/// planes of numbers that were computed.
+/// Returns false where no grid will do.
+bool Operands::choose_exact_grid(bool rounds_moved) {
+  std::vector<io::Number> coordinates;
+  bool decimal = true, any_exact = false;
+  double least_size = std::numeric_limits<double>::infinity();
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    if (is_empty(leaf)) continue;
+    const Source& source = source_of(leaf);
+    const bool is_free = source.is_free && !is_exact(leaf);
+    if (!is_free && !(rounds_moved && is_rounded_by_move(leaf))) {
+      decimal = decimal && unit_of(leaf).base == 10;
+      any_exact = true;
+      add_need(leaf, coordinates);
+      continue;
+    }
+    StepMap map = step_map(matrix_of(leaf), source.scene.unit());
+    const auto& points = source.scene.data().vertices;
+    coordinates.push_back(bound_of(extent_of(map, points)));
+    for (auto& row : map.rows) row[3] = 0;
+    least_size = std::min(least_size, size_of(extent_of(map, points)));
+  }
+  for (const Plane& plane : plan_->planes) {
+    if (rounds_moved && !is_short(plane)) {
+      least_size = std::min(least_size, size_of(plane));
+      continue;
+    }
+    for (const Numbers3& point : plane.points)
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
+  }
+  io::Mesh mesh = mesh_of_points(coordinates);
+  mesh.decimal = decimal && any_exact;
+  const bool any_free = std::isfinite(least_size);
+  for (const int bits : kGridBits) {
+    const auto imported = io::import_scene(
+        mesh, {.grid_bits = bits, .refine_bits = any_free ? bits : 0});
+    if (!imported || imported->report.moved > 0) continue;
+    const Unit unit = imported->report.unit;
+    const double step = std::pow(static_cast<double>(unit.base), unit.exponent);
+    const bool is_last = bits == std::end(kGridBits)[-1];
+    const bool is_coarse =
+        options_.finest_grid || step > least_size * kFineness;
+    if (any_free && is_coarse && !is_last) continue;
+    set_grid(unit, bits);
+    return true;
+  }
+  return false;
+}
+
+Result<Done> Operands::choose_exact_grid() {
+  if (choose_exact_grid(false) || choose_exact_grid(true)) return Done{};
+  return no_grid();
+}
+
+/// Finds which leaves are exact solids whose planes some grid can have.
+Result<Done> Operands::find_exact_leaves() {
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    const auto i = static_cast<std::size_t>(leaf);
+    const auto& source =
+        sources_[static_cast<std::size_t>(plan_->leaves[i].file)];
+    if (!source->exact) continue;
+    needs_[i] = need_of(*source->exact, matrix_of(leaf));
+    exact_[i] = needs_[i].has_value();
+    if (exact_[i]) continue;
+    const Result<Done> done = round_leaf(leaf);
+    if (!done) return done;
+  }
+  return Done{};
+}
+
+/// Takes, in place of the exact solid, its surface in doubles.
+Result<Done> Operands::round_leaf(std::int32_t leaf) {
+  const auto i = static_cast<std::size_t>(leaf);
+  const auto file = static_cast<std::size_t>(plan_->leaves[i].file);
+  exact_[i] = false;
+  needs_[i].reset();
+  if (rounded_[file]) return Done{};
+  const Source& source = *sources_[file];
+  const Result<io::Imported> imported = rounded(*source.exact, {});
+  if (!imported) return io::error_about(source.path, imported.error());
+  Result<Source> made = make_source(source.path, *imported, options_);
+  if (!made) return made.error();
+  made->exact = source.exact;
+  made->merge_coplanar = source.merge_coplanar;
+  made->is_free = true;
+  report_.moved += made->report.moved;
+  report_.max_move = std::max(report_.max_move, made->report.max_move);
+  rounded_[file] = std::make_shared<const Source>(*std::move(made));
+  return Done{};
+}
+
+/// Rounds the exact solids that the chosen grid does not hold.
+Result<Done> Operands::round_what_grid_lacks() {
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    const auto& need = needs_[static_cast<std::size_t>(leaf)];
+    if (!need) continue;
+    const auto is_held = [&](const io::Number& value) {
+      const std::int32_t two = value.two - report_.unit.exponent;
+      const std::int32_t five =
+          value.five - (report_.unit.base == 10 ? report_.unit.exponent : 0);
+      if (value.mantissa == 0) return true;
+      if (two < 0 || five < 0 || two > 64 || five > 64) return false;
+      const io::Integer steps =
+          (abs(value.mantissa) << two) *
+          pow(io::Integer(5), static_cast<unsigned>(five));
+      return steps < io::Integer(1) << (report_.grid_bits - 1);
+    };
+    if (report_.grid_bits >= need->grid_bits && is_held(need->step) &&
+        is_held(need->least) && is_held(need->greatest)) {
+      continue;
+    }
+    const Result<Done> done = round_leaf(leaf);
+    if (!done) return done;
+  }
+  return Done{};
+}
+
+Error Operands::located(std::int32_t id, Error error) const {
+  const Leaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
+  // The first matrix moves nothing.
+  const std::string at =
+      leaf.place.line > 0 ? " at " + to_string(leaf.place) : "";
+  error.message = (leaf.matrix == 0 ? "as it stands" : "as moved") + at + ": " +
+                  error.message;
+  return io::error_about(path_of(id), std::move(error));
+}
+
+Result<fast::Solid> Operands::exact_leaf(std::int32_t id,
+                                         const fast::Solid& with) {
+  repair_[static_cast<std::size_t>(id)] = source_of(id).to_repair;
+  const SolidData moved = placed(*source_of(id).exact, matrix_of(id),
+                                 report_.unit, report_.grid_bits);
+  Result<fast::Solid> solid = fast::to_solid(moved, with, id);
+  if (!solid) return located(id, solid.error());
+  return solid;
+}
+
+const SolidData* Operands::parts_of(std::int32_t leaf) const {
+  return source_of(leaf).exact.get();
+}
+
+/// The error of solids that no grid holds; names two that do not go together.
+Error Operands::no_grid() const {
+  std::int32_t finest = -1, farthest = -1;
+  double step = 0, reach = 0;
+  for (std::size_t i = 0; i < plan_->leaves.size(); ++i) {
+    const auto leaf = static_cast<std::int32_t>(i);
+    const Source& source = source_of(leaf);
+    if (source.is_free || is_empty(leaf)) continue;
+    const auto& need = needs_[i];
+    const Extent extent =
+        need ? Extent{need->step, need->least, need->greatest}
+             : extent_of(step_map(matrix_of(leaf), source.scene.unit()),
+                         source.scene.data().vertices);
+    const double its_step = io::to_double(extent.step);
+    if (finest < 0 || its_step < step) {
+      finest = static_cast<std::int32_t>(i);
+      step = its_step;
+    }
+    const double its_reach = io::to_double(bound_of(extent));
+    if (farthest < 0 || its_reach > reach) {
+      farthest = static_cast<std::int32_t>(i);
+      reach = its_reach;
+    }
+  }
+  std::string message =
+      "no grid of 54 bits holds all coordinates exactly, in powers of two or "
+      "of "
+      "ten";
+  if (finest >= 0) {
+    message += ": " + name_of(finest) + " has steps of " + text_of(step) +
+               ", and " + name_of(farthest) + " reaches to " + text_of(reach);
+  }
+  return {ErrorCode::kOutOfRange, message, finest};
+}
+
+}  // namespace halfspace::csg

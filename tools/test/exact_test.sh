@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# Exact solids in files: what leaves comes back, and chains are one script.
+. "$(dirname "$0")/expect.sh"
+reader=${0%/*}/../../examples/read_solid.py
+
+box 0 0 0 3 3 3 >a.off
+box 1 1 1 5 4 4.5 >b.off
+# A wedge, whose meets with boxes are on no grid.
+cat >c.off <<'END'
+OFF
+6 5 0
+-1 -1 -1
+7 0 2
+-1 6 0
+-1 -1 8
+7 0 9
+-1 6 11
+3 0 2 1
+3 3 4 5
+4 0 1 4 3
+4 1 2 5 4
+4 2 0 3 5
+END
+expect 0 closed csg 'translate(C, 0.1, 0.2, 0.3)' C=c.off -o d.off
+
+# Chains of commands give the bytes of one script, in every order of operations.
+for first in '|' '&' '-' '^'; do
+  for second in '|' '-' '^'; do
+    for third in '&' '-'; do
+      expect 0 closed csg "((A $first B) $second C) $third D" \
+        A=a.off B=b.off C=c.off D=d.off -o one.off
+      expect 0 closed csg "A $first B" A=a.off B=b.off -o ab.hsolid.gz
+      expect 0 closed csg "X $second C" X=ab.hsolid.gz C=c.off \
+        --format hsolid-text -o abc.hsolid
+      expect 0 closed csg "X $third D" X=abc.hsolid D=d.off -o chain.off
+      same one.off chain.off
+    done
+  done
+done
+# Moves too, and mirrors.
+expect 0 closed csg 'mirror(translate(A - C, 1, 2, 3), 1, 0, 0) | B' \
+  A=a.off B=b.off C=c.off -o one.off
+expect 0 closed csg 'A - C' A=a.off C=c.off -o ac.hsolid
+expect 0 'moved 0 coordinates' csg 'mirror(translate(X, 1, 2, 3), 1, 0, 0) | B' \
+  X=ac.hsolid B=b.off -o chain.off
+same one.off chain.off
+# What no grid holds is rounded, and is a solid.
+expect 0 closed csg 'rotate(X, 1, 2, 3, 25) - B' X=ac.hsolid B=b.off -o turned.off
+expect 0 closed info turned.off
+
+# Other programs read it: the example's volume is exact.
+expect 0 'volume 19,' csg 'A - B' A=a.off B=b.off -o ab.hsolid
+for form in hsolid hsolid-text; do
+  "$program" csg 'A - B' A=a.off B=b.off -o - --format $form >form.hsolid ||
+    wrong "csg --format $form"
+  [ "$(python3 "$reader" form.hsolid)" = "9 faces, 2 parts, volume 19" ] ||
+    wrong "read_solid.py of $form: $(python3 "$reader" form.hsolid)"
+done
+# On standard input, for the commands that want polygons, and for info.
+expect 0 'volume     19' info ab.hsolid
+"$program" info - <form.hsolid | grep -q 'volume     19' || wrong 'info -'
+"$program" csg 'X - B' X=- B=b.off -o chain.hsolid <form.hsolid >out.txt ||
+  wrong 'csg -'
+expect 0 painted render ab.hsolid -o ab.png
+# Origins are those of the first operands.
+grep -a -q 'a.off' chain.hsolid || wrong 'the parts are lost'
+
+# A changed byte is found; a file without a checksum is checked.
+printf x | dd of=form.hsolid bs=1 seek=200 conv=notrunc 2>dd.txt
+expect 2 'form.hsolid: line' info form.hsolid
+printf x | dd of=ab.hsolid bs=1 seek=200 conv=notrunc 2>dd.txt
+expect 2 'ab.hsolid: byte .*checksum' info ab.hsolid
+sed 's/^checksum.*/checksum -/' abc.hsolid >edited.hsolid
+expect 0 closed csg 'X' X=edited.hsolid -o edited.off
+# Inside out: every side is the other, every loop runs the other way.
+expect 2 'inside out' csg 'flip(X)' X=edited.hsolid -o edited.off
+expect 2 'the reference' csg 'X - B' X=ac.hsolid B=b.off --impl ref -o x.off
+expect 2 'must end in' csg 'A - B' A=a.off B=b.off -o x.hsolids
+finish
