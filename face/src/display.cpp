@@ -8,8 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/io/import.hpp"
@@ -125,6 +127,12 @@ ImageOptions image_options(const View& view) {
   return options;
 }
 
+std::int32_t samples_of(const View& view) {
+  return view.anti_aliasing == AntiAliasing::kExactArea
+             ? 1
+             : static_cast<std::int32_t>(view.anti_aliasing);
+}
+
 io::Mesh exact_mesh(const Mesh& mesh) {
   detail::ExactPoints exact = detail::exact_points(mesh.vertices);
   io::Mesh result;
@@ -207,8 +215,26 @@ struct Display::State {
     fast::RenderOptions how;
     how.threads = detail::thread_count(view.threads);
     how.rectangle = part;
-    fast::Rendering image = fast::render(scene, picture_tree(view.threads),
-                                         *camera, image_options(view), how);
+    const auto samples = part ? 1 : samples_of(view);
+    if (std::max(view.width_px, view.height_px) > kMaxImageSize / samples) {
+      return Error{ErrorCode::kOutOfRange,
+                   "a picture with " + std::to_string(samples) +
+                       " samples a pixel each way has at most " +
+                       std::to_string(kMaxImageSize / samples) +
+                       " columns and rows"};
+    }
+    fast::Rendering image =
+        samples == 1
+            ? fast::render(scene, picture_tree(view.threads), *camera,
+                           image_options(view), how)
+            : fast::render_samples(scene, picture_tree(view.threads), *camera,
+                                   image_options(view), samples, how);
+    if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {
+      Result<fast::AreaImage> areas = fast::render_area(
+          scene, ordered_tree(), *camera, image_options(view));
+      if (!areas) return areas.error();
+      image.colors = std::move(areas->colors);
+    }
     for (PolygonId& id : image.items.pixels) {
       if (id != kBackground) id = faces[static_cast<std::size_t>(id)];
     }

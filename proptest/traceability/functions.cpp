@@ -3,6 +3,7 @@
 
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/camera.hpp"
+#include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
@@ -11,6 +12,7 @@
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
+#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
@@ -20,6 +22,7 @@
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
@@ -29,6 +32,7 @@
 #include "halfspace/ref/predicate.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/samples.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/shade.hpp"
@@ -208,6 +212,8 @@ void take_all() {
   }
   take(&ref::blend);  // S5.6
   take(&fast::blend);  // S5.6
+  take(&ref::render_samples);  // S5.7
+  take(&fast::render_samples);  // S5.7
   take(&ref::bad_edges);  // S6.1
   take(&fast::bad_edges);  // S6.1
   take(&ref::to_solid);  // S6.2
@@ -240,6 +246,8 @@ void take_all() {
   take(&fast::visible_map);  // S7.4
   take(&ref::area_of_key);  // S7.5
   take(&fast::visible_map);  // S7.5
+  take(&ref::render_area);  // S7.6
+  take(&fast::render_area);  // S7.6
 }
 
 }  // namespace
@@ -248,5 +256,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 100 ? 0 : 1;
+  return halfspace::taken == 104 ? 0 : 1;
 }

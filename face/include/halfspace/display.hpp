@@ -16,6 +16,16 @@
 
 namespace halfspace {
 
+/// What of a pixel its colour is taken from: one sample, the mean of so many
+/// each way (S5.7), or the integral of all that is seen in it (S7.6).
+enum class AntiAliasing : std::uint8_t {
+  kNone = 1,
+  k2 = 2,
+  k4 = 4,
+  k8 = 8,
+  kExactArea
+};
+
 /// From where something is seen, and how. The default sees all of it from above
 /// and to one side, z upwards. Units: model units, degrees, pixels.
 struct View {
@@ -30,10 +40,12 @@ struct View {
   std::int32_t height_px = 480;
   bool cull = false;  ///< polygons seen from behind are not there
   Rgb background = {255, 255, 255};
+  AntiAliasing anti_aliasing = AntiAliasing::kNone;
   int threads = 0;  ///< 0: as many as the machine has
 };
 
-/// A picture: at each pixel its colour, and the polygon that is seen.
+/// A picture: at each pixel its colour, and the polygon that is seen at its
+/// centre, or at each of its samples.
 struct HALFSPACE_API Picture {
   ColorImage colors;
   ItemImage polygons;  ///< kBackground where there is none
@@ -100,7 +112,8 @@ class HALFSPACE_API Display {
   std::size_t polygon_count() const;
 
   /// The picture. Exact, whatever the number of threads: at each pixel the
-  /// nearest polygon (S5.1). Errors: kBadCamera, kNotFinite, kOutOfRange.
+  /// nearest polygon (S5.1), or an exact mean (View::anti_aliasing).
+  /// Errors: kBadCamera, kNotFinite, kOutOfRange.
   Result<Picture> render(const View& view = {}) const;
   /// What is seen at a pixel; nothing at the background, and off the image.
   Result<std::optional<Pick>> pick(const View& view, std::int32_t x,
