@@ -43,7 +43,7 @@ CTEST_PARALLEL_LEVEL=$(nproc)
 export CTEST_PARALLEL_LEVEL
 # The fuzz targets' corpora are replayed once, with sanitizers.
 step "build, optimised" build release \
-  {spec,ref,fast,io,csg,face}/test/all \
+  {spec,ref,fast,io,csg,face,viewer}/test/all \
   {shadow,tools,proptest,examples,bench}/all
 # Every law notes there what it has run.
 laws_run=$PWD/out/laws.txt
@@ -54,7 +54,7 @@ step "clauses, laws, functions" python3 tools/check_traceability.py \
   --laws build/release/proptest/proptest "$laws_run"
 # What the tests with these labels need; building the laws takes longer.
 step "build, with sanitizers" build asan \
-  {spec,ref,fast,io,csg,face}/test/all proptest/faults/all fuzz/all \
+  {spec,ref,fast,io,csg,face,viewer}/test/all proptest/faults/all fuzz/all \
   tools/all \
   examples/all
 # Checking proofs keeps one core busy, and now and then a second one.

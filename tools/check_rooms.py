@@ -35,14 +35,17 @@ LIBRARIES = {
     "shadow": {"spec", "ref", "fast", "shadow"},
     "csg": {"spec", "ref", "fast", "io", "csg"},
     "face": {"spec", "fast", "io", "csg", "face"},
+    "viewer": {"spec", "fast", "io", "face", "viewer"},
 }
 PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples")
 
 # The rooms of folders: the file with their list, or the list.
 ROOMS = {"fast/src": "fast/CMakeLists.txt",
          "proptest": "proptest/CMakeLists.txt",
-         "io/src": ("base", "polygon", "mesh", "scene", "view", "picture"),
-         "tools/src": ("cli", "image", "commands")}
+         "io/src": ("base", "polygon", "mesh", "scene", "view", "picture",
+                    "figure"),
+         "tools/src": ("cli", "image", "commands"),
+         "viewer/src": ("core", "window")}
 
 # Who looks inside a library that is not theirs, and why.
 INSIDERS = {

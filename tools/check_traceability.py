@@ -50,7 +50,7 @@ import textwrap
 import check_constants
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-CLAUSE = re.compile(r"^## (S[1-7]\.\d+) (.+)$", re.MULTILINE)
+CLAUSE = re.compile(r"^## (S[1-9]\.\d+) (.+)$", re.MULTILINE)
 LAW = re.compile(r"^\*\*(S\d\.L\d+)\*\*", re.MULTILINE)
 KEYS = ("confirmed", "reference", "fast", "laws", "fuzz")
 

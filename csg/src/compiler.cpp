@@ -223,7 +223,7 @@ bool Compiler::begin_body(bool& complete) {
   return advance();
 }
 
-/// The instruction of what a bracket closes, which has so many values.
+/// The instruction of a closed bracket with this number of values.
 void Compiler::emit_closed(Pending& top, std::uint32_t count) {
   using Kind = Pending::Kind;
   Instruction made = std::move(top.instruction);

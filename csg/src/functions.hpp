@@ -43,7 +43,7 @@ std::optional<Function> function_named(std::string_view word);
 /// The error of a call with other values than the function takes.
 Error wrong_call(Function function, const Place& place);
 
-/// The number that the token is, of so many signs.
+/// The token's number, of at most this number of characters.
 /// Errors: kOutOfRange.
 Result<io::Number> number_in(const Token& token, bool negative);
 

@@ -129,7 +129,7 @@ Matrix rotation(const Numbers3& axis, const Number& degrees) {
                              : CosineAndSine{angle.cosine, -angle.sine});
   }
   // Step 1: the axis, of length one. The longest component becomes 1 first,
-  // lest squares overflow.
+  // so that squares do not overflow.
   std::array<long double, 3> k{};
   for (std::size_t i = 0; i < 3; ++i) k[i] = io::to_double(axis[i]);
   const long double longest =
@@ -137,7 +137,7 @@ Matrix rotation(const Numbers3& axis, const Number& degrees) {
   for (long double& c : k) c /= longest;
   const long double length = std::sqrt(k[0] * k[0] + k[1] * k[1] + k[2] * k[2]);
   for (long double& c : k) c /= length;
-  // Step 2: what is along the axis stays, what is athwart turns.
+  // Step 2: the part along the axis stays, the part across it turns.
   Matrix m;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

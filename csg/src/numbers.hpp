@@ -15,8 +15,8 @@ bool is_less(const io::Number& a, const io::Number& b);
 /// where b is 0 or doubles do not reach it.
 std::optional<io::Number> quotient(const io::Number& a, const io::Number& b);
 
-/// Of an angle in degrees: exact where the value is 0, 1/2 or 1 but for its
-/// sign, else the double next to it or nearly so.
+/// Take an angle in degrees. Exact where the absolute value is 0, 1/2 or 1,
+/// else within a few units in the last place of a double.
 io::Number sine(const io::Number& degrees);
 io::Number cosine(const io::Number& degrees);
 

@@ -13,7 +13,6 @@
 #include "halfspace/csg/measure.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/csg/volume.hpp"
-#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "step_map.hpp"
 
@@ -187,11 +186,12 @@ Result<bool> needs_repair(const GridSolid& solid,
             : "the surface is inside out: its volume is " + volume +
                   "; flip(...) in an expression turns its faces round"};
   }
-  const Result<Done> fine =
-      fast::check_operand(numbered(fast::to_solid(solid), polygons));
+  const Result<Done> fine = fast::check_operand(
+      numbered(fast::to_solid(solid), polygons), options.check);
+  if (!fine && fine.error().code == ErrorCode::kStopped) return fine.error();
   if (fine || options.repair) return !fine;
   Error error = fine.error();
-  // Of a surface that faces inwards nothing would be kept.
+  // Resolution would keep nothing of a surface that faces inwards.
   if (error.code == ErrorCode::kSelfCrossing) {
     error.message += " (" + options.repair_word + " keeps what it winds round)";
   } else if (error.code == ErrorCode::kInsideOut) {

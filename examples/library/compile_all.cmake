@@ -1,5 +1,11 @@
 # Compiles each program of this folder by COMPILER, as a careful user does, with
-# no header but those of face/ and spec/.
+# no header but those of face/ and spec/; and counts its lines, but for blank
+# ones and comments.
+set(most_picture 8)
+set(most_drilled_part 12)
+set(most_painter 15)
+set(most_scan_lines 12)
+set(most_errors 10)
 file(GLOB programs ${SOURCE_DIR}/examples/library/*.cpp)
 list(FILTER programs EXCLUDE REGEX document_test)
 foreach(program ${programs})
@@ -10,5 +16,11 @@ foreach(program ${programs})
     RESULT_VARIABLE code)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "${COMPILER} does not compile ${program}")
+  endif()
+  file(STRINGS ${program} lines REGEX "^ *[^ /]")
+  list(LENGTH lines count)
+  cmake_path(GET program STEM name)
+  if(NOT count LESS_EQUAL most_${name})
+    message(FATAL_ERROR "${program} has ${count} lines, over ${most_${name}}")
   endif()
 endforeach()

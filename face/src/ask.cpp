@@ -43,8 +43,9 @@ csg::MergeRule rule_of(MergeFaces merge) {
   return csg::MergeRule::kNone;
 }
 
-Result<std::shared_ptr<Evaluation>> evaluation_of(const Solid& solid) {
-  return SolidNode::of(solid).evaluation({});
+Result<std::shared_ptr<Evaluation>> evaluation_of(
+    const Solid& solid, const WorkOptions& options = {}) {
+  return SolidNode::of(solid).evaluation(options);
 }
 
 /// What `ask` answers about the solid, with nobody else at its table.
@@ -101,12 +102,13 @@ Result<Done> Solid::evaluate(const WorkOptions& options) const {
 }
 
 Result<Mesh> Solid::mesh(const MeshOptions& options) const {
-  const auto evaluation = evaluation_of(*this);
+  const auto evaluation =
+      evaluation_of(*this, {options.threads, options.progress});
   if (!evaluation) return evaluation.error();
   const std::lock_guard lock((*evaluation)->mutex);
   const fast::Solid solid = merged_by((*evaluation)->solid, options.merge);
-  const fast::ExportedMesh exported =
-      fast::to_mesh(solid, {options.triangles, detail::thread_count(0)});
+  const fast::ExportedMesh exported = fast::to_mesh(
+      solid, {options.triangles, detail::thread_count(options.threads)});
   Mesh mesh;
   mesh.vertices.reserve(exported.vertices.size());
   for (const auto& v : exported.vertices)
@@ -124,7 +126,8 @@ Result<Mesh> Solid::mesh(const MeshOptions& options) const {
 
 Result<Done> Solid::save(const std::filesystem::path& path,
                          const MeshOptions& options) const {
-  const auto evaluation = evaluation_of(*this);
+  const auto evaluation =
+      evaluation_of(*this, {options.threads, options.progress});
   if (!evaluation) return evaluation.error();
   const std::lock_guard lock((*evaluation)->mutex);
   fast::Solid solid = (*evaluation)->solid;
@@ -132,7 +135,7 @@ Result<Done> Solid::save(const std::filesystem::path& path,
   csg::EvaluateOptions how;
   how.merge = rule_of(options.merge);
   how.triangles = options.triangles;
-  how.threads = detail::thread_count(0);
+  how.threads = detail::thread_count(options.threads);
   if (io::format_of(path) == io::Format::kStl) {
     how.triangles = true;
     how.number = fast::FileNumber::kFloat;
@@ -151,6 +154,16 @@ Result<std::vector<Solid>> Solid::operands() const {
   for (const Evaluation::Cut& cut : (*evaluation)->cuts)
     solids.push_back(SolidNode::solid_of(cut.node));
   return solids;
+}
+
+Result<std::map<std::string, std::size_t>> Solid::polygons_by_operand() const {
+  const auto made = mesh();
+  if (!made) return made.error();
+  const std::vector<Solid> from = *operands();
+  std::map<std::string, std::size_t> counts;
+  for (const Origin& origin : made->origins)
+    ++counts[from[origin.operand].name()];
+  return counts;
 }
 
 Result<RoundingReport> Solid::rounding() const {

@@ -10,6 +10,7 @@
 
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
@@ -17,6 +18,7 @@
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/picture.hpp"
+#include "halfspace/io/ray.hpp"
 #include "halfspace/io/read_mesh.hpp"
 #include "halfspace/io/view.hpp"
 #include "import.hpp"
@@ -91,11 +93,12 @@ double step_of(const Unit& unit) {
 
 dvec3 vector_of(const Point& p) { return {p.x, p.y, p.z}; }
 
+Error no_pixels() {
+  return {ErrorCode::kOutOfRange, "the picture has no columns or no rows"};
+}
+
 Result<Camera> camera_of(const Scene& scene, const View& view) {
-  if (view.width_px < 1 || view.height_px < 1) {
-    return Error{ErrorCode::kOutOfRange,
-                 "the picture has no columns or no rows"};
-  }
+  if (view.width_px < 1 || view.height_px < 1) return no_pixels();
   io::ViewOptions options;
   if (!view.eye || !view.target) {
     const auto automatic =
@@ -132,6 +135,8 @@ std::int32_t samples_of(const View& view) {
              ? 1
              : static_cast<std::int32_t>(view.anti_aliasing);
 }
+
+Error stopped() { return {ErrorCode::kStopped, "the work was stopped"}; }
 
 io::Mesh exact_mesh(const Mesh& mesh) {
   detail::ExactPoints exact = detail::exact_points(mesh.vertices);
@@ -191,23 +196,56 @@ struct Display::State {
     return state;
   }
 
-  const fast::BspTree& picture_tree(int threads) {
+  /// Null where view.progress stopped it.
+  const fast::BspTree* picture_tree(const View& view) {
     const std::lock_guard lock(mutex);
-    if (tree) return *tree;
+    if (tree) return &*tree;
     fast::DisplayTreeOptions options;
-    options.threads = std::max(threads, 0);
-    tree = fast::build_display_tree(scene, options);
-    return *tree;
+    options.threads = std::max(view.threads, 0);
+    options.progress = view.progress;
+    fast::BspTree made = fast::build_display_tree(scene, options);
+    if (made.nodes.empty()) return nullptr;
+    tree = std::move(made);
+    return &*tree;
   }
-  const fast::BspTree& ordered_tree() {
-    const fast::BspTree& made = picture_tree(0);
+  const fast::BspTree& picture_tree() { return *picture_tree(View{}); }
+  const fast::BspTree* ordered_tree(const View& view) {
+    const fast::BspTree* made = picture_tree(view);
+    if (made == nullptr) return nullptr;
     const std::lock_guard lock(mutex);
     if (!ordered) {
-      ordered = made;
+      ordered = *made;
       fast::divide_leaves(*ordered, scene);
     }
-    return *ordered;
+    return &*ordered;
   }
+  /// The polygon of the display that a polygon of the scene is part of, and its
+  /// solid. Solids without polygons begin where the next one does.
+  std::int32_t polygon_of(PolygonId id) const {
+    return faces[static_cast<std::size_t>(id)];
+  }
+  std::int32_t solid_of(std::int32_t polygon) const {
+    const auto next =
+        std::upper_bound(solid_starts.begin(), solid_starts.end(), polygon);
+    return static_cast<std::int32_t>(next - solid_starts.begin()) - 1;
+  }
+  Hit hit_of(const RayHit& hit, const Ray& ray) const {
+    const std::int32_t polygon = polygon_of(hit.polygon);
+    const dvec3 point = io::point_of(hit, ray, scene.unit());
+    return {polygon,
+            solid_of(polygon),
+            {point.x, point.y, point.z},
+            io::distance_of(hit, ray, scene.unit()),
+            io::parameter_of(hit),
+            io::exact_parameter_of(hit)};
+  }
+  std::vector<Hit> hits_of(const Ray& ray) {
+    std::vector<Hit> result;
+    for (const RayHit& hit : fast::all_hits(scene, picture_tree(), ray))
+      result.push_back(hit_of(hit, ray));
+    return result;
+  }
+
   Result<fast::Rendering> rendered(const View& view,
                                    const std::optional<fast::Rectangle>& part) {
     const Result<Camera> camera = camera_of(scene, view);
@@ -223,15 +261,18 @@ struct Display::State {
                        std::to_string(kMaxImageSize / samples) +
                        " columns and rows"};
     }
+    const fast::BspTree* made = picture_tree(view);
+    if (made == nullptr) return stopped();
     fast::Rendering image =
         samples == 1
-            ? fast::render(scene, picture_tree(view.threads), *camera,
-                           image_options(view), how)
-            : fast::render_samples(scene, picture_tree(view.threads), *camera,
-                                   image_options(view), samples, how);
+            ? fast::render(scene, *made, *camera, image_options(view), how)
+            : fast::render_samples(scene, *made, *camera, image_options(view),
+                                   samples, how);
     if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {
-      Result<fast::AreaImage> areas = fast::render_area(
-          scene, ordered_tree(), *camera, image_options(view));
+      const fast::BspTree* divided = ordered_tree(view);
+      if (divided == nullptr) return stopped();
+      Result<fast::AreaImage> areas =
+          fast::render_area(scene, *divided, *camera, image_options(view));
       if (!areas) return areas.error();
       image.colors = std::move(areas->colors);
     }
@@ -326,25 +367,65 @@ Result<std::optional<Pick>> Display::pick(const View& view, std::int32_t x,
                                           std::int32_t y) const {
   if (x < 0 || y < 0 || x >= view.width_px || y >= view.height_px)
     return std::optional<Pick>();
-  const Result<fast::Rendering> image =
-      state_->rendered(view, fast::Rectangle{x, y, x + 1, y + 1});
-  if (!image) return image.error();
-  const PolygonId polygon = image->items.pixels.front();
-  if (polygon == kBackground) return std::optional<Pick>();
-  const auto& starts = state_->solid_starts;
-  // Solids without polygons begin where the next one does.
-  const auto next = std::upper_bound(starts.begin(), starts.end(), polygon);
-  return std::optional(
-      Pick{polygon, static_cast<std::int32_t>(next - starts.begin()) - 1});
+  const Scene& scene = state_->scene;
+  const Result<Camera> camera = camera_of(scene, view);
+  if (!camera) return camera.error();
+  const fast::BspTree* tree = state_->picture_tree(view);
+  if (tree == nullptr) return stopped();
+  const PolygonId seen =
+      fast::pick(scene, *tree, *camera, image_options(view), x, y);
+  if (seen == kBackground) return std::optional<Pick>();
+  const std::int32_t polygon = state_->polygon_of(seen);
+  const io::PixelPoint at = io::pixel_point(scene, *camera, seen, x, y);
+  return std::optional(Pick{polygon,
+                            state_->solid_of(polygon),
+                            {at.point.x, at.point.y, at.point.z},
+                            at.distance});
+}
+
+Result<std::optional<Hit>> Display::first_hit(const Point& from,
+                                              const Point& along) const {
+  const auto made =
+      io::ray_along(state_->scene, vector_of(from), vector_of(along));
+  if (!made) return made.error();
+  const auto hit =
+      fast::first_hit(state_->scene, state_->picture_tree(), made->ray);
+  if (!hit) return std::optional<Hit>();
+  return std::optional(state_->hit_of(*hit, made->ray));
+}
+
+Result<std::vector<Hit>> Display::all_hits(const Point& from,
+                                           const Point& along) const {
+  const auto made =
+      io::ray_along(state_->scene, vector_of(from), vector_of(along));
+  if (!made) return made.error();
+  return state_->hits_of(made->ray);
+}
+
+Result<std::vector<Hit>> Display::hits_between(const Point& from,
+                                               const Point& to) const {
+  const auto made = io::ray_between(state_->scene, vector_of(from),
+                                    vector_of(to), Reach::kSegment);
+  if (!made) return made.error();
+  return state_->hits_of(made->ray);
+}
+
+Result<bool> Display::see_each_other(const Point& a, const Point& b) const {
+  const auto made = io::ray_between(state_->scene, vector_of(a), vector_of(b),
+                                    Reach::kBetween);
+  if (!made) return made.error();
+  return fast::see_each_other(state_->scene, state_->picture_tree(), made->ray);
 }
 
 namespace {
 
 /// Hands out the fragments that a traversal finds.
 template <class Traverse>
-Result<Done> visit_all(const Scene& scene, const fast::BspTree& tree,
+Result<Done> visit_all(const Scene& scene, const fast::BspTree* made,
                        const std::vector<PolygonId>& faces, const View& view,
                        const Visit& visit, const Traverse& traverse) {
+  if (made == nullptr) return stopped();
+  const fast::BspTree& tree = *made;
   const Result<Camera> camera = camera_of(scene, view);
   if (!camera) return camera.error();
   const double step = step_of(scene.unit());
@@ -381,14 +462,24 @@ Result<Done> visit_all(const Scene& scene, const fast::BspTree& tree,
 
 Result<Done> Display::front_to_back(const View& view,
                                     const Visit& visit) const {
-  return visit_all(state_->scene, state_->ordered_tree(), state_->faces, view,
-                   visit, fast::front_to_back);
+  return visit_all(state_->scene, state_->ordered_tree(view), state_->faces,
+                   view, visit, fast::front_to_back);
 }
 
 Result<Done> Display::back_to_front(const View& view,
                                     const Visit& visit) const {
-  return visit_all(state_->scene, state_->ordered_tree(), state_->faces, view,
-                   visit, fast::back_to_front);
+  return visit_all(state_->scene, state_->ordered_tree(view), state_->faces,
+                   view, visit, fast::back_to_front);
+}
+
+Result<Done> Display::scan(const View& view, const Paint& paint) const {
+  if (view.width_px < 1 || view.height_px < 1) return no_pixels();
+  DynamicScreen screen(view.width_px, view.height_px);
+  return front_to_back(view, [&](const SeenPolygon& polygon) {
+    for (const PixelSpan& span : screen.light(polygon.spans()))
+      paint(polygon, span);
+    return !screen.is_full();
+  });
 }
 
 Result<Done> Display::insert(const Mesh& mesh) {

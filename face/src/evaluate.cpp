@@ -93,6 +93,7 @@ Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
   csg::OperandOptions how;
   how.exact = true;
   how.repair_word = "OperandOptions::resolve";
+  how.check.threads = thread_count(options.threads);
   Result<csg::Operands> operands =
       csg::Operands::join(*std::move(sources), lowered->script, *plan, how);
   if (!operands) return operands.error();

@@ -95,6 +95,7 @@ Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
   if (!imported) return io::error_about(name, imported.error());
   csg::OperandOptions options;
   options.repair = how.options.resolve;
+  options.check.threads = thread_count(0);
   options.repair_word = "OperandOptions::resolve";
   Result<csg::Source> source = how.is_trusted
                                    ? trusted_source(name, *imported)
@@ -185,6 +186,7 @@ Result<LeafData> file_leaf(const std::string& path,
   }
   csg::OperandOptions read;
   read.repair = options.resolve;
+  read.check.threads = thread_count(0);
   read.repair_word = "OperandOptions::resolve";
   Result<csg::Source> source = csg::read_source(path, read);
   if (!source) return source.error();

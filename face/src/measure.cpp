@@ -183,7 +183,8 @@ Integrals integrals_of(const IntervalArithmetic& arithmetic,
   return sum;
 }
 
-/// The moments, if so many bits leave no doubt; `last` takes what there is.
+/// The moments, if this number of bits leaves no doubt; `last` accepts them as
+/// they are.
 std::optional<Moments> moments_with(unsigned bits, ExactSurface& surface,
                                     bool last) {
   const IntervalArithmetic a(bits);

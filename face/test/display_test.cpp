@@ -128,5 +128,44 @@ TEST(FaceDisplay, BadViewsAndMeshesAreErrors) {
   EXPECT_EQ(Display::of_file("no.off").error().code, ErrorCode::kUnreadable);
 }
 
+TEST(FaceDisplay, RaysHitWhatIsThere) {
+  const std::vector<Solid> solids = {Solid::box({0, 0, 0}, {1, 1, 1}),
+                                     Solid::box({2, 0, 0}, {4, 1, 1})};
+  const Display display = *Display::of(solids);
+  const auto first = *display.first_hit({-1, 0.25, 0.5}, {2, 0, 0});
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(first->solid, 0);
+  EXPECT_EQ(first->fraction, "1/2");
+  EXPECT_EQ(first->parameter, 0.5);
+  EXPECT_EQ(first->distance, 1);
+  EXPECT_EQ(first->point.x, 0);
+  EXPECT_EQ(first->point.y, 0.25);
+  EXPECT_EQ(display.all_hits({-1, 0.25, 0.5}, {2, 0, 0})->size(), 4u);
+  EXPECT_EQ(display.hits_between({0.5, 0.25, 0.5}, {3, 0.25, 0.5})->size(), 2u);
+  EXPECT_TRUE(*display.see_each_other({1, 0.5, 0.5}, {2, 0.5, 0.5}));
+  EXPECT_FALSE(*display.see_each_other({1, 0.5, 0.5}, {3, 0.5, 0.5}));
+  EXPECT_FALSE(display.first_hit({9, 9, 9}, {1, 0, 0})->has_value());
+  EXPECT_EQ(display.first_hit({9, 9, 9}, {0, 0, 0}).error().code,
+            ErrorCode::kBadRay);
+  EXPECT_EQ(display.first_hit({0, 0, 1e300}, {0, 0, 1}).error().code,
+            ErrorCode::kOutOfRange);
+  EXPECT_EQ(display.see_each_other({0, 0, 0}, {0, 0, 0}).error().code,
+            ErrorCode::kBadRay);
+}
+
+TEST(FaceDisplay, PicksTellWhere) {
+  const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
+  View view;
+  view.eye = Point{9, 1, 1};
+  view.target = Point{1, 1, 1};
+  view.width_px = 65;
+  view.height_px = 65;
+  const auto pick = *display.pick(view, 32, 32);
+  ASSERT_TRUE(pick.has_value());
+  EXPECT_EQ(pick->point.x, 2);
+  EXPECT_NEAR(pick->point.y, 1, 1e-6);
+  EXPECT_NEAR(pick->distance, 7, 1e-6);
+}
+
 }  // namespace
 }  // namespace halfspace

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <vector>
 
 #include "halfspace/halfspace.hpp"
 
@@ -26,10 +29,19 @@ Mesh with_fields(const Solid& solid) {
 /// the point, else but for the point's own rounding.
 void expect_the_fields(const Mesh& mesh, double tolerance) {
   ASSERT_EQ(mesh.field_count, 2u);
+  std::vector<double> at_vertex(2 * mesh.vertices.size(), HUGE_VAL);
   for (std::size_t i = 0; i < mesh.corners.size(); ++i) {
     const Point& p = mesh.vertices[static_cast<std::size_t>(mesh.corners[i])];
     ASSERT_NEAR(mesh.fields_at(i)[0], 4 * p.x - 2 * p.y + p.z + 8, tolerance);
     ASSERT_NEAR(mesh.fields_at(i)[1], p.x, tolerance);
+    // All polygons of both operands have one value there, rounded from one
+    // exact point.
+    for (std::size_t k = 0; k < 2; ++k) {
+      double& known =
+          at_vertex[2 * static_cast<std::size_t>(mesh.corners[i]) + k];
+      if (known == HUGE_VAL) known = mesh.fields_at(i)[k];
+      ASSERT_EQ(known, mesh.fields_at(i)[k]);
+    }
   }
 }
 
@@ -47,6 +59,51 @@ TEST(FaceFields, AffineFieldsComeOutOfBooleansExactly) {
   for (const Solid& solid :
        {a + tetrahedron, a - tetrahedron, a & tetrahedron, a ^ tetrahedron})
     expect_the_fields(*solid.mesh(), 1e-13);
+}
+
+/// How many booleans: HALFSPACE_FIELD_BOOLEANS says it for campaigns.
+int booleans(int usually) {
+  const char* wanted = std::getenv("HALFSPACE_FIELD_BOOLEANS");
+  return wanted != nullptr ? std::atoi(wanted) : usually;
+}
+
+TEST(FaceFields, AffineFieldsComeOutOfRandomBooleansExactly) {
+  // Boxes with corners on a coarse grid: every vertex of a result is on it, so
+  // the fields are whole numbers, and not to be off at all.
+  std::mt19937_64 random(7);
+  const auto below = [&random](std::uint64_t bound) {
+    return static_cast<double>(random() % bound);
+  };
+  const auto box = [&] {
+    const Point low{below(8), below(8), below(8)};
+    return Solid::from_mesh(
+        with_fields(Solid::box(low, {low.x + 1 + below(8), low.y + 1 + below(8),
+                                     low.z + 1 + below(8)})));
+  };
+  const auto hull = [&] {
+    std::vector<Point> points;
+    for (int i = 0; i < 6; ++i)
+      points.push_back({below(12), below(12), below(12)});
+    const Solid made = Solid::hull(points);
+    return made.volume() ? Solid::from_mesh(with_fields(made)) : box();
+  };
+  std::size_t corners = 0;
+  for (int round = 0; round < booleans(400); ++round) {
+    const bool is_slanted = round % 2 == 1;
+    const Solid a = box(), b = is_slanted ? hull() : box();
+    const std::uint64_t operation = random() % 4;
+    const Solid made = operation == 0   ? a + b
+                       : operation == 1 ? a - b
+                       : operation == 2 ? (a & b)
+                                        : (a ^ b);
+    const Mesh mesh = *made.mesh();
+    // Of rational vertices, whose doubles are rounded too, to within that.
+    if (mesh.polygon_count() == 0) continue;
+    expect_the_fields(mesh, is_slanted ? 1e-13 : 0);
+    corners += mesh.corners.size();
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(corners, 1000u);
 }
 
 TEST(FaceFields, PropertiesComeBackFromPartsThatAreJoined) {

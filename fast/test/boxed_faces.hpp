@@ -34,7 +34,7 @@ inline std::vector<std::int32_t> all_of(const Solid& solid) {
   return faces;
 }
 
-/// Of the faces that are not gone those whose boxes overlap `box`.
+/// The faces whose boxes overlap `box`, without those that are gone.
 inline std::vector<std::int32_t> overlapping(
     const Solid& solid, const Box& box,
     const std::set<std::int32_t>& gone = {}) {

@@ -319,7 +319,7 @@ std::uint64_t times(std::uint64_t seeds) {
 void compare_kinds(std::uint64_t seeds, std::int64_t scale) {
   for (const SolidKind first : kSolidKinds) {
     for (const SolidKind second : kSolidKinds) {
-      // Of what may touch itself anywhere little does in a way of its own.
+      // Solids that may touch themselves anywhere rarely do so in a new way.
       const bool is_rare =
           first == SolidKind::kTouching || second == SolidKind::kTouching;
       const std::uint64_t last = times(is_rare ? 3 * seeds : seeds);

@@ -171,7 +171,7 @@ Parts split(const Scene& scene, const FragmentName& fragment,
   const Plane plane = plane_of(scene, splitter);
   const std::vector<Point> points = points_of(scene, fragment);
   const std::size_t count = points.size();
-  // Of either part: the edges with an end strictly on its side, in order. The
+  // Each part has the edges with an end strictly on its side, in order. The
   // splitter comes after the edge that leaves that side.
   const auto part = [&](int side) {
     FragmentName name{fragment.source, {}};

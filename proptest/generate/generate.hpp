@@ -47,7 +47,7 @@ Views near_through_polygon();
 /// All of the above in turn, and their mixtures.
 Views views();
 
-/// Of `troubles`, those that the view has; found by looking at it, not by
+/// The subset of `troubles` that the view has; found by looking at it, not by
 /// asking how it was made.
 std::set<std::string> troubles_in(const SceneFile& view,
                                   const std::set<std::string>& troubles);

@@ -114,7 +114,7 @@ struct Maker {
   /// The vectors of a column and a row, both even, across `forward`.
   std::pair<Vector, Vector> across(const Vector& forward) const {
     const int axis = axis_of(forward);
-    // Of the whole depth, the image is from an eighth to a half wide.
+    // The image's width is from an eighth to a half of the whole depth.
     const Int128 reach = recipe.perspective ? size_of(forward) : 16 * unit;
     const Int128 step = std::max<Int128>(
         1, reach * (2 + std::abs(recipe.numbers[6])) / (16 * recipe.width_px));

@@ -238,7 +238,7 @@ TYPED_TEST(S5Image, L7NothingIsSeenAtOrBeforeTheNearDistance) {
 TYPED_TEST(S5Image, L8OtherIdsChangeTheImageByThoseIdsOnly) {
   std::size_t seen = 0;
   law::for_all_views([&](const SceneFile& view) {
-    // Of polygons in one plane, keep the first.
+    // Keep the first of polygons in one plane.
     std::vector<PolygonId> ids;
     for (const PolygonId p : ids_of(view.scene)) {
       const auto points =

@@ -16,7 +16,7 @@ template <class Impl>
 class S5Symmetry : public ::testing::Test {};
 TYPED_TEST_SUITE(S5Symmetry, Implementations);
 
-/// So many views for laws that make several pictures of each.
+/// Number of views for laws that make several pictures of each.
 constexpr int kFewerViews = 150;
 
 /// An exchange of axes, some of them turned over.

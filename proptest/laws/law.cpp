@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// Cases tried since take_case_count(). Laws are checked by one thread.
 std::uint64_t case_count = 0;
 
-/// Of so many views a report looks at one.
+/// A report looks at one view in this number.
 constexpr std::uint64_t kLookedAt = 8;
 
 /// The scene files of a folder, in order of name.

@@ -143,7 +143,7 @@ void ask_classes_of(Inquiry& inquiry, const GridSolid& other, bool along) {
   };
   for (const Stretch& stretch : kStretches) {
     const Line answer = line_of(class_in(stretch, fragments));
-    // Of a splitter along x, then of one against it.
+    // First for a splitter along x, then for one against it.
     Line question = line_of(4);
     question.add(class_of(stretch.inside_beyond));
     question.add(class_of(stretch.inside_before));

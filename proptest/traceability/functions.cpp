@@ -7,8 +7,10 @@
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
+#include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
@@ -22,15 +24,18 @@
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/ray.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
+#include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/predicate.hpp"
 #include "halfspace/ref/projection.hpp"
+#include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/samples.hpp"
 #include "halfspace/ref/scan.hpp"
@@ -248,6 +253,32 @@ void take_all() {
   take(&fast::visible_map);  // S7.5
   take(&ref::render_area);  // S7.6
   take(&fast::render_area);  // S7.6
+  take(&make_ray);  // S8.1
+  take(&ref::all_hits);  // S8.2
+  take(&ref::distance_of);  // S8.2
+  take(&fast::all_hits);  // S8.2
+  take(&ref::all_hits);  // S8.3
+  {  // S8.3
+    using namespace fast;
+    using Kind = std::optional<RayHit>(const Scene&, const BspTree&, const Ray&);
+    take<Kind>(&fast::first_hit);
+  }
+  take(&ref::pick);  // S8.4
+  take(&fast::pick);  // S8.4
+  take(&ref::see_each_other);  // S8.5
+  take(&fast::see_each_other);  // S8.5
+  take(&ref::draw);  // S9.1
+  take(&fast::draw);  // S9.1
+  take(&ref::draw);  // S9.2
+  take(&fast::draw);  // S9.2
+  take(&ref::draw);  // S9.3
+  take(&fast::draw);  // S9.3
+  take(&ref::draw);  // S9.4
+  take(&fast::draw);  // S9.4
+  take(&ref::draw);  // S9.5
+  take(&fast::draw);  // S9.5
+  take(&ref::draw);  // S9.6
+  take(&fast::draw);  // S9.6
 }
 
 }  // namespace
@@ -256,5 +287,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 104 ? 0 : 1;
+  return halfspace::taken == 126 ? 0 : 1;
 }

@@ -5,76 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "vector.hpp"
+#include "covering.hpp"
 
 namespace halfspace::ref {
 namespace {
-
-/// A function value + x dx + y dy of the image point (x, y).
-struct Affine {
-  Rational value, dx, dy;
-};
-Affine operator*(const Rational& scale, const Affine& f) {
-  return {scale * f.value, scale * f.dx, scale * f.dy};
-}
-Affine operator+(const Affine& f, const Affine& g) {
-  return {f.value + g.value, f.dx + g.dx, f.dy + g.dy};
-}
-Affine operator-(const Affine& f, const Affine& g) {
-  return f + Rational(-1) * g;
-}
-
-/// What decides about a polygon at an image point.
-struct Covering {
-  std::vector<Affine> insides;  ///< all positive: it is covered (S4.5)
-  Affine nearness;              ///< the greater, the nearer (S5.3)
-};
-
-/// A plane's value at the eye, P(e), and at the image point s, P(s) (S4.2).
-/// Units: grid steps, times 2^8.
-struct Seen {
-  Rational eye;
-  Affine image;
-};
-Seen seen(const Plane& plane, const Camera& camera) {
-  const auto along = [&plane](const LatticeVector& v) {
-    return dot(normal_of(plane), to_point(v));
-  };
-  const Rational offset = Rational(1 << kLatticeBits) * plane.d;
-  return {
-      camera->perspective ? along(camera->eye) + offset : along(camera->eye),
-      {along(camera->s0) + offset, along(camera->sx), along(camera->sy)}};
-}
-
-/// The forms of a polygon; nothing if its plane holds the eye or it is culled.
-std::optional<Covering> covering_of(const Fragment& polygon,
-                                    const Camera& camera, bool cull) {
-  const Plane plane = plane_of(polygon.vertices);
-  const Seen support = seen(plane, camera);
-  const int g = sign(support.eye);
-  if (g == 0 || (cull && g < 0)) return std::nullopt;
-  Covering covering;
-  for (std::size_t k = 0; k < polygon.vertices.size(); ++k) {
-    const Point& p = polygon.vertices[k];
-    const Point& q = polygon.vertices[(k + 1) % polygon.vertices.size()];
-    const Seen edge = seen(
-        plane_through(cross(normal_of(plane), difference(q, p)), p), camera);
-    covering.insides.push_back(
-        Rational(g) * (support.eye * edge.image - edge.eye * support.image));
-  }
-  if (camera->near) {
-    const Rational k = *camera->near;
-    const Rational unit = 1 << kNearBits;
-    const Affine at_eye = {support.eye, 0, 0};
-    covering.insides.push_back(Rational(g) *
-                               (camera->perspective
-                                    ? (unit - k) * at_eye + k * support.image
-                                    : unit * support.image - k * at_eye));
-  }
-  // 1/t - 1 = -P(s) / P(e) in perspective, else -t = -P(s) / P(e).
-  covering.nearness = Rational(-1) / support.eye * support.image;
-  return covering;
-}
 
 bool are_equal(const ImagePoint& p, const ImagePoint& q) {
   return p.x == q.x && p.y == q.y;
@@ -100,13 +34,6 @@ std::optional<ImagePoint> meet(const Line& l, const Line& m) {
   const Rational w = l.a * m.b - l.b * m.a;
   if (sign(w) == 0) return std::nullopt;
   return ImagePoint{(l.b * m.c - l.c * m.b) / w, (l.c * m.a - l.a * m.c) / w};
-}
-
-/// The sign of a form right beside a point, in direction (dx, dy) from it.
-int sign_beside(const Affine& f, const ImagePoint& p, const Rational& dx,
-                const Rational& dy) {
-  if (const int s = sign(f.value + p.x * f.dx + p.y * f.dy)) return s;
-  return sign(dx * f.dx + dy * f.dy);
 }
 
 /// What the map is decided by (S7.1).
@@ -163,7 +90,7 @@ class Forms {
       };
       if (!std::all_of(polygon.insides.begin(), polygon.insides.end(), covers))
         continue;
-      // Of polygons in one plane the first stays in front.
+      // Where polygons share a plane, the first stays in front.
       if (nearest != nullptr &&
           sign_beside(polygon.nearness - *nearest, p, dx, dy) <= 0)
         continue;

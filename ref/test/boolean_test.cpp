@@ -309,7 +309,7 @@ TEST(Rounded, CoordinatesAreTheNearestDoublesInModelUnits) {
   EXPECT_EQ(tenths.max_move,
             nearest_double(Rational(3) / 10 - Rational(BigRational(0.3))));
 
-  // Of 3/10, 7/10 and 1/10 the second has the farthest way to a double.
+  // Among 3/10, 7/10 and 1/10 the second is farthest from a double.
   const Solid b = solid_of(box({0, 0, 0}, {3, 7, 1}));
   EXPECT_EQ(rounded(b, {.base = 10, .exponent = -1}).max_move,
             nearest_double(Rational(7) / 10 - Rational(BigRational(0.7))));

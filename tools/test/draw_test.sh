@@ -26,9 +26,37 @@ for ending in pdf eps tex; do
 done
 head -c 8 a.pdf | grep -q '%PDF-1.4' || wrong "a.pdf is no PDF"
 expect 0 ' 1 regions' draw cubes.off -o none.svg --eye 900,0,0 --target 999,0,0
-expect 2 'one of .svg .pdf .eps .tex' draw cubes.off -o a.bmp
+expect 2 'one of .svg .pdf .eps .tex .dxf .hpgl' draw cubes.off -o a.bmp
 expect 2 'more than 3 cells' draw cubes.off -o b.svg --most-cells 3
 [ -e b.svg ] && wrong "a figure that is too large was written"
 expect 2 'must be\|not in' draw cubes.off -o a.svg --by colours
+
+# Lines: hidden parts are dashed, gone, or named with their edges.
+expect 0 ' [1-9][0-9]* strokes' draw cubes.off -o gone.svg --lines edges
+expect 0 ' strokes' draw cubes.off -o dashed.svg --view iso --hidden dashed \
+  --crease 20 --titles
+grep -q 'stroke-dasharray' dashed.svg || wrong "nothing is dashed"
+grep -q 'stroke-dasharray' gone.svg && wrong "hidden lines are drawn"
+grep -q '<title>polygon [0-9]* edge [0-9]*-[0-9]* [0-9.]* to .* behind' \
+  dashed.svg || wrong "strokes do not name their edges"
+grep -q '<title>polygons [0-9]* and [0-9]* ' dashed.svg ||
+  wrong "intersections are not drawn"
+for ending in svg pdf eps tex dxf hpgl; do
+  expect 0 'scale 1:\|scale [0-9]*:1' draw cubes.off -o "s.$ending" --sheet a4 \
+    --hidden dashed
+  [ -s "s.$ending" ] || wrong "s.$ending is empty"
+done
+grep -q 'width="297mm" height="210mm"' s.svg || wrong "the sheet is not A4"
+grep -q 'MediaBox\[0 0 841.89 595.276\]' s.pdf || wrong "the page is not A4"
+expect 2 'no room' draw cubes.off -o s.svg --sheet a4 --scale 1000:1
+expect 2 'holds lines alone' draw cubes.off -o s.dxf --lines none
+# Several files, and one without polygons.
+expect 0 ' regions' draw cubes.off pinwheel.off -o two.svg --fill file
+grep -q '<title>file 1' two.svg || wrong "the second file is not seen"
+printf 'OFF\n1 0 0\n0 0 0\n' >empty.off
+for ending in svg pdf eps tex dxf hpgl; do
+  expect 0 ' 0 polygons; 0 regions' draw empty.off -o "e.$ending" --lines edges
+  [ -s "e.$ending" ] || wrong "e.$ending is empty"
+done
 
 exit $((failures > 0))

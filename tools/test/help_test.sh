@@ -9,7 +9,8 @@ expect 0 'halfspace render .*--near' help near
 expect 0 'halfspace csg' help rotate
 expect 2 'no command or option called teapot' help teapot
 expect 2 'no command called teapot' help --man teapot
-for command in '' info render draw build csg compare join scene help; do
+for command in '' info render draw build csg compare join pick scene view \
+  help; do
   # shellcheck disable=SC2086
   "$program" help --man $command >page.1 || wrong "help --man $command"
   for section in NAME SYNOPSIS DESCRIPTION OPTIONS; do

@@ -6,6 +6,9 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "halfspace/api.hpp"
@@ -42,6 +45,9 @@ struct View {
   Rgb background = {255, 255, 255};
   AntiAliasing anti_aliasing = AntiAliasing::kNone;
   int threads = 0;  ///< 0: as many as the machine has
+  /// As that of WorkOptions, for the display's tree, which the first view
+  /// makes.
+  std::function<bool(double)> progress = {};
 };
 
 /// A picture: at each pixel its colour, and the polygon that is seen at its
@@ -59,6 +65,7 @@ struct PixelSpan {
   std::int32_t line = 0;
   std::int32_t first = 0;
   std::int32_t last = 0;
+  std::int32_t size() const { return last - first + 1; }
   friend bool operator==(const PixelSpan&, const PixelSpan&) = default;
 };
 
@@ -80,20 +87,57 @@ struct HALFSPACE_API SeenPolygon {
   const Source* source = nullptr;  ///< for spans()
 };
 
-/// Receives parts of polygons in order; false ends the traversal.
-using Visit = std::function<bool(const SeenPolygon&)>;
+/// Receives parts of polygons in order: a function of them that returns
+/// nothing, or whether the traversal is to go on.
+class Visit {
+ public:
+  template <class Function>
+  requires std::is_invocable_v<Function&, const SeenPolygon&> &&
+      (!std::is_same_v<std::remove_cvref_t<Function>, Visit>)
+          Visit(Function function) {
+    using Answer = std::invoke_result_t<Function&, const SeenPolygon&>;
+    if constexpr (std::is_void_v<Answer>) {
+      visit_ = [function](const SeenPolygon& seen) mutable {
+        function(seen);
+        return true;
+      };
+    } else {
+      visit_ = std::move(function);
+    }
+  }
+  bool operator()(const SeenPolygon& seen) const { return visit_(seen); }
+
+ private:
+  std::function<bool(const SeenPolygon&)> visit_;
+};
+
+/// Receives the pixels in which a polygon is seen.
+using Paint = std::function<void(const SeenPolygon&, const PixelSpan&)>;
 
 /// The polygon seen at a pixel, and the solid that it belongs to.
 struct Pick {
   std::int32_t polygon = 0;
   std::int32_t solid = 0;  ///< of those that the display was made of
+  Point point{};           ///< that the pixel's centre sees; nearest doubles
+  double distance = 0;     ///< from the eye; orthographic: from its plane
+};
+
+/// What a ray hits: each number but the fraction is the nearest double to the
+/// exact one.
+struct Hit {
+  std::int32_t polygon = 0;
+  std::int32_t solid = 0;  ///< of those that the display was made of
+  Point point{};
+  double distance = 0;        ///< from where the ray begins
+  double parameter = 0;       ///< the share of `along`, or of the way
+  std::string fraction = {};  ///< the same exactly, such as `3/7`
 };
 
 /// Polygons to look at, with a BSP tree of them: made once, for any number of
 /// views. All that is asked of it may be asked from several threads at once.
 class HALFSPACE_API Display {
  public:
-  /// Of polygons, which need not bound a solid. What is not planar or not
+  /// Takes polygons, which need not bound a solid. What is not planar or not
   /// convex is cut into triangles. Errors: kEmpty, kBadIndex, kNotFinite,
   /// kOutOfRange.
   static Result<Display> of(Mesh mesh);
@@ -112,18 +156,36 @@ class HALFSPACE_API Display {
   std::size_t polygon_count() const;
 
   /// The picture. Exact, whatever the number of threads: at each pixel the
-  /// nearest polygon (S5.1), or an exact mean (View::anti_aliasing).
-  /// Errors: kBadCamera, kNotFinite, kOutOfRange.
+  /// nearest polygon (S5.1), or an exact mean (View::anti_aliasing). Errors,
+  /// here and below: kBadCamera, kNotFinite, kOutOfRange, kStopped (by
+  /// view.progress).
   Result<Picture> render(const View& view = {}) const;
   /// What is seen at a pixel; nothing at the background, and off the image.
   Result<std::optional<Pick>> pick(const View& view, std::int32_t x,
                                    std::int32_t y) const;
+
+  /// What the ray from a point on in a direction hits, edges of polygons
+  /// included (S8.2): first, or all in order; and what the way from one point
+  /// to another hits, its ends included. Polygons in whose plane the ray runs
+  /// are not hit. Exact, once points are rounded to the camera's lattice.
+  /// Errors: kNotFinite, kOutOfRange, kBadRay.
+  Result<std::optional<Hit>> first_hit(const Point& from,
+                                       const Point& along) const;
+  Result<std::vector<Hit>> all_hits(const Point& from,
+                                    const Point& along) const;
+  Result<std::vector<Hit>> hits_between(const Point& from,
+                                        const Point& to) const;
+  /// Whether nothing is between two points (S8.5).
+  Result<bool> see_each_other(const Point& a, const Point& b) const;
 
   /// Hands out parts of polygons so that none hides one before it, or one after
   /// it (S3.7). Polygons seen edge-on may be left out.
   /// Cost: the first time, a tree without leaves.
   Result<Done> front_to_back(const View& view, const Visit& visit) const;
   Result<Done> back_to_front(const View& view, const Visit& visit) const;
+  /// Hands out each pixel in which something is seen once, in spans: front to
+  /// back, on a dynamic screen, until that is full (F2B).
+  Result<Done> scan(const View& view, const Paint& paint) const;
 
   /// Adds polygons, numbered after those that are there, to the tree (S3.6), or
   /// makes a new tree where they need another grid.

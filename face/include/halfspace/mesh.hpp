@@ -51,18 +51,18 @@ struct Origin {
 ///        and origins are empty or have one entry a polygon; fields is empty
 ///        or has field_count entries a corner.
 struct Mesh {
-  std::vector<Point> vertices;
+  std::vector<Point> vertices = {};
   std::vector<std::uint32_t> first_corner = {0};
-  std::vector<std::int32_t> corners;
-  std::vector<Rgb> colors;
+  std::vector<std::int32_t> corners = {};
+  std::vector<Rgb> colors = {};
   /// Any number that polygons have in common; faces never merge across it.
-  std::vector<std::int32_t> materials;
+  std::vector<std::int32_t> materials = {};
   /// Numbers at corners, such as texture coordinates, normals or temperatures:
   /// each is taken as affine over its polygon, by the first three corners that
   /// are not on a line.
-  std::vector<double> fields;
+  std::vector<double> fields = {};
   std::size_t field_count = 0;
-  std::vector<Origin> origins;  ///< of results
+  std::vector<Origin> origins = {};  ///< of results
 
   std::size_t polygon_count() const { return first_corner.size() - 1; }
   std::span<const std::int32_t> corners_of(std::size_t polygon) const {
@@ -74,12 +74,13 @@ struct Mesh {
     return {fields.data() + corner * field_count, field_count};
   }
   /// Adds a polygon of vertices that are there.
-  void add(std::span<const std::int32_t> polygon) {
+  Mesh& add(std::span<const std::int32_t> polygon) {
     corners.insert(corners.end(), polygon.begin(), polygon.end());
     first_corner.push_back(static_cast<std::uint32_t>(corners.size()));
+    return *this;
   }
-  void add(std::initializer_list<std::int32_t> polygon) {
-    add(std::span<const std::int32_t>(polygon.begin(), polygon.size()));
+  Mesh& add(std::initializer_list<std::int32_t> polygon) {
+    return add(std::span<const std::int32_t>(polygon.begin(), polygon.size()));
   }
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,6 +24,11 @@ namespace detail {
 struct SolidNode;
 struct Evaluation;
 }  // namespace detail
+
+/// The error in one line: a few words for its code, and the message.
+inline std::string to_string(const Error& error) {
+  return std::string(to_string(error.code)) + ": " + error.message;
+}
 
 /// How work is done, which does not change its result.
 struct WorkOptions {
@@ -56,6 +62,9 @@ enum class MergeFaces : std::uint8_t {
 struct MeshOptions {
   MergeFaces merge = MergeFaces::kOrigin;
   bool triangles = false;  ///< triangles only, in place of convex polygons
+  int threads = 0;         ///< as those of WorkOptions
+  /// As that of WorkOptions, of working the solid out.
+  std::function<bool(double)> progress = {};
 };
 
 /// Where a point is against a solid.
@@ -183,8 +192,8 @@ class HALFSPACE_API Solid {
   Solid& operator-=(const Solid& other) { return *this = *this - other; }
   Solid& operator&=(const Solid& other) { return *this = *this & other; }
   Solid& operator^=(const Solid& other) { return *this = *this ^ other; }
-  /// Of many at once; of none: the empty solid. The same points as one after
-  /// the other, in n log n.
+  /// Combines many solids at once; without any, the empty solid. The same
+  /// points as one after the other, in n log n.
   static Solid union_of(std::span<const Solid> solids);
   static Solid intersection_of(std::span<const Solid> solids);
   /// The parts on the negative and on the positive side of a plane.
@@ -207,6 +216,8 @@ class HALFSPACE_API Solid {
   /// The operands that the result was made of, unmoved, half-spaces last: as
   /// Origin::operand counts.
   Result<std::vector<Solid>> operands() const;
+  /// How many polygons of mesh() come from operands of each name.
+  Result<std::map<std::string, std::size_t>> polygons_by_operand() const;
   /// What rounding did to the operands.
   Result<RoundingReport> rounding() const;
 

@@ -89,7 +89,7 @@ Assembled Assembler::run() {
     // A vertex beyond an operand may belong to faces that are not here. If two
     // edges in line meet there, one goes on as a run or is kept.
     for (const std::size_t o : {0u, 1u}) {
-      // Of a solid, true only if doubles are too coarse to tell such an edge.
+      // For a solid, true only if doubles are too coarse to see such an edge.
       if (common_.is_beyond_other(o, v)) return true;
     }
     return false;

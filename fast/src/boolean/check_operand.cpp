@@ -58,18 +58,27 @@ Error crossed(const Solid& solid, const std::vector<SelfIntersection>& found) {
   return {ErrorCode::kSelfCrossing, sentence, first.first};
 }
 
+/// The first face of each connected part of the surface.
+std::vector<std::int32_t> first_of_parts(const Solid& solid,
+                                         const SurfaceEdges& edges) {
+  const std::vector<std::int32_t> parts = parts_of_surface(solid, edges);
+  std::vector<std::int32_t> first;
+  for (std::size_t f = 0; f < parts.size(); ++f) {
+    const auto id = static_cast<std::int32_t>(f);
+    if (parts[f] == id && solid.faces[f].edge_count != 0) first.push_back(id);
+  }
+  return first;
+}
+
 /// Where a surface does not pass through itself, each connected part of it has
 /// one winding number in front of all its faces, which must be 0 (S6.6).
-Result<Done> check_windings(const Solid& solid, SelfRadialOrder& half_faces) {
-  const auto parts =
-      parts_of_surface(half_faces.contacts().operand,
-                       std::vector<std::uint8_t>(solid.faces.size()));
+Result<Done> check_windings(const Solid& solid,
+                            const std::vector<std::int32_t>& parts,
+                            SelfRadialOrder& half_faces) {
   std::size_t wrong = 0;
   Error error;
-  for (std::size_t f = 0; f < parts.size(); ++f) {
-    const Face& face = solid.faces[f];
-    const auto id = static_cast<std::int32_t>(f);
-    if (parts[f] != id || face.edge_count == 0) continue;
+  for (const std::int32_t id : parts) {
+    const Face& face = solid.faces[static_cast<std::size_t>(id)];
     const int winding = half_faces.winding_outside(id);
     if (winding == 0 || ++wrong > 1) continue;
     const std::string polygon = "polygon " + polygon_of(solid, id);
@@ -89,11 +98,36 @@ Result<Done> check_windings(const Solid& solid, SelfRadialOrder& half_faces) {
   return error;
 }
 
+/// Of a surface that is closed.
+Result<Done> check_surface(const Solid& solid, const SurfaceEdges& edges,
+                           const CheckOptions& options, TableLease& lease) {
+  bool stopped = false;
+  CheckOptions how = options;
+  if (options.progress) {
+    how.progress = [&](double share) {
+      stopped = stopped || !options.progress(share);
+      return !stopped;
+    };
+  }
+  DynamicBvh index = index_of(solid);
+  const FacePairs pairs =
+      undecided_pairs(solid, lease.table(), edges, index, how);
+  if (stopped) return Error{ErrorCode::kStopped, "stopped while checking", -1};
+  const std::vector<std::int32_t> parts = first_of_parts(solid, edges);
+  SelfRadialOrder half_faces(solid, lease,
+                             self_contacts(solid, lease, edges, pairs, parts),
+                             std::move(index));
+  const auto found = self_intersections_of(half_faces.contacts());
+  if (!found.empty()) return crossed(solid, found);
+  return check_windings(solid, parts, half_faces);
+}
+
 }  // namespace
 
-Result<Done> check_operand(const Solid& solid) {
-  const auto bad = bad_edges(solid);
-  if (!bad.empty()) {
+Result<Done> check_operand(const Solid& solid, const CheckOptions& options) {
+  const SurfaceEdges edges(solid);
+  if (!edges.is_closed()) {
+    const auto bad = bad_edges(solid);
     const BadEdge& first = bad.front();
     const std::int32_t face = face_at(solid, first.from, first.to);
     return open_at("the surface is not closed or not consistently oriented: " +
@@ -111,13 +145,10 @@ Result<Done> check_operand(const Solid& solid) {
                        near(solid, solid.edges[face.first_edge].from),
                    open.front());
   }
-  return with_lease(
-      solid, [](const Solid& same, TableLease& lease) -> Result<Done> {
-        SelfRadialOrder half_faces(same, lease);
-        const auto found = self_intersections_of(half_faces.contacts());
-        if (!found.empty()) return crossed(same, found);
-        return check_windings(same, half_faces);
-      });
+  return with_lease(solid,
+                    [&](const Solid& same, TableLease& lease) -> Result<Done> {
+                      return check_surface(same, edges, options, lease);
+                    });
 }
 
 }  // namespace halfspace::fast

@@ -95,9 +95,9 @@ void Classifier::note_members(std::size_t o) {
     for (const auto& [end, at] : {std::pair(points_[0], points_[1]),
                                   std::pair(points_[n - 1], points_[n - 2])}) {
       if (operands_[o].is_on_other(end)) continue;
-      const auto told = inside_at_crossing(o, id, at, end);
-      if (told) {
-        scratch_.member[o].set(root(o, end), *told ? kInside : kOutside);
+      const auto inside = inside_at_crossing(o, id, at, end);
+      if (inside) {
+        scratch_.member[o].set(root(o, end), *inside ? kInside : kOutside);
       }
     }
   }
@@ -160,13 +160,13 @@ std::optional<bool> Classifier::inside_from_end(std::size_t o, std::int32_t id,
     if ((end == edge.low || end == edge.high) && !operands_[o].is_on_other(end))
       return is_inside(o, end);
   }
-  if (const auto told = inside_at_crossing(o, id, low, high)) return told;
+  if (const auto inside = inside_at_crossing(o, id, low, high)) return inside;
   return inside_at_crossing(o, id, high, low);
 }
 
 bool Classifier::is_part_inside(std::size_t o, std::int32_t id,
                                 std::int32_t low, std::int32_t high) {
-  if (const auto told = inside_from_end(o, id, low, high)) return *told;
+  if (const auto inside = inside_from_end(o, id, low, high)) return *inside;
   return locator(1 - o).is_inside(low, high);
 }
 

@@ -76,8 +76,8 @@ struct BooleanScratch {
 
 /// An operand of a boolean.
 ///
-/// Of a large solid it may hold only the faces near the other operand. Edges
-/// outside the other operand's box are far: they are not in `edges`, for
+/// May hold only those faces of a large solid that are near the other operand.
+/// Edges outside the other operand's box are far: they are not in `edges`, for
 /// nothing meets them.
 struct Operand {
   const Solid* solid = nullptr;

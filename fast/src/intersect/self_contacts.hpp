@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "intersect/close_faces.hpp"
 #include "intersect/operand.hpp"
 #include "table/shared_table.hpp"
 
@@ -19,6 +21,13 @@ struct SelfContacts {
 
 /// Requires: the lease is of the solid's table.
 SelfContacts self_contacts(const Solid& solid, TableLease& lease);
+
+/// Those of some pairs of faces alone. The operand has the edges of these
+/// faces, of `more`, and of their neighbours.
+/// Requires: of the other pairs CloseFaces decides.
+SelfContacts self_contacts(const Solid& solid, TableLease& lease,
+                           const SurfaceEdges& edges, const FacePairs& pairs,
+                           std::span<const std::int32_t> more = {});
 
 /// Where a vertex is, rounded. Units: model units.
 std::array<double, 3> place_of(const Solid& solid, std::int32_t vertex);

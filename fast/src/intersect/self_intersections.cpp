@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "intersect/radial_order.hpp"
+#include "intersect/self_radial_order.hpp"
 #include "solid/move_to_table.hpp"
 
 namespace halfspace::fast {
@@ -114,6 +115,11 @@ void AlternationCheck::add_edge(const OperandEdge& edge,
     for (const HalfFace& half_face : half_faces_) sum += change(half_face);
     // At a boundary of an open surface there is nothing to alternate.
     if (half_faces_.size() <= 2 || sum != 0) continue;
+    // Which of those in one place are neighbours does not depend on covers.
+    std::sort(half_faces_.begin(), half_faces_.end(),
+              [](const HalfFace& w, const HalfFace& v) {
+                return std::tie(w.face, w.turn) < std::tie(v.face, v.turn);
+              });
     radial_sort(half_faces_, axis, table_);
     for (std::size_t w = 0; w < half_faces_.size(); ++w) {
       const HalfFace& last =
@@ -161,7 +167,10 @@ std::vector<SelfIntersection> self_intersections_of(
 
 std::vector<SelfIntersection> self_intersections(const Solid& solid) {
   return with_lease(solid, [](const Solid& same, TableLease& lease) {
-    return self_intersections_of(self_contacts(same, lease));
+    const SurfaceEdges edges(same);
+    const FacePairs pairs =
+        undecided_pairs(same, lease.table(), edges, index_of(same), {});
+    return self_intersections_of(self_contacts(same, lease, edges, pairs));
   });
 }
 

@@ -10,12 +10,6 @@
 namespace halfspace::fast {
 namespace {
 
-DynamicBvh index_of(const Solid& solid) {
-  DynamicBvh index;
-  index.add(solid, 0);
-  return index;
-}
-
 const Operand& with_index(Operand& operand, const DynamicBvh& index) {
   operand.index = &index;
   return operand;
@@ -23,11 +17,22 @@ const Operand& with_index(Operand& operand, const DynamicBvh& index) {
 
 }  // namespace
 
+DynamicBvh index_of(const Solid& solid) {
+  DynamicBvh index;
+  index.add(solid, 0);
+  return index;
+}
+
 SelfRadialOrder::SelfRadialOrder(const Solid& solid, TableLease& lease)
+    : SelfRadialOrder(solid, lease, self_contacts(solid, lease),
+                      index_of(solid)) {}
+
+SelfRadialOrder::SelfRadialOrder(const Solid& solid, TableLease& lease,
+                                 SelfContacts contacts, DynamicBvh index)
     : solid_(solid),
       table_(lease.table()),
-      contacts_(self_contacts(solid, lease)),
-      index_(index_of(solid)),
+      contacts_(std::move(contacts)),
+      index_(std::move(index)),
       locator_(with_index(contacts_.operand, index_), table_) {}
 
 const std::vector<HalfFace>& SelfRadialOrder::at(const Segment& segment) {

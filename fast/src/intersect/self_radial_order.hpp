@@ -15,6 +15,9 @@ namespace halfspace::fast {
 class SelfRadialOrder {
  public:
   SelfRadialOrder(const Solid& solid, TableLease& lease);
+  /// Of what is known; winding_outside() then knows the faces of the contacts.
+  SelfRadialOrder(const Solid& solid, TableLease& lease, SelfContacts contacts,
+                  DynamicBvh index);
   SelfRadialOrder(const SelfRadialOrder&) = delete;
   SelfRadialOrder& operator=(const SelfRadialOrder&) = delete;
 
@@ -40,6 +43,9 @@ class SelfRadialOrder {
   PointLocator locator_;
   std::vector<HalfFace> half_faces_;
 };
+
+/// The boxes of all faces.
+DynamicBvh index_of(const Solid& solid);
 
 /// For each face that is not left out, the first one of those that it hangs
 /// together with across edges that no others have.

@@ -6,11 +6,11 @@
 /// two planes meet. Added to the table where no face has one.
 namespace halfspace::fast {
 
-/// Of an operand's edge; kept there for the next call.
+/// For an operand's edge; stored in the edge for the next call.
 std::int32_t transversal_plane(OperandEdge& edge, const Operand& operand,
                                GeometryTable& table);
 
-/// Of an edge whose other faces are not known.
+/// For an edge whose other faces are not known.
 std::int32_t transversal_plane(const SolidEdge& edge, const Face& face,
                                GeometryTable& table);
 

@@ -56,6 +56,14 @@ void GouraudShader::prepare_exact() {
 /// large at most, so a weight is off by 920u R^2 L. A total has three of them,
 /// a sum of a channel three times 255: with the sums' roundings a quotient of
 /// at most 256 is off by (256 + 255) 3 960u R^2 L over the total: 2^21 u R^2 L.
+///
+/// Without perspective the direction stands in place of the difference to the
+/// eye, and may be far longer or shorter than R. With E its largest component,
+/// off by u E: a component of the cross product is at most 2 E L and off by
+/// 3u E L twice and 2u E L; its product with the image point by 12u + 16u + 4u
+/// = 32u E R L, three of them and their sums by 120u, and a weight by
+/// 3 120u + 72u = 432u E R L. So a quotient is off by (256 + 255) 3 470u E R L
+/// over the total: 2^20 u E R L.
 void GouraudShader::prepare() {
   ready_ = true;
   using Point = std::array<double, 3>;
@@ -103,10 +111,11 @@ void GouraudShader::prepare() {
     g.b[f] = down[0][f] + down[1][f] + down[2][f];
     g.c[f] = at[0][f] + at[1][f] + at[2][f];
   }
-  const double reach =
-      view_.reach + std::max({std::abs(view_.eye[0]), std::abs(view_.eye[1]),
-                              std::abs(view_.eye[2])});
-  gradient_.doubt = 0x1p21 * kRounding * reach * reach * longest;
+  const double eye = std::max(
+      {std::abs(view_.eye[0]), std::abs(view_.eye[1]), std::abs(view_.eye[2])});
+  const double reach = view_.reach + (view_.perspective ? eye : 0.0);
+  gradient_.doubt = kRounding * longest * reach *
+                    (view_.perspective ? 0x1p21 * reach : 0x1p20 * eye);
 }
 
 void GouraudShader::read_corners() {

@@ -64,7 +64,7 @@ std::vector<ObjectSegment> segments_of(const ItemImage& items, PolygonId id) {
   return segments;
 }
 
-/// Of the tree's only fragment.
+/// The segments of the tree's only fragment.
 std::vector<ObjectSegment> segments_of(const Scene& scene, const BspTree& tree,
                                        const Camera& camera, FilterStats& stats,
                                        SimdLevel simd) {

@@ -35,8 +35,8 @@ class FileGrid {
   /// spacing: numbers of the file. Ties to even.
   GridPoint rounded(const StepPoint& at, std::int64_t width) const;
   std::int64_t spacing() const { return spacing_; }
-  /// So many spacings that numbers which are multiples of them have 12 binary
-  /// digits left.
+  /// The largest multiple of the spacing whose multiples still leave 12 binary
+  /// digits to a number.
   std::int64_t widest() const {
     return number_ == FileNumber::kFloat ? std::int64_t{1} << 12
                                          : std::int64_t{1} << 41;

@@ -290,7 +290,7 @@ void find_pairs(const GridMesh& mesh, int threads, MeshContacts& found) {
                  const auto t = static_cast<std::int32_t>(i);
                  const bool is_moved = mesh.is_moved(triangle(t));
                  tree.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
-                   // Of two moved ones the first finds the other.
+                   // If both moved, the first finds the other.
                    if (is_moved && other <= t) return;
                    if (triangles_meet(mesh, triangle(t), triangle(other)))
                      blocks[number].push_back(std::minmax(t, other));

@@ -84,12 +84,12 @@ class GeometryTable {
   /// Makes room for more points of the grid and planes.
   void reserve(std::size_t points, std::size_t planes);
   std::int32_t add_point(const GridPoint& point);
-  /// Likewise for many at once, which takes less time; adds them to `ids`.
+  /// The same for many at once, which takes less time; adds them to `ids`.
   void add_points(std::span<const GridPoint> points,
                   std::vector<std::int32_t>& ids);
   /// The plane of a polygon with these defining corners (S1.4).
   OrientedPlane add_plane(const std::array<GridPoint, 3>& corners);
-  /// Likewise for many at once, which takes less time; adds them to `planes`.
+  /// The same for many at once, which takes less time; adds them to `planes`.
   void add_planes(std::span<const std::array<GridPoint, 3>> corners,
                   std::vector<OrientedPlane>& planes);
   /// The plane through `origin` with this normal.

@@ -30,7 +30,7 @@ bool is_held(const Solid& solid) {
 
 TEST(BooleanNonsense, EveryBooleanOfClosedSurfacesEnds) {
   std::size_t refused = 0, open = 0;
-  // Of the last one an open surface is merged.
+  // The last one merges the faces of an open surface.
   for (std::uint64_t i = 1; i <= 150; ++i) {
     const std::uint64_t seed = i < 150 ? i : 20254;
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -69,8 +69,8 @@ TEST(BooleanTables, AMovedSolidComesBackAsItWas) {
   const Solid few = tetrahedron(cubes);
   const Solid both = boolean(BooleanOp::kIntersection, few, cubes);
   const GeometryTable& from = *cubes.table;
-  // Of the first, so few that they are told by name; of the second, points
-  // that are not on the grid.
+  // The first has so few vertices that they are looked up by name; the second
+  // has points that are not on the grid.
   EXPECT_GT(from.vertex_count(),
             16 * (few.faces.size() + 3 * few.edges.size()));
   EXPECT_TRUE(std::any_of(

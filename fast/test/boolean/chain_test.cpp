@@ -241,7 +241,7 @@ bool same_solid(const Solid& a, const Solid& b) {
 }
 
 TEST(FastThreads, ABooleanIsTheSameByAnyNumberOfThem) {
-  // So many faces that there are several blocks of them and of pairs.
+  // Enough faces for several blocks of them and of pairs.
   std::uint64_t state = 29;
   for (int pair = 0; pair < 2; ++pair) {
     const Cubes a = lattice::random_cubes(1, state);

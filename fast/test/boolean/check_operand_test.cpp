@@ -82,7 +82,7 @@ TEST(CheckOperand, WindsRoundPlacesOnceOrNotAtAll) {
     EXPECT_NE(said({{small, false}, {block(6, 8, 8), true}}, least)
                   .find("inside out"),
               std::string::npos);
-    // Of unit squares these have only edges in common.
+    // Cut into unit squares, these have only edges in common.
     EXPECT_NE(said({{large, false}, {corner, false}}, least).find("crosses"),
               std::string::npos);
   }

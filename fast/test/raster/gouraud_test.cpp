@@ -219,7 +219,9 @@ struct Shot {
     scene = make_scene(std::move(data));
     CameraData seen;
     seen.perspective = random.from_to(0, 1) < 0.5;
-    seen.eye = lattice(0x1p32);
+    // Only the direction towards the viewer may have any length.
+    const double length = std::exp2(std::floor(random.from_to(8, 33)));
+    seen.eye = lattice(seen.perspective ? 0x1p32 : length);
     seen.s0 = lattice(0x1p32);
     seen.sx = lattice(0x1p26);
     seen.sy = lattice(0x1p26);
@@ -285,6 +287,31 @@ TEST(ShadeBounds, OfGradients) {
   EXPECT_GT(told, 3000u);
   EXPECT_GT(shaded, 100u);
   EXPECT_GT(largest, 0x1p-16);
+}
+
+TEST(ShadeBounds, OfGradientsInParallelViewsOfAnyDirection) {
+  SceneData data;
+  add_polygon(data, {{0, 0, 0}, {1 << 20, 0, 0}, {0, 1 << 20, 0}});
+  data.corner_colors = {{255, 0, 0}, {0, 255, 0}, {100, 0, 255}};
+  const Result<Scene> scene = make_scene(std::move(data));
+  ASSERT_TRUE(scene);
+  for (int bits = 0; bits <= 32; bits += 4) {
+    CameraData seen;
+    seen.perspective = false;
+    seen.eye = {0, 0, std::int64_t{1} << bits};
+    seen.s0 = {0, 0, std::int64_t{1} << 30};
+    seen.sx = {1 << 22, 0, 0};
+    seen.sy = {0, 1 << 22, 0};
+    seen.width_px = seen.height_px = 64;
+    const Result<Camera> camera = make_camera(seen, 26);
+    ASSERT_TRUE(camera) << camera.error().message;
+    const View view = make_view(*camera, 26);
+    GouraudShader shader(*scene, camera->data(), view);
+    shader.start(0, 1);
+    const Gradient& g = shader.gradient();
+    // A total of 2^40 times the direction's length.
+    EXPECT_LT(g.doubt / std::abs(g.c[3]), 0x1p-20) << bits;
+  }
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(GridPrefilter, DropMostOfWhatIsFar) {
   Solid b = boxed_faces(random, 1000, 4);
   for (std::size_t i = 0; i < 900; ++i) {
     for (Box* box : {&a.faces[i].box, &b.faces[i].box}) {
-      // Of the one far to the left, of the other far to the right.
+      // A box of the one is far to the left, of the other far to the right.
       const float x = box == &a.faces[i].box ? -2000.0f : 3000.0f;
       box->low[0] = x;
       box->high[0] = x + 1;

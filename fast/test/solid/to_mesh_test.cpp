@@ -30,7 +30,7 @@ TEST(Export, WhatDoublesHoldIsNotTurnedOver) {
   const ExportedMesh mesh = to_mesh(sliver({2, -3}));
   EXPECT_EQ(mesh.moved, 0u);
   EXPECT_TRUE(mesh.flipped.empty());
-  // Of thousandths it is not sure, and so it says.
+  // With thousandths it is not sure, and it reports that.
   const ExportedMesh decimal = to_mesh(sliver({10, -3}));
   EXPECT_EQ(decimal.moved, 4u);
   EXPECT_FALSE(decimal.flipped.empty());

@@ -138,7 +138,7 @@ bool HeaderReader::line(Tokens tokens) {
               in_quotes(tokens[0]) + " is no line of a PLY header");
 }
 
-/// What only the whole header tells.
+/// Facts that need the whole header.
 bool HeaderReader::check() {
   if (!has_format_) {
     return fail(ErrorCode::kSyntax, "the header has no 'format'");

@@ -28,7 +28,7 @@ inline Int128 turn(const Flat& a, const Flat& b, const Flat& c) {
 /// each edge.
 class ChainBoxes {
  public:
-  /// Of so many edges, none of which is there yet.
+  /// Room for `count` edges, none of which is there yet.
   explicit ChainBoxes(std::size_t count) {
     while (leaves_ < count) leaves_ *= 2;
     boxes_.resize(2 * leaves_);

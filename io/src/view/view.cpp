@@ -206,7 +206,7 @@ Result<Viewed> CameraMaker::finish() {
   if (!camera && pixel_ < 2) {
     return Error{ErrorCode::kBadCamera,
                  "a pixel is less than a step of the camera's lattice: the "
-                 "view is too narrow for so many rows"};
+                 "view is too narrow for this number of rows"};
   }
   if (!camera) return camera.error();
   const double most = std::max(note_corners(), eye_move_);

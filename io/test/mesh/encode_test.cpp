@@ -135,7 +135,7 @@ TEST(Encode, NormalsOfAnStlHaveLengthOne) {
   EXPECT_EQ(written({a, b, c})[1], (FloatCorner{1, -2, 5}));
   EXPECT_EQ(written({a, b, c})[2], (FloatCorner{4, -4, 5}));
   EXPECT_EQ(written({a, b, c})[3], (FloatCorner{1, 0, 4}));
-  // Of a small triangle, too; and none where there is no area.
+  // A small triangle has one, too; a triangle without area has none.
   const auto small = [](const DoublePoint& point) {
     return DoublePoint{point[0] / 1024, point[1] / 1024, point[2] / 1024};
   };

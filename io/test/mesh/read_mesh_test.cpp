@@ -20,7 +20,7 @@ TEST(ReadMesh, CutAnywhereIsAnErrorOrAMeshThatHoldsTogether) {
         ASSERT_GE(corner, 0);
         ASSERT_LT(static_cast<std::size_t>(corner), mesh->vertices.size());
       }
-      // Of these formats only OBJ has no end; others may lack a last blank.
+      // Only OBJ has no end mark; the others may lack a last blank.
       if (format != Format::kObj) {
         EXPECT_EQ(mesh->face_count(), read_mesh(bytes, format)->face_count())
             << size;

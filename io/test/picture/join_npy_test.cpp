@@ -45,10 +45,10 @@ TEST_F(NpyParts, FitTogether) {
   expect_error(
       join_npy({at("a.npy"), at("b.npy"), at("b.npy")}, path()),
       ErrorCode::kOutOfRange,
-      told(at("b.npy"), "with this the image has more than 65536 rows"), 2);
+      about(at("b.npy"), "with this the image has more than 65536 rows"), 2);
   expect_error(join_npy({at("b.npy"), at("c.npy")}, path()),
                ErrorCode::kOutOfRange,
-               told(at("c.npy"), "has 2 columns, the parts before it 1"), 1);
+               about(at("c.npy"), "has 2 columns, the parts before it 1"), 1);
   EXPECT_FALSE(std::filesystem::exists(path()));
 }
 
@@ -61,21 +61,21 @@ TEST_F(NpyParts, HaveTheSizeThatTheySay) {
     return join_npy({at("good.npy"), at("a.npy")}, path());
   };
   expect_error(join(good + "x"), ErrorCode::kSyntax,
-               told(at("a.npy"), "has 189 bytes, not 188"), 1);
+               about(at("a.npy"), "has 189 bytes, not 188"), 1);
   expect_error(join(good.substr(0, 187)), ErrorCode::kSyntax,
-               told(at("a.npy"), "has 187 bytes, not 188"), 1);
+               about(at("a.npy"), "has 187 bytes, not 188"), 1);
   expect_error(join(good.substr(0, 127)), ErrorCode::kTruncated,
-               told(at("a.npy"), "the file ends in its header"), 1);
+               about(at("a.npy"), "the file ends in its header"), 1);
   expect_error(join("PK"), ErrorCode::kUnknownFormat,
-               told(at("a.npy"), "this is no NumPy array"), 1);
+               about(at("a.npy"), "this is no NumPy array"), 1);
   expect_error(join(""), ErrorCode::kUnreadable,
-               told(at("a.npy"), "cannot be read"), 1);
+               about(at("a.npy"), "cannot be read"), 1);
   std::filesystem::remove(at("a.npy"));
   std::filesystem::create_directory(at("a.npy"));
   expect_error(join_npy({at("a.npy")}, path()), ErrorCode::kUnreadable,
-               told(at("a.npy"), "cannot be read"), 0);
+               about(at("a.npy"), "cannot be read"), 0);
   expect_error(join_npy({at("none.npy")}, path()), ErrorCode::kUnreadable,
-               told(at("none.npy"), "cannot be read"), 0);
+               about(at("none.npy"), "cannot be read"), 0);
   EXPECT_FALSE(std::filesystem::exists(path()));
 }
 
@@ -93,7 +93,7 @@ TEST_F(NpyParts, HaveHeadersOfAPage) {
     const Result<JoinedSize> joined = join_npy({at("a.npy")}, path());
     if (size == 4097) {
       expect_error(joined, ErrorCode::kTruncated,
-                   told(at("a.npy"), "the file ends in its header"), 0);
+                   about(at("a.npy"), "the file ends in its header"), 0);
       continue;
     }
     ASSERT_TRUE(joined) << joined.error().message;
@@ -114,12 +114,12 @@ TEST_F(NpyParts, LeaveNothingWhereTheWholeCannotBeWritten) {
       return join_npy({at(part)}, path());
     }();
     expect_error(joined, ErrorCode::kUnwritable,
-                 told(path(), "cannot be written: File too large"));
+                 about(path(), "cannot be written: File too large"));
     EXPECT_FALSE(std::filesystem::exists(path()));
   }
   std::filesystem::create_symlink("/dev/full", path());
   expect_error(join_npy({at("few.npy")}, path()), ErrorCode::kUnwritable,
-               told(path(), "cannot be written: No space left on device"));
+               about(path(), "cannot be written: No space left on device"));
   EXPECT_TRUE(std::filesystem::is_symlink(path()));
 }
 

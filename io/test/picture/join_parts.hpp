@@ -18,8 +18,8 @@ class JoinTest : public ::testing::Test {
   std::filesystem::path path() const { return folder_.path(); }
 
   /// The whole's name in front of the message.
-  std::string told(const std::filesystem::path& path,
-                   const std::string& what) const {
+  std::string about(const std::filesystem::path& path,
+                    const std::string& what) const {
     return path.string() + ": " + what;
   }
 

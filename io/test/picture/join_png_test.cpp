@@ -67,12 +67,12 @@ TEST_F(PngParts, AreRefusedOutOfOrderOrMissing) {
   };
   const Paths parts = {part(0, 3), part(3, 1), part(4, 3)};
   expect_error(join_png({parts[1], parts[0]}, path()), ErrorCode::kBadIndex,
-               told(parts[1], "begins with row 3, but row 0 comes next"), 0);
+               about(parts[1], "begins with row 3, but row 0 comes next"), 0);
   expect_error(join_png({parts[0], parts[2]}, path()), ErrorCode::kBadIndex,
-               told(parts[2], "begins with row 4, but row 3 comes next"), 1);
-  expect_error(join_png({parts[0], parts[1]}, path()), ErrorCode::kBadIndex,
-               told(parts[1], "is the last part and ends with row 3 of 7 rows"),
-               1);
+               about(parts[2], "begins with row 4, but row 3 comes next"), 1);
+  expect_error(
+      join_png({parts[0], parts[1]}, path()), ErrorCode::kBadIndex,
+      about(parts[1], "is the last part and ends with row 3 of 7 rows"), 1);
   EXPECT_FALSE(std::filesystem::exists(path()));
 }
 
@@ -81,7 +81,7 @@ TEST_F(PngParts, HaveOneWidth) {
   ASSERT_TRUE(write_png(at("b.png"), picture(4, 1)));
   expect_error(join_png({at("a.png"), at("a.png"), at("b.png")}, path()),
                ErrorCode::kOutOfRange,
-               told(at("b.png"), "has 4 columns, the parts before it 5"), 2);
+               about(at("b.png"), "has 4 columns, the parts before it 5"), 2);
 }
 
 TEST_F(PngParts, HaveNoMoreRowsThanAnImage) {
@@ -93,7 +93,7 @@ TEST_F(PngParts, HaveNoMoreRowsThanAnImage) {
   expect_error(
       join_png({at("a.png"), at("b.png"), at("b.png")}, path()),
       ErrorCode::kOutOfRange,
-      told(at("b.png"), "with this the image has more than 65536 rows"), 2);
+      about(at("b.png"), "with this the image has more than 65536 rows"), 2);
 }
 
 TEST_F(PngParts, AreNotOverwritten) {
@@ -102,12 +102,13 @@ TEST_F(PngParts, AreNotOverwritten) {
   const auto before = raw_bytes(at("b.png"));
   std::filesystem::create_symlink("b.png", at("link"));
   expect_error(join_png({at("a.png"), at("b.png")}, at("link")),
-               ErrorCode::kUnwritable, told(at("link"), "is a part itself"), 1);
+               ErrorCode::kUnwritable, about(at("link"), "is a part itself"),
+               1);
   expect_error(join_npy({at("a.png"), at("b.png")}, at("b.png")),
-               ErrorCode::kUnwritable, told(at("b.png"), "is a part itself"),
+               ErrorCode::kUnwritable, about(at("b.png"), "is a part itself"),
                1);
   expect_error(join_png({at("b.png"), at("a.png")}, at("b.png")),
-               ErrorCode::kUnwritable, told(at("b.png"), "is a part itself"),
+               ErrorCode::kUnwritable, about(at("b.png"), "is a part itself"),
                0);
   EXPECT_EQ(raw_bytes(at("b.png")), before);
 }
@@ -139,9 +140,9 @@ TEST_F(PngParts, AreOfTheKindThatIsWritten) {
                                    png_start(8, 6, 0), png_start(8, 2, 1)}) {
     samples::write(at("a.png"), bytes + pixels);
     expect_error(join_png({at("a.png")}, path()), ErrorCode::kUnknownFormat,
-                 told(at("a.png"),
-                      "pictures have 8 bits each of red, green and blue, row "
-                      "by row; this is another kind of PNG"));
+                 about(at("a.png"),
+                       "pictures have 8 bits each of red, green and blue, row "
+                       "by row; this is another kind of PNG"));
   }
   samples::write(at("a.png"), png_start(8, 2, 0) + pixels);
   const PngReader reader(at("a.png"));
@@ -190,14 +191,14 @@ TEST_F(PngParts, SayWhatTheyAre) {
 TEST_F(PngParts, NameWhatIsWrongWithThem) {
   const auto join = [&] { return join_png({at("a.png")}, path()); };
   expect_error(join(), ErrorCode::kUnreadable,
-               told(at("a.png"), "cannot be read: No such file or directory"));
+               about(at("a.png"), "cannot be read: No such file or directory"));
   ASSERT_TRUE(write_png(at("a.png"), picture(3, 2)));
   const std::string good = *raw_bytes(at("a.png"));
   for (const std::string& bytes : {std::string(), good.substr(0, 7), "x" + good,
                                    good.substr(0, 7) + "x" + good.substr(8)}) {
     samples::write(at("a.png"), bytes);
     expect_error(join(), ErrorCode::kUnknownFormat,
-                 told(at("a.png"), "this is no PNG picture"));
+                 about(at("a.png"), "this is no PNG picture"));
   }
   // The library's own words, whatever they are, after the name.
   for (std::size_t size = 8; size + 12 < good.size(); ++size) {
@@ -207,8 +208,8 @@ TEST_F(PngParts, NameWhatIsWrongWithThem) {
     if (cut && size + 20 > good.size()) continue;
     ASSERT_FALSE(cut) << size;
     EXPECT_EQ(cut.error().code, ErrorCode::kSyntax);
-    EXPECT_EQ(cut.error().message.find(told(at("a.png"), "")), 0u);
-    EXPECT_GT(cut.error().message.size(), told(at("a.png"), "").size());
+    EXPECT_EQ(cut.error().message.find(about(at("a.png"), "")), 0u);
+    EXPECT_GT(cut.error().message.size(), about(at("a.png"), "").size());
     EXPECT_FALSE(std::filesystem::exists(path())) << size;
   }
 }
@@ -240,13 +241,13 @@ TEST_F(PngParts, LeaveNothingWhereTheWholeCannotBeWritten) {
       return join_png({at(part)}, path());
     }();
     expect_error(joined, ErrorCode::kUnwritable,
-                 told(path(), "cannot be written: File too large"));
+                 about(path(), "cannot be written: File too large"));
     EXPECT_FALSE(std::filesystem::exists(path()));
   }
   // What is no file of bytes stays.
   std::filesystem::create_symlink("/dev/full", path());
   expect_error(join_png({at("few.png")}, path()), ErrorCode::kUnwritable,
-               told(path(), "cannot be written: No space left on device"));
+               about(path(), "cannot be written: No space left on device"));
   EXPECT_TRUE(std::filesystem::is_symlink(path()));
 }
 

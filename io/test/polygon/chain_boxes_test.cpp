@@ -38,21 +38,21 @@ TEST(ChainBoxes, FindEveryEdgeWithAPointInTheTriangle) {
     if (turn(triangle[0], triangle[1], triangle[2]) < 0)
       std::swap(triangle[1], triangle[2]);
     if (turn(triangle[0], triangle[1], triangle[2]) == 0) continue;
-    std::vector<bool> told(count);
+    std::vector<bool> reported(count);
     EXPECT_FALSE(boxes.any(triangle, [&](std::size_t e) {
-      EXPECT_FALSE(told[e]);
-      told[e] = true;
+      EXPECT_FALSE(reported[e]);
+      reported[e] = true;
       ++found;
       return false;
     }));
-    EXPECT_FALSE(told[gone]);
+    EXPECT_FALSE(reported[gone]);
     for (std::size_t e = 0; e < count; ++e) {
       const auto& [p, q] = edges[e];
       const Flat middle{(p.u + q.u) / 2, (p.v + q.v) / 2};
       const bool is_inside =
           holds(triangle, p) || holds(triangle, q) || holds(triangle, middle);
       if (is_inside && e != gone) ++inside;
-      EXPECT_TRUE(told[e] || !is_inside || e == gone);
+      EXPECT_TRUE(reported[e] || !is_inside || e == gone);
     }
     all += count;
   }

@@ -260,7 +260,7 @@ TEST(ChooseGrid, StaysWithinUnitsOf4096) {
   ImportOptions fine;
   fine.refine_bits = 26;
   EXPECT_EQ(of_power(-4090, 3, fine)->unit, (Unit{2, -4096}));
-  // Of 60 bits: the unit of 54 bits is 7 greater.
+  // With 60 bits: the exponent of the unit of 54 bits is 7 greater.
   EXPECT_EQ(of_power(4089, 60)->unit, (Unit{2, 4096}));
   EXPECT_EQ(of_power(-4103, 60)->unit, (Unit{2, -4096}));
   for (const int two : {4090, -4104}) {

@@ -228,7 +228,7 @@ TEST(LookAt, AcceptsWhatIsWithinItsLimits) {
        "model units"},
       {[](O& o) { o.fov_deg = 1e-9; },
        "a pixel is less than a step of the camera's lattice: the view is too "
-       "narrow for so many rows"},
+       "narrow for this number of rows"},
       {[](O& o) {
          o.orthographic = true;
          o.ortho_height = 1e40;
@@ -255,7 +255,7 @@ TEST(LookAt, KeepsTheImageOnTheLatticeWhereverTheEyeIs) {
         options.fov_deg = degrees;
         options.up = {1, 2, 5};
         const CameraData camera = viewed(scene, options).camera.data();
-        // Of the room between the eye and the nearer end of each axis.
+        // The share of the room between the eye and the near end of each axis.
         double used = 0;
         for (const dvec3& corner : corners_of(camera, 200, 100)) {
           for (int axis = 0; axis < 3; ++axis) {

@@ -28,6 +28,7 @@ enum class ErrorCode {
   kNotConvex,       ///< a polygon turns the wrong way, or more than once round
   kNotTriangle,     ///< a polygon with differing vertex colours has more than 3
   kBadCamera,       ///< the image plane passes through the eye, or is no plane
+  kBadRay,          ///< a ray has no direction
   kOpen,            ///< a solid's edges do not cancel in pairs
   kSelfCrossing,    ///< a solid's surface passes through itself or winds twice
   kInsideOut,       ///< a solid's faces look inwards, or hold nothing
@@ -69,6 +70,8 @@ constexpr std::string_view to_string(ErrorCode code) {
       return "polygon not a triangle";
     case ErrorCode::kBadCamera:
       return "bad camera";
+    case ErrorCode::kBadRay:
+      return "bad ray";
     case ErrorCode::kOpen:
       return "open surface";
     case ErrorCode::kSelfCrossing:

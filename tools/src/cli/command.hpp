@@ -58,6 +58,7 @@ void say(fmt::format_string<Values...> form, Values&&... values) {
 /// Each adds one subcommand to the program; when it is called, it runs and
 /// leaves its status in `status`.
 void add_info(CLI::App& program, Status& status);
+void add_pick(CLI::App& program, Status& status);
 void add_render(CLI::App& program, Status& status);
 void add_build(CLI::App& program, Status& status);
 void add_csg(CLI::App& program, Status& status);
@@ -65,6 +66,7 @@ void add_compare(CLI::App& program, Status& status);
 void add_join(CLI::App& program, Status& status);
 void add_scene(CLI::App& program, Status& status);
 void add_draw(CLI::App& program, Status& status);
+void add_view(CLI::App& program, Status& status);
 void add_help(CLI::App& program, Status& status);
 
 }  // namespace halfspace::tools

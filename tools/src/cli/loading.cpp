@@ -5,12 +5,14 @@
 #include <new>
 
 #include "cli/options.hpp"
+#include "halfspace/viewer/model.hpp"
 
 namespace halfspace::tools {
 
 Result<io::LoadedScene> load(const std::string& path,
                              const io::ImportOptions& options) {
   try {
+    if (viewer::is_view_name(path)) return viewer::load_view(path);
     return io::load_scene(path, options);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfRange,

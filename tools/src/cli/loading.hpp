@@ -11,7 +11,7 @@ class App;
 
 namespace halfspace::tools {
 
-/// io::load_scene(), of which a lack of memory is an error, too.
+/// io::load_scene(), or for a `.view` file the scene that it shows, of which a lack of memory is an error, too.
 /// Errors: kOutOfRange (not enough memory), and those of load_scene().
 Result<io::LoadedScene> load(const std::string& path,
                              const io::ImportOptions& options);

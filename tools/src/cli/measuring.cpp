@@ -4,7 +4,7 @@
 #include <ctime>
 
 #if defined(HALFSPACE_ADDRESS_SANITIZER)
-// Of the sanitizer's runtime, whose headers GCC does not bring.
+// A function of the sanitizer's runtime, whose headers GCC does not bring.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #elif defined(__GLIBC__)
 #include <malloc.h>

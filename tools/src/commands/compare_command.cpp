@@ -8,7 +8,7 @@
 namespace halfspace::tools {
 namespace {
 
-/// So many differences are shown one by one.
+/// The number of differences shown one by one.
 constexpr std::size_t kShown = 10;
 
 struct CompareArguments {

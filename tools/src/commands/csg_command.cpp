@@ -166,6 +166,11 @@ class Job {
   Status fail_in_source(const Error& error) const {
     return fail(request_.source + ": " + error.message);
   }
+  static Status fail_at_work(const Error& error) {
+    return error.code == ErrorCode::kStopped
+               ? stop("stopped; nothing was written")
+               : fail(error.message);
+  }
   std::string file_complaint(const csg::Plan& plan,
                              const csg::Operands& operands) const;
   Result<std::optional<csg::Outcome>> evaluate(const csg::Plan& plan,
@@ -226,13 +231,18 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
 Result<csg::Operands> Job::load(const csg::Script& script,
                                 const csg::Plan& plan,
                                 bool find_crossings) const {
+  // Solids that are moved are checked later on.
+  const auto work = std::make_shared<LongWork>("checking the solids");
+  csg::OperandOptions options;
+  options.folder = request_.folder;
+  options.grid_bits = arguments_.grid_bits;
+  options.find_crossings = find_crossings;
+  options.repair = arguments_.repair;
+  options.repair_word = "--repair";
+  options.check.threads = thread_count(arguments_.build);
+  options.check.progress = [work](double share) { return work->report(share); };
   try {
-    return csg::Operands::load(script, plan,
-                               {.folder = request_.folder,
-                                .grid_bits = arguments_.grid_bits,
-                                .find_crossings = find_crossings,
-                                .repair = arguments_.repair,
-                                .repair_word = "--repair"});
+    return csg::Operands::load(script, plan, options);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfRange,
                  "there is not enough memory to read the solids"};
@@ -267,12 +277,12 @@ Status Job::run() {
   const Result<csg::Plan> plan = csg::make_plan(*script);
   if (!plan) return fail_in_source(plan.error());
   Result<csg::Operands> operands = load(*script, *plan, !arguments_.trust);
-  if (!operands) return fail(operands.error().message);
+  if (!operands) return fail_at_work(operands.error());
   const std::string wrong = file_complaint(*plan, *operands);
   if (!wrong.empty()) return fail(wrong);
   const Stopwatch watch;
   const Result<std::optional<csg::Outcome>> result = evaluate(*plan, *operands);
-  if (!result) return fail(result.error().message);
+  if (!result) return fail_at_work(result.error());
   if (!*result) return stop("stopped; nothing was written");
   return finish(*script, *plan, *operands, **result, watch.elapsed_ms());
 }

@@ -1,220 +1,313 @@
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
 #include <array>
-#include <map>
+#include <cmath>
+#include <filesystem>
 #include <memory>
-#include <numeric>
+#include <numbers>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "cli/command.hpp"
-#include "cli/loading.hpp"
 #include "cli/long_work.hpp"
+#include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/figure.hpp"
+#include "image/figure_scene.hpp"
+#include "image/figures.hpp"
+#include "image/sheet.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
 namespace {
 
 struct DrawArguments {
-  std::string path;
+  std::vector<std::string> paths;
   std::string output;
-  std::string by = "colour";
-  std::string fill = "colour";
-  std::string lines = "none";
+  std::string by;
+  std::string fill;
+  std::string lines;
+  std::optional<Hidden> hidden;
+  std::optional<double> crease_deg;
   double line_width = 1;
+  bool titles = false;
   int decimals = 3;
   std::size_t most_cells = fast::MapLimits{}.most_cells;
   std::optional<int> grid_bits;
   ViewArguments view;
+  SheetArguments sheet;
 };
 
-/// Numbers things in the order in which they come.
-template <class Thing>
-std::vector<std::int32_t> numbered(const std::vector<Thing>& things) {
-  std::map<Thing, std::int32_t> numbers;
-  std::vector<std::int32_t> result;
-  for (const Thing& thing : things) {
-    const auto next = static_cast<std::int32_t>(numbers.size());
-    result.push_back(numbers.try_emplace(thing, next).first->second);
+constexpr Word<Hidden> kHiddenWords[] = {{"gone", Hidden::kGone},
+                                         {"dashed", Hidden::kDashed},
+                                         {"solid", Hidden::kSolid}};
+
+/// What is not said follows from what is: lines alone where the format has
+/// nothing else, or where the options speak of lines.
+void complete(DrawArguments& arguments) {
+  const bool plotter = io::is_plotter_format(
+      std::filesystem::path(arguments.output).extension().string());
+  const bool speaks_of_edges = arguments.hidden || arguments.crease_deg ||
+                               arguments.titles || arguments.sheet.is_used();
+  const bool only_lines =
+      arguments.fill.empty() &&
+      (plotter || speaks_of_edges || arguments.lines == "edges");
+  if (arguments.fill.empty()) arguments.fill = only_lines ? "none" : "colour";
+  if (arguments.lines.empty())
+    arguments.lines = only_lines || speaks_of_edges ? "edges" : "none";
+  if (arguments.by.empty()) {
+    arguments.by = arguments.fill == "none" ? "face" : arguments.fill;
   }
-  return result;
 }
 
-/// Polygons that share vertices are of one part.
-std::vector<std::int32_t> parts_of(const Scene& scene) {
-  std::map<GridPoint, std::int32_t> points;
-  std::vector<std::int32_t> parents(scene.polygon_count());
-  std::iota(parents.begin(), parents.end(), 0);
-  const auto root_of = [&](std::int32_t p) {
-    while (parents[static_cast<std::size_t>(p)] != p) {
-      std::int32_t& parent = parents[static_cast<std::size_t>(p)];
-      parent = parents[static_cast<std::size_t>(parent)];
-      p = parent;
-    }
-    return p;
-  };
-  for (PolygonId p = 0; p < std::ssize(parents); ++p) {
-    for (const VertexId corner : scene.corners(p)) {
-      const auto [found, is_new] = points.try_emplace(scene.point(corner), p);
-      if (is_new) continue;
-      const std::int32_t a = root_of(found->second);
-      const std::int32_t b = root_of(p);
-      parents[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-  }
-  std::vector<std::int32_t> roots;
-  for (PolygonId p = 0; p < std::ssize(parents); ++p)
-    roots.push_back(root_of(p));
-  return numbered(roots);
+DrawingOptions drawing_options(const DrawArguments& arguments, bool cull) {
+  constexpr double kUsualCrease = 20;
+  const double angle =
+      arguments.crease_deg.value_or(kUsualCrease) * std::numbers::pi / 180;
+  DrawingOptions options;
+  options.cull = cull;
+  options.crease_cosine = static_cast<std::int32_t>(
+      std::lround(std::ldexp(std::cos(angle), kCosineBits)));
+  return options;
 }
 
-/// The keys by which regions are joined (S7.3); none: polygons.
-std::vector<std::int32_t> keys_of(const Scene& scene, const std::string& by) {
-  const std::size_t count = scene.polygon_count();
-  if (by == "polygon") return {};
-  if (by == "all") return std::vector<std::int32_t>(count, 0);
-  if (by == "part") return parts_of(scene);
-  const fast::PlaneTable planes = fast::intern_planes(scene);
-  std::vector<std::tuple<std::int32_t, bool, Rgb>> faces;
-  for (std::size_t p = 0; p < count; ++p) {
-    const Rgb color = scene.color(static_cast<PolygonId>(p));
-    const bool is_face = by == "face";
-    faces.emplace_back(is_face ? planes.plane_of[p] : 0,
-                       is_face && planes.same_orientation[p], color);
-  }
-  return numbered(faces);
-}
+/// Makes one figure of all views.
+class Figures {
+ public:
+  Figures(const DrawArguments& arguments, const FigureScene& scene, bool cull,
+          Rgb background)
+      : arguments_(arguments),
+        scene_(scene),
+        cull_(cull),
+        background_(background) {}
 
-io::Figure figure_of(const fast::VisibleMap& map, const Scene& scene,
-                     const Camera& camera, const ImageOptions& image,
-                     const DrawArguments& arguments) {
-  io::Figure figure;
-  figure.width = camera->width_px;
-  figure.height = camera->height_px;
-  const auto point = [&map](std::int32_t v) {
-    const fast::MapVertex& vertex = map.vertices[static_cast<std::size_t>(v)];
-    return io::FigurePoint{vertex.x, vertex.y};
-  };
-  if (arguments.fill == "colour") {
-    for (const fast::MapRegion& region : map.regions) {
-      io::FigureRegion drawn;
-      const bool is_background = region.item == kBackground;
-      drawn.fill = is_background ? image.background : scene.color(region.item);
-      drawn.title = is_background
-                        ? "background"
-                        : arguments.by + " " + std::to_string(region.key);
-      for (std::int32_t l = 0; l < region.loop_count; ++l) {
-        const auto loop = static_cast<std::size_t>(region.first_loop + l);
-        std::vector<io::FigurePoint> points;
-        for (std::uint32_t k = map.first_corner[loop];
-             k < map.first_corner[loop + 1]; ++k)
-          points.push_back(point(map.corners[k]));
-        drawn.loops.push_back(std::move(points));
-      }
-      figure.regions.push_back(std::move(drawn));
+  /// Adds one view. Errors: those of the map and the drawing.
+  Result<Done> add(const Camera& camera, const Placing& placing,
+                   bool on_sheet) {
+    const bool has_map =
+        arguments_.fill != "none" || arguments_.lines == "regions";
+    if (has_map) {
+      if (const Result<Done> done = add_map(camera, placing, on_sheet); !done)
+        return done;
     }
+    if (arguments_.lines != "edges") return Done{};
+    const Result<fast::Drawing> drawing =
+        fast::draw(scene_.scene, camera, drawing_options(arguments_, cull_));
+    if (!drawing) return drawing.error();
+    StrokeStyle style;
+    style.width = arguments_.line_width * (on_sheet ? kSheetLineMm : 1);
+    style.hidden = arguments_.hidden.value_or(Hidden::kGone);
+    style.titles = arguments_.titles;
+    add_strokes(figure_, *drawing, style, placing);
+    strokes_ += drawing->strokes.size();
+    return Done{};
   }
-  if (arguments.lines == "regions") {
-    io::FigureStrokes strokes;
-    strokes.width = arguments.line_width;
-    for (const fast::MapArc& arc : map.arcs) {
-      if (arc.left < 0 || arc.right < 0) continue;
-      strokes.segments.push_back({point(arc.from), point(arc.to)});
-    }
-    figure.strokes.push_back(std::move(strokes));
-  }
-  return figure;
-}
 
-Status run_draw(const DrawArguments& arguments) {
-  if (!io::is_figure_name(arguments.output)) {
-    return fail(arguments.output + ": a figure's name ends in one of " +
-                io::figure_format_names());
+  io::Figure& figure() { return figure_; }
+  std::size_t regions() const { return regions_; }
+  std::size_t arcs() const { return arcs_; }
+  std::size_t strokes() const { return strokes_; }
+
+ private:
+  /// The width of a line of 1 on a sheet.
+  static constexpr double kSheetLineMm = 0.35;
+
+  Result<Done> add_map(const Camera& camera, const Placing& placing,
+                       bool on_sheet) {
+    if (!tree_) {
+      LongWork work("building the tree");
+      fast::DisplayTreeOptions display;
+      display.progress = [&work](double share) { return work.report(share); };
+      tree_ = fast::build_display_tree(scene_.scene, display);
+      if (LongWork::interrupted())
+        return Error{ErrorCode::kStopped, "interrupted"};
+      fast::divide_leaves(*tree_, scene_.scene);
+    }
+    const Result<fast::VisibleMap> map = fast::visible_map(
+        scene_.scene, *tree_, camera, {cull_, keys_of(scene_, arguments_.by)},
+        {arguments_.most_cells});
+    if (!map) return map.error();
+    regions_ += map->regions.size();
+    arcs_ += map->arcs.size();
+    if (arguments_.fill != "none") {
+      add_regions(figure_, *map, scene_, arguments_.by, background_, !on_sheet,
+                  placing);
+    }
+    if (arguments_.lines == "regions")
+      add_borders(figure_, *map, arguments_.line_width, placing);
+    return Done{};
   }
-  const std::string wrong =
-      complaint(std::array{NamedFile{"FILE", arguments.path}},
-                std::array{NamedFile{"-o", arguments.output}});
-  if (!wrong.empty()) return fail(wrong);
-  const Result<io::LoadedScene> loaded =
-      load(arguments.path, import_options(arguments.view, arguments.grid_bits));
-  if (!loaded) return fail(arguments.path, loaded.error());
-  const Scene& scene = loaded->file.scene;
+
+  const DrawArguments& arguments_;
+  const FigureScene& scene_;
+  bool cull_;
+  Rgb background_;
+  io::Figure figure_;
+  std::optional<fast::BspTree> tree_;
+  std::size_t regions_ = 0;
+  std::size_t arcs_ = 0;
+  std::size_t strokes_ = 0;
+};
+
+/// The one view of the options.
+Result<Done> draw_view(const DrawArguments& arguments,
+                       const LoadedFigure& loaded, Figures& figures) {
   const Result<ChosenCamera> chosen =
-      choose_camera(loaded->file, arguments.view);
-  if (!chosen) return fail(camera_error(arguments.path, chosen.error()));
+      choose_camera(loaded.file, arguments.view);
+  const Size size = arguments.view.size.value_or(kUsualSize);
+  io::Figure& figure = figures.figure();
+  figure.width = size.width_px;
+  figure.height = size.height_px;
+  if (!chosen && chosen.error().code == ErrorCode::kEmpty) return Done{};
+  if (!chosen) {
+    return Error{chosen.error().code,
+                 camera_error(loaded.name, chosen.error())};
+  }
+  figure.width = chosen->camera->width_px;
+  figure.height = chosen->camera->height_px;
+  return figures.add(chosen->camera, {}, false);
+}
+
+/// Several views on a sheet of paper.
+Result<Done> draw_sheet(const DrawArguments& arguments,
+                        const LoadedFigure& loaded, Figures& figures) {
+  const SheetArguments& sheet = arguments.sheet;
+  io::Figure& figure = figures.figure();
+  figure.width = sheet.width_mm();
+  figure.height = sheet.height_mm();
+  figure.unit_mm = 1;
+  if (loaded.scene.scene.polygon_count() == 0) return Done{};
+  const Result<std::vector<SheetView>> views =
+      views_on(sheet, loaded.scene.scene);
+  if (!views) return views.error();
+  for (const SheetView& view : *views) {
+    const Result<Done> done = figures.add(view.camera, view.placing, true);
+    if (!done) return done;
+  }
+  say("scale {}\n", scale_text(views->front().scale));
+  return Done{};
+}
+
+std::string complaint_of(const DrawArguments& arguments) {
+  if (!io::is_figure_name(arguments.output)) {
+    return arguments.output + ": a figure's name ends in one of " +
+           io::figure_format_names();
+  }
+  if (io::is_plotter_format(
+          std::filesystem::path(arguments.output).extension().string()) &&
+      arguments.lines == "none")
+    return arguments.output + ": the format holds lines alone; give --lines";
+  std::vector<NamedFile> inputs;
+  for (const std::string& path : arguments.paths)
+    inputs.push_back({"FILE", path});
+  return complaint(inputs, std::array{NamedFile{"-o", arguments.output}});
+}
+
+Status run_draw(DrawArguments arguments) {
+  complete(arguments);
+  const std::string wrong = complaint_of(arguments);
+  if (!wrong.empty()) return fail(wrong);
+  const Result<LoadedFigure> loaded = load_figure(
+      arguments.paths, import_options(arguments.view, arguments.grid_bits));
+  if (!loaded) return fail(arguments.paths[0], loaded.error());
   const ImageOptions image = choose_options(loaded->file, arguments.view);
-  LongWork work("building the tree");
-  fast::DisplayTreeOptions display;
-  display.progress = [&work](double share) { return work.report(share); };
-  fast::BspTree tree = fast::build_display_tree(scene, display);
-  if (LongWork::interrupted()) return stop("interrupted");
-  fast::divide_leaves(tree, scene);
-  const Result<fast::VisibleMap> map = fast::visible_map(
-      scene, tree, chosen->camera, {image.cull, keys_of(scene, arguments.by)},
-      {arguments.most_cells});
-  if (!map) return fail(arguments.path, map.error());
-  const io::Figure figure =
-      figure_of(*map, scene, chosen->camera, image, arguments);
+  Figures figures(arguments, loaded->scene, image.cull, image.background);
+  const Result<Done> drawn = arguments.sheet.is_used()
+                                 ? draw_sheet(arguments, *loaded, figures)
+                                 : draw_view(arguments, *loaded, figures);
+  if (!drawn && drawn.error().code == ErrorCode::kStopped)
+    return stop("interrupted");
+  if (!drawn && drawn.error().code == ErrorCode::kBadCamera)
+    return fail(drawn.error().message);
+  if (!drawn) return fail(loaded->name, drawn.error());
   note_part(arguments.output);
-  const Result<Done> written =
-      io::write_figure(arguments.output, figure, {arguments.decimals});
+  const Result<Done> written = io::write_figure(
+      arguments.output, figures.figure(), {arguments.decimals});
   if (!written) return fail(arguments.output, written.error());
-  say("{}: {} polygons; {} regions, {} arcs, {} vertices\n", arguments.path,
-      scene.polygon_count(), map->regions.size(), map->arcs.size(),
-      map->vertices.size());
+  say("{}: {} polygons; {} regions, {} arcs, {} strokes\n", loaded->name,
+      loaded->scene.scene.polygon_count(), figures.regions(), figures.arcs(),
+      figures.strokes());
   return Status::kFine;
+}
+
+void add_line_options(CLI::App& app, DrawArguments& arguments) {
+  const std::string group = "Lines";
+  app.add_option("--lines", arguments.lines,
+                 "none, the borders of regions, or the scene's edges, which "
+                 "--hidden, --crease and --sheet also ask for")
+      ->check(CLI::IsMember({"none", "regions", "edges"}))
+      ->group(group);
+  add_choice(app, "--hidden", kHiddenWords, arguments.hidden,
+             "What becomes of hidden parts of edges; gone if not said")
+      ->group(group);
+  const auto parse_crease = [](std::string_view text) {
+    const std::optional<double> angle = parse_number<double>(text);
+    return angle && *angle >= 0 && *angle <= 180 ? angle : std::nullopt;
+  };
+  add_parsed(app, "--crease", "DEG", "a number of at least 0 and at most 180",
+             arguments.crease_deg, parse_crease,
+             "Edges where faces turn by more are drawn, though they are no "
+             "silhouettes; 20 if not said")
+      ->group(group);
+  app.add_option("--line-width", arguments.line_width,
+                 "In pixels, or on a sheet times 0.35 mm")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->capture_default_str()
+      ->group(group);
+  app.add_flag("--titles", arguments.titles,
+               "Title each stroke of an SVG by its edges, intervals and the "
+               "layers before it")
+      ->group(group);
 }
 
 }  // namespace
 
 void add_draw(CLI::App& program, Status& status) {
   CLI::App* app = program.add_subcommand(
-      "draw", "Draw a mesh as vectors: exact regions without seams");
+      "draw", "Draw meshes as vectors: exact regions and lines");
   const auto arguments = std::make_shared<DrawArguments>();
-  app->add_option("FILE", arguments->path, "A mesh or a .scene")
+  app->add_option("FILE", arguments->paths, "Meshes, or one .scene")
       ->required()
       ->type_name("");
   app->add_option("-o,--output", arguments->output,
                   "The figure: " + io::figure_format_names())
       ->required()
       ->type_name("OUT");
+  app->add_option("--fill", arguments->fill,
+                  "What regions show: the colours of lit faces, or one colour "
+                  "a part or a file; colour if not said")
+      ->check(CLI::IsMember({"none", "face", "part", "file", "colour"}));
   app->add_option("--by", arguments->by,
-                  "Which polygons make one region where they meet")
-      ->check(CLI::IsMember({"polygon", "face", "colour", "part", "all"}))
-      ->capture_default_str();
-  app->add_option("--fill", arguments->fill, "What regions are filled with")
-      ->check(CLI::IsMember({"colour", "none"}))
-      ->capture_default_str();
-  app->add_option("--lines", arguments->lines,
-                  "Lines over the fills: none, or the borders of regions")
-      ->check(CLI::IsMember({"none", "regions"}))
-      ->capture_default_str();
-  app->add_option("--line-width", arguments->line_width, "In pixels")
-      ->check(CLI::Range(0.001, 1000.0))
-      ->capture_default_str();
+                  "Which polygons make one region where they meet; if not "
+                  "said, what --fill says")
+      ->check(
+          CLI::IsMember({"polygon", "face", "colour", "part", "file", "all"}));
   app->add_option("--decimals", arguments->decimals,
-                  "Of coordinates, in pixels")
+                  "Of coordinates, in the figure's units")
       ->check(CLI::Range(0, 12))
       ->capture_default_str();
   app->add_option("--most-cells", arguments->most_cells,
                   "Give up where the map needs more cells")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31))
       ->capture_default_str();
+  add_line_options(*app, *arguments);
+  add_sheet_options(*app, arguments->sheet);
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
   add_quiet_option(*app);
   app->footer(
-      "What is seen is worked out exactly (spec/S7-map.md): no region is in "
-      "the wrong\nplace, and neighbours share their border to the digit.\n\n"
+      "What is seen is worked out exactly (spec/S7-map.md, spec/S9-drawing.md):"
+      "\nno region is in the wrong place, and an edge ends where it does.\n\n"
       "Examples:\n"
       "  halfspace draw part.stl -o part.svg\n"
-      "  halfspace draw part.off -o part.pdf --by part --lines regions");
+      "  halfspace draw part.stl -o part.svg --view iso --hidden dashed\n"
+      "  halfspace draw part.stl -o part.dxf --sheet a3 --scale 1:5\n"
+      "  halfspace draw a.off b.off -o both.pdf --fill file --lines edges");
   app->callback([arguments, &status] { status = run_draw(*arguments); });
 }
 

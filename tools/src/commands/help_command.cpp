@@ -181,7 +181,7 @@ Status run_help(const CLI::App& program, const HelpArguments& arguments) {
     print(man_page(program, *about));
     return Status::kFine;
   }
-  // Of the program itself: its help() would be that of this command.
+  // The program itself, for its help() would be that of this command.
   const std::string name = about == &program ? "" : " " + about->get_name();
   print(about->get_formatter()->make_help(about, "halfspace" + name,
                                           CLI::AppFormatMode::Normal));

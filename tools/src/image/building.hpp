@@ -71,7 +71,7 @@ Result<BuildMeasure> load_measured(Engine& engine, Library library,
 nlohmann::json stats_of(const io::LoadedScene& loaded,
                         const BuildMeasure& measure);
 
-/// The tree of so many polygons in words.
+/// The tree in words, with its number of polygons.
 std::string to_string(const BuildMeasure& measure, std::size_t polygons);
 
 /// Writes the statistics to the file, or for `-` to standard output.

@@ -64,7 +64,7 @@ struct TreeRequest {
   /// buffer needs no more.
   bool leaves = true;
   int threads = 0;  ///< 0: as many as the machine has
-  /// Told the share that is done; where it returns false, the work stops.
+  /// Gets the share that is done; where it returns false, the work stops.
   std::function<bool(double)> progress;
 };
 

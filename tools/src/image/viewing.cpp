@@ -19,8 +19,6 @@ namespace {
 /// products of three coordinates still fit 64 bits.
 constexpr int kRefineBits = 20;
 
-constexpr Size kUsualSize = {640, 480};
-
 constexpr Word<std::optional<Shading>> kShadingWords[] = {
     {"file", std::nullopt},
     {"flat", Shading::kFlat},
@@ -168,6 +166,13 @@ void add_picture_options(CLI::App& app, ViewArguments& arguments) {
 
 }  // namespace
 
+std::optional<io::ViewDirection> view_direction(std::string_view word) {
+  for (const Word<io::ViewDirection>& view : kViewWords) {
+    if (view.word == word) return view.value;
+  }
+  return std::nullopt;
+}
+
 void add_view_options(CLI::App& app, ViewArguments& arguments) {
   const std::string group = "Camera";
   add_parsed(app, "--size", "WxH", "WxH, columns and rows from 1 to 65536",
@@ -213,6 +218,22 @@ void add_view_options(CLI::App& app, ViewArguments& arguments) {
   add_picture_options(app, arguments);
 }
 
+Result<io::ViewOptions> complete_view(const Scene& scene,
+                                      const ViewArguments& arguments) {
+  io::ViewOptions view;
+  view.width_px = arguments.size->width_px;
+  view.height_px = arguments.size->height_px;
+  // A camera that is described in full needs nothing to look at.
+  if (!arguments.eye || !arguments.target) {
+    const Result<io::ViewOptions> automatic =
+        automatic_view(scene, arguments, *arguments.size);
+    if (!automatic) return automatic.error();
+    view = *automatic;
+    if (arguments.eye) view.target = io::middle_of(scene);
+  }
+  return completed(view, arguments);
+}
+
 Result<ChosenCamera> choose_camera(const SceneFile& file,
                                    const ViewArguments& arguments) {
   std::optional<Size> own;
@@ -229,19 +250,11 @@ Result<ChosenCamera> choose_camera(const SceneFile& file,
             "; give --eye or --view as well for another camera"};
   }
   const Size size = arguments.size.value_or(own.value_or(kUsualSize));
-  io::ViewOptions view;
-  view.width_px = size.width_px;
-  view.height_px = size.height_px;
-  // A camera that is described in full needs nothing to look at.
-  if (!arguments.eye || !arguments.target) {
-    const Result<io::ViewOptions> automatic =
-        automatic_view(file.scene, arguments, size);
-    if (!automatic) return automatic.error();
-    view = *automatic;
-    if (arguments.eye) view.target = io::middle_of(file.scene);
-  }
-  const Result<io::Viewed> viewed =
-      io::look_at(file.scene, completed(view, arguments));
+  ViewArguments sized = arguments;
+  sized.size = size;
+  const Result<io::ViewOptions> view = complete_view(file.scene, sized);
+  if (!view) return view.error();
+  const Result<io::Viewed> viewed = io::look_at(file.scene, *view);
   if (!viewed) return viewed.error();
   return ChosenCamera{viewed->camera, viewed->max_move, false};
 }

@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/arguments.hpp"
 #include "cli/loading.hpp"
@@ -38,6 +39,19 @@ struct ViewArguments {
 /// Adds the options, each of which fills its member.
 /// Requires: `arguments` outlives the parsing.
 void add_view_options(CLI::App& app, ViewArguments& arguments);
+
+/// The view that the arguments describe, completed from the automatic view.
+///
+/// Requires: arguments.size.
+/// Errors: those of io::automatic_options.
+Result<io::ViewOptions> complete_view(const Scene& scene,
+                                      const ViewArguments& arguments);
+
+/// The size of images if none is given.
+constexpr Size kUsualSize = {640, 480};
+
+/// The direction of a word of --view, such as `front`; nothing if it is none.
+std::optional<io::ViewDirection> view_direction(std::string_view word);
 
 /// The camera, and how far rounding moved it. Units: grid steps.
 struct ChosenCamera {

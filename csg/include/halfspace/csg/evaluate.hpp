@@ -46,7 +46,7 @@ class Evaluator {
     const std::size_t last = plan_.steps.size() - 1;
     for (std::size_t i = 0; i <= last; ++i) {
       const Step& step = plan_.steps[i];
-      // A file is read into a solid when it is wanted, lest all be there.
+      // A file is read into a solid when it is wanted, not all at once.
       if (step.terms.empty()) continue;
       values_[i] = value_of(step);
       if (error_) return *error_;

@@ -9,6 +9,7 @@
 
 #include "halfspace/boolean.hpp"
 #include "halfspace/csg/plan.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
@@ -31,6 +32,9 @@ struct OperandOptions {
   /// not made of mirrors, quarter turns, powers of 2 and 5, and shifts by short
   /// decimals, and planes whose numbers are not short.
   bool exact = false;
+  /// How surfaces are checked, one after another: by how many threads, and who
+  /// is shown the share of each that is done, and may stop it (kStopped).
+  fast::CheckOptions check = {};
 };
 
 /// A solid before it is moved: that of a file, or one made in memory.
@@ -93,8 +97,8 @@ class Operands {
   ///         script it is moved.
   Result<GridSolid> leaf(std::int32_t id);
 
-  /// Of each polygon of a leaf that was asked for the one in its file that it
-  /// is, or is a part of.
+  /// For each polygon of a loaded leaf: the polygon of its file that it is, or
+  /// is a part of.
   const std::vector<PolygonId>& polygons_of(std::int32_t leaf) const {
     return polygons_[static_cast<std::size_t>(leaf)];
   }

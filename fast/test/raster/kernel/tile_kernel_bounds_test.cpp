@@ -356,7 +356,7 @@ TEST(KernelBounds, SmallPolygonsTurnForSureOrAreLeft) {
       positive = positive || turn > 0;
       negative = negative || turn < 0;
     }
-    // Of those that are told, culling keeps the ones that turn negatively.
+    // Culling keeps those of them that turn negatively.
     const auto found =
         draw_small(p, plain_view(), error,
                    round % 2 == 0 ? Off::kView : Off::kBlock, true);

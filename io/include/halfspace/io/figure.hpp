@@ -14,7 +14,7 @@
 
 namespace halfspace::io {
 
-/// A point of a figure; x grows to the right, y downwards. Units: pixels.
+/// A point of a figure; x grows to the right, y downwards. Units: the figure's.
 using FigurePoint = std::array<double, 2>;
 
 /// A region of one colour: closed loops, filled by the even-odd rule.
@@ -25,35 +25,54 @@ struct FigureRegion {
   std::string title;  ///< what a viewer shows beside the pointer; empty: none
 };
 
-/// Straight strokes of one kind.
+/// A straight stroke.
+struct FigureStroke {
+  FigurePoint from{};
+  FigurePoint to{};
+  std::string title;  ///< what a viewer shows beside the pointer; empty: none
+  friend bool operator==(const FigureStroke&, const FigureStroke&) = default;
+};
+
+/// Strokes of one kind.
 struct FigureStrokes {
-  std::vector<std::array<FigurePoint, 2>> segments;
+  std::vector<FigureStroke> strokes;
   Rgb color;
-  double width = 1;  ///< units: pixels
+  double width = 1;  ///< units: those of points
+  /// The lengths of dashes and the gaps after them, in turn; empty: solid.
+  std::vector<double> dashes;
+  std::string name;  ///< of the layer, where the format has such; empty: none
 };
 
 /// A figure: regions that share borders, and strokes over them.
 struct Figure {
-  std::int32_t width = 0;  ///< units: pixels
-  std::int32_t height = 0;
+  double width = 0;
+  double height = 0;
+  /// The length of a unit of points on paper. 0: they are pixels, which are as
+  /// long as each format's own units; of SVG and plotters 1/96 inch, of the
+  /// others 1/72.
+  double unit_mm = 0;
   std::vector<FigureRegion> regions;
   std::vector<FigureStrokes> strokes;
 };
 
 /// How a figure is written.
 struct FigureOptions {
-  /// Coordinates are written with so many decimals, zeros at the end left out:
-  /// none moves by more than half a unit of the last one.
+  /// Coordinates are written with this number of decimals, zeros at the end
+  /// left out: none moves by more than half a unit of the last one.
   int decimals = 3;
 };
 
-/// The endings of the formats, ".svg .pdf .eps .tex".
+/// The endings of the formats, ".svg .pdf .eps .tex .dxf .hpgl".
 std::string figure_format_names();
 
 /// Whether the ending of the name is a figure's.
 bool is_figure_name(const std::filesystem::path& path);
 
-/// Writes a figure as SVG, PDF, EPS or PGF/TikZ, by the ending of the name.
+/// Whether files of this ending hold strokes alone, such as ".hpgl".
+bool is_plotter_format(std::string_view ending);
+
+/// Writes a figure as SVG, PDF, EPS, PGF/TikZ, DXF or HPGL, by the ending of
+/// the name. DXF and HPGL hold the strokes alone.
 ///
 /// No seams: every region is drawn with a stroke in its own colour first, then
 /// all of them again without, so that along a common border only the colours
@@ -67,5 +86,14 @@ Result<Done> write_figure(const std::filesystem::path& path,
 /// The bytes that write_figure() writes for an ending such as ".svg".
 Result<std::string> figure_bytes(std::string_view ending, const Figure& figure,
                                  const FigureOptions& options = {});
+
+/// Orders strokes for the pen of a plotter, and turns them round: each begins
+/// where the one before it ended if one can, else at the end that is nearest,
+/// of ties the first. Begins at the first stroke.
+/// Cost: n log n where strokes are spread evenly.
+void order_for_pen(std::vector<FigureStroke>& strokes);
+
+/// Parallel strokes that hatch a region at 45 degrees, `gap` apart.
+std::vector<FigureStroke> hatching(const FigureRegion& region, double gap);
 
 }  // namespace halfspace::io

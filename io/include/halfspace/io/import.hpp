@@ -45,7 +45,8 @@ struct ImportReport {
 /// The scene that a mesh became, and what was done to it.
 struct Imported {
   Scene scene;
-  /// Of each polygon of the scene the mesh's face that it is, or is a part of.
+  /// For each polygon of the scene: the face of the mesh that it is, or is a
+  /// part of.
   std::vector<PolygonId> faces;
   ImportReport report;
 };
@@ -73,8 +74,8 @@ struct Imported {
 /// Errors: kEmpty (vertices, but no faces); kOutOfRange (a polygon to be cut
 ///         into triangles with over 100,000 corners; a grid of other than 26,
 ///         40, 54 bits; coordinates that no unit reaches); kBadIndex.
-/// Cost:   linear, but for polygons to be cut: n log n in their corners, mostly,
-///         and quadratic at worst.
+/// Cost:   linear, but for polygons to be cut: n log n in their corners,
+///         mostly, and quadratic at worst.
 Result<Imported> import_scene(const Mesh& mesh, const ImportOptions& options);
 
 }  // namespace halfspace::io

@@ -1,0 +1,119 @@
+#include "halfspace/fast/drawing.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "drawing/crossings.hpp"
+#include "drawing/edge_class.hpp"
+#include "drawing/hiding.hpp"
+#include "drawing/image_points.hpp"
+#include "drawing/scene_edges.hpp"
+#include "drawing/sight.hpp"
+#include "drawing/strokes.hpp"
+#include "halfspace/assert.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// A drawing, edge by edge.
+class Drawer {
+ public:
+  Drawer(const Scene& scene, const Camera& camera,
+         const DrawingOptions& options, const DrawingLimits& limits)
+      : options_(options), limits_(limits), sight_(scene, camera) {}
+
+  Result<Drawing> run() {
+    const Scene& scene = sight_.scene();
+    std::vector<std::int8_t> eye_signs;
+    std::vector<bool> present;
+    for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+      const int eye = sight_.eye_sign(static_cast<PolygonId>(p));
+      eye_signs.push_back(static_cast<std::int8_t>(eye));
+      present.push_back(!(options_.cull && eye < 0));
+      if (!present.back()) eye_signs.back() = 0;
+    }
+    const SceneEdges edges(scene, present);
+    Hiding hiding(sight_, edges, std::move(eye_signs));
+    add_edges(edges, hiding);
+    for (Line& line : crossings(sight_, edges, present)) {
+      DrawingEdge edge;
+      edge.edge_class = EdgeClass::kIntersection;
+      edge.polygon = line.polygons[0];
+      edge.other = line.polygons[1];
+      drawing_.edges.push_back(edge);
+      lines_.push_back(std::move(line));
+    }
+    const ImagePoints points(sight_, hiding);
+    if (!divide(hiding, points)) {
+      return Error{ErrorCode::kOutOfRange,
+                   "the drawing has more than " +
+                       std::to_string(limits_.most_intervals) +
+                       " intervals of edges, which is the limit"};
+    }
+    add_strokes(drawing_, lines_, pieces_, hiding, points);
+    drawing_.decisions = sight_.stats();
+    return std::move(drawing_);
+  }
+
+ private:
+  void add_edges(const SceneEdges& edges, const Hiding& hiding) {
+    const PlaneTable planes = intern_planes(sight_.scene());
+    for (const SceneEdge& edge : edges.edges()) {
+      const auto sides = edges.sides(edge);
+      const auto edge_class = class_of(sides, sight_, hiding, planes, options_);
+      if (!edge_class) continue;
+      Line line;
+      line.from = hiding.point(edge.from);
+      line.to = hiding.point(edge.to);
+      for (const EdgeSide& side : sides) line.polygons.push_back(side.polygon);
+      std::sort(line.polygons.begin(), line.polygons.end());
+      drawing_.edges.push_back(
+          {*edge_class, edge.from, edge.to, line.polygons[0],
+           line.polygons.size() > 1 ? line.polygons[1] : PolygonId{-1}});
+      lines_.push_back(std::move(line));
+    }
+  }
+
+  /// The intervals of all edges; false if there are too many.
+  bool divide(Hiding& hiding, const ImagePoints& points) {
+    for (std::int32_t l = 0; l < std::ssize(lines_); ++l) {
+      const Line& line = lines_[static_cast<std::size_t>(l)];
+      if (hiding.is_point(line)) continue;
+      for (const Layered& part : hiding.parts_of(line)) {
+        if (drawing_.intervals.size() == limits_.most_intervals) return false;
+        EdgeInterval interval;
+        interval.edge = l;
+        interval.layers = part.layers;
+        interval.from_share = points.share(line, part.from);
+        interval.to_share = points.share(line, part.to);
+        const bool goes_on = !pieces_.empty() && pieces_.back().line == l;
+        interval.from = goes_on ? drawing_.intervals.back().to
+                                : points.point(line, part.from);
+        interval.to = points.point(line, part.to);
+        drawing_.intervals.push_back(interval);
+        pieces_.push_back({l, part.from, part.to});
+      }
+    }
+    return true;
+  }
+
+  const DrawingOptions& options_;
+  const DrawingLimits& limits_;
+  Sight sight_;
+  Drawing drawing_;
+  std::vector<Line> lines_;    ///< by edge of the drawing
+  std::vector<Piece> pieces_;  ///< by interval
+};
+
+}  // namespace
+
+Result<Drawing> draw(const Scene& scene, const Camera& camera,
+                     const DrawingOptions& options,
+                     const DrawingLimits& limits) {
+  HALFSPACE_ASSERT(options.cuts.empty() ||
+                   options.cuts.size() == scene.polygon_count());
+  return Drawer(scene, camera, options, limits).run();
+}
+
+}  // namespace halfspace::fast

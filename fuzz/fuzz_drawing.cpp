@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "fuzz.hpp"
+#include "halfspace/fast/drawing.hpp"
+#include "halfspace/ref/drawing.hpp"
+#include "views.hpp"
+
+namespace halfspace {
+namespace {
+
+/// The reference cuts every edge by everything: beyond so many polygons that
+/// takes too long, and nothing is compared.
+constexpr std::size_t kMostPolygons = 12;
+
+/// A part of a drawing: its class, layers, and the nearest doubles to its ends.
+using Part = std::tuple<double, double, double, double, EdgeClass, int>;
+
+template <class Ends>
+Part part_of(EdgeClass edge_class, std::int32_t layers, const Ends& from,
+             const Ends& to) {
+  const auto f = std::pair{from.x, from.y};
+  const auto g = std::pair{to.x, to.y};
+  const auto [low, high] = std::minmax(f, g);
+  return {low.first, low.second, high.first, high.second, edge_class, layers};
+}
+
+fast::DrawingPoint rounded(const ref::ImagePoint& p) {
+  return {nearest_double(p.x), nearest_double(p.y)};
+}
+
+}  // namespace
+}  // namespace halfspace
+
+/// The drawing is the same by both libraries: intervals and strokes with their
+/// classes, layers and the nearest doubles to their ends.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  using namespace halfspace;
+  fuzz::Bytes bytes(data, size);
+  DrawingOptions options;
+  options.crease_cosine = static_cast<std::int32_t>(bytes.next())
+                          << (kCosineBits - 8);
+  const SceneFile view = fuzz::view_of(bytes);
+  const std::string text = write_scene(view);
+  options.cull = view.options.cull;
+  const auto drawing = fast::draw(view.scene, *view.camera, options);
+  HALFSPACE_FUZZ_EXPECT(drawing.has_value(), text);
+  if (view.scene.polygon_count() > kMostPolygons) return 0;
+  const ref::Drawing expected = ref::draw(view.scene, *view.camera, options);
+  std::vector<Part> f;
+  std::vector<Part> r;
+  for (const fast::EdgeInterval& i : drawing->intervals) {
+    const auto& edge = drawing->edges[static_cast<std::size_t>(i.edge)];
+    f.push_back(part_of(edge.edge_class, i.layers, i.from, i.to));
+  }
+  for (const ref::DrawnInterval& i : expected.intervals)
+    r.push_back(
+        part_of(i.edge_class, i.layers, rounded(i.from), rounded(i.to)));
+  std::sort(f.begin(), f.end());
+  std::sort(r.begin(), r.end());
+  HALFSPACE_FUZZ_EXPECT(f == r, text);
+  f.clear();
+  r.clear();
+  for (const fast::Stroke& s : drawing->strokes)
+    f.push_back(part_of(s.edge_class, s.layers, s.from, s.to));
+  for (const ref::DrawnStroke& s : expected.strokes)
+    r.push_back(
+        part_of(s.edge_class, s.layers, rounded(s.from), rounded(s.to)));
+  std::sort(f.begin(), f.end());
+  std::sort(r.begin(), r.end());
+  HALFSPACE_FUZZ_EXPECT(f == r, text);
+  return 0;
+}

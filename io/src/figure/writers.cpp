@@ -1,0 +1,55 @@
+#include "figure/writers.hpp"
+
+#include <charconv>
+
+namespace halfspace::io {
+
+std::string decimal(double value, int decimals) {
+  char text[64];
+  const auto end = std::to_chars(text, text + sizeof text, value,
+                                 std::chars_format::fixed, decimals);
+  std::string number(text, end.ptr);
+  if (number.find('.') != std::string::npos) {
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') number.pop_back();
+  }
+  return number == "-0" ? "0" : number;
+}
+
+std::string Pen::at(const FigurePoint& p) const {
+  const double y = scale * p[1];
+  return length(p[0]) + " " + decimal(height < 0 ? y : height - y, decimals);
+}
+
+std::vector<std::vector<std::string>> loops_of(const FigureRegion& region,
+                                               const Pen& pen) {
+  std::vector<std::vector<std::string>> loops;
+  for (const auto& loop : region.loops) {
+    std::vector<std::string> points;
+    for (const FigurePoint& p : loop) {
+      std::string text = pen.at(p);
+      if (points.empty() || points.back() != text)
+        points.push_back(std::move(text));
+    }
+    while (points.size() > 1 && points.front() == points.back())
+      points.pop_back();
+    if (points.size() > 2) loops.push_back(std::move(points));
+  }
+  return loops;
+}
+
+std::vector<std::vector<std::string>> chains_of(const FigureStrokes& strokes,
+                                                const Pen& pen) {
+  std::vector<std::vector<std::string>> chains;
+  for (const FigureStroke& stroke : strokes.strokes) {
+    std::string from = pen.at(stroke.from);
+    std::string to = pen.at(stroke.to);
+    if (from == to) continue;
+    if (chains.empty() || chains.back().back() != from)
+      chains.push_back({std::move(from)});
+    chains.back().push_back(std::move(to));
+  }
+  return chains;
+}
+
+}  // namespace halfspace::io

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "halfspace/io/figure.hpp"
+
+/// What the writers of figures share.
+namespace halfspace::io {
+
+/// The shortest text of a number with at most this number of decimals.
+std::string decimal(double value, int decimals);
+
+/// A point with its digits after rounding: what is the same text is one point.
+struct Pen {
+  int decimals = 3;
+  double height = -1;  ///< y is measured from there up; negative: downwards
+  double scale = 1;    ///< the length of a unit of the figure
+
+  std::string length(double value) const {
+    return decimal(scale * value, decimals);
+  }
+  std::string at(const FigurePoint& p) const;
+};
+
+/// The pen of a format with `per_mm` units on a millimetre of paper.
+inline Pen upright_pen(const Figure& figure, const FigureOptions& options,
+                       double per_mm) {
+  const double scale = figure.unit_mm > 0 ? figure.unit_mm * per_mm : 1;
+  return {options.decimals, scale * figure.height, scale};
+}
+
+/// The loops of a region as texts of points. Points that fall together by
+/// rounding are one, and what has fewer than three left is no loop any more.
+std::vector<std::vector<std::string>> loops_of(const FigureRegion& region,
+                                               const Pen& pen);
+
+/// A stroke whose points follow each other: strokes without titles in their
+/// order, each run of which goes on where the one before it ended.
+std::vector<std::vector<std::string>> chains_of(const FigureStrokes& strokes,
+                                                const Pen& pen);
+
+std::string svg_of(const Figure& figure, const FigureOptions& options);
+std::string pdf_of(const Figure& figure, const FigureOptions& options);
+std::string eps_of(const Figure& figure, const FigureOptions& options);
+std::string tex_of(const Figure& figure, const FigureOptions& options);
+std::string dxf_of(const Figure& figure, const FigureOptions& options);
+std::string hpgl_of(const Figure& figure, const FigureOptions& options);
+
+}  // namespace halfspace::io

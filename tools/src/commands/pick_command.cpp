@@ -1,0 +1,219 @@
+#include <CLI/App.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/loading.hpp"
+#include "cli/options.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/ray.hpp"
+#include "halfspace/io/ray.hpp"
+#include "image/viewing.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// A pixel. Units: columns and rows.
+struct Pixel {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+};
+
+struct PickArguments {
+  std::string path;
+  std::optional<Pixel> at;
+  std::optional<glm::dvec3> from;
+  std::optional<glm::dvec3> along;
+  std::optional<glm::dvec3> to;
+  std::optional<glm::dvec3> sees;
+  bool all = false;
+  bool json = false;
+  std::optional<int> grid_bits;
+  ViewArguments view;
+};
+
+std::optional<Pixel> parse_pixel(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto x = parse_number<std::int32_t>(text.substr(0, comma));
+  const auto y = parse_number<std::int32_t>(text.substr(comma + 1));
+  return x && y && *x >= 0 && *y >= 0 ? std::optional(Pixel{*x, *y})
+                                      : std::nullopt;
+}
+
+/// What is wrong with the options taken together; empty if nothing.
+std::string complaint(const PickArguments& arguments) {
+  const int ends = (arguments.along ? 1 : 0) + (arguments.to ? 1 : 0) +
+                   (arguments.sees ? 1 : 0);
+  if (arguments.at && !arguments.from && ends == 0) {
+    return arguments.all ? "--all: needs a ray: --from and --along or --to"
+                         : "";
+  }
+  if (!arguments.at && arguments.from && ends == 1) {
+    return arguments.all && arguments.sees
+               ? "--all: --sees asks whether there is anything at all"
+               : "";
+  }
+  return "pick: give --at X,Y, a pixel, or --from and one of --along, --to and "
+         "--sees";
+}
+
+/// What was found, as text and for --json.
+class Report {
+ public:
+  Report(const io::LoadedScene& loaded, bool json)
+      : loaded_(loaded), is_json_(json) {}
+
+  void add(PolygonId polygon, const glm::dvec3& point, double distance,
+           const std::string& parameter) {
+    nlohmann::json hit = {
+        {"polygon", polygon},
+        {"file_polygon", loaded_.polygons[static_cast<std::size_t>(polygon)]},
+        {"point", {point.x, point.y, point.z}},
+        {"distance", distance}};
+    if (!parameter.empty()) hit["parameter"] = parameter;
+    hits_.push_back(std::move(hit));
+    if (is_json_) return;
+    print(fmt::format("polygon {}  point {}, {}, {}  distance {}{}\n", polygon,
+                      point.x, point.y, point.z, distance,
+                      parameter.empty() ? "" : "  t " + parameter));
+  }
+  void finish() {
+    if (is_json_) {
+      print(nlohmann::json{{"hits", hits_}}.dump(2) + "\n");
+    } else if (hits_.empty()) {
+      print("nothing\n");
+    }
+  }
+
+ private:
+  const io::LoadedScene& loaded_;
+  bool is_json_;
+  nlohmann::json hits_ = nlohmann::json::array();
+};
+
+/// A tree whose leaves are short, for they are searched one by one.
+fast::BspTree tree_of(const Scene& scene) {
+  fast::DisplayTreeOptions options;
+  options.leaf_size = 8;
+  return fast::build_display_tree(scene, options);
+}
+
+Status run_pixel(const PickArguments& arguments,
+                 const io::LoadedScene& loaded) {
+  const Result<ChosenCamera> chosen =
+      choose_camera(loaded.file, arguments.view);
+  if (!chosen) return fail(camera_error(arguments.path, chosen.error()));
+  const Camera& camera = chosen->camera;
+  const auto [x, y] = *arguments.at;
+  if (x >= camera->width_px || y >= camera->height_px) {
+    return fail(
+        fmt::format("--at: the image has the columns 0 to {} and the "
+                    "rows 0 to {}",
+                    camera->width_px - 1, camera->height_px - 1));
+  }
+  const Scene& scene = loaded.file.scene;
+  const PolygonId polygon =
+      fast::pick(scene, tree_of(scene), camera,
+                 choose_options(loaded.file, arguments.view), x, y);
+  Report report(loaded, arguments.json);
+  if (polygon != kBackground) {
+    const io::PixelPoint at = io::pixel_point(scene, camera, polygon, x, y);
+    report.add(polygon, at.point, at.distance, "");
+  }
+  report.finish();
+  return Status::kFine;
+}
+
+Status run_sees(const PickArguments& arguments, const io::LoadedScene& loaded) {
+  const Scene& scene = loaded.file.scene;
+  const Result<io::RoundedRay> ray =
+      io::ray_between(scene, *arguments.from, *arguments.sees, Reach::kBetween);
+  if (!ray) return fail("--sees: " + ray.error().message);
+  const bool see = fast::see_each_other(scene, tree_of(scene), ray->ray);
+  print(arguments.json ? nlohmann::json{{"visible", see}}.dump(2) + "\n"
+                       : std::string(see ? "visible\n" : "hidden\n"));
+  return Status::kFine;
+}
+
+Status run_ray(const PickArguments& arguments, const io::LoadedScene& loaded) {
+  const Scene& scene = loaded.file.scene;
+  const Result<io::RoundedRay> made =
+      arguments.along ? io::ray_along(scene, *arguments.from, *arguments.along)
+                      : io::ray_between(scene, *arguments.from, *arguments.to,
+                                        Reach::kSegment);
+  if (!made)
+    return fail((arguments.along ? "--along: " : "--to: ") +
+                made.error().message);
+  const Ray& ray = made->ray;
+  const fast::BspTree tree = tree_of(scene);
+  std::vector<RayHit> hits;
+  if (arguments.all) {
+    hits = fast::all_hits(scene, tree, ray);
+  } else if (const auto hit = fast::first_hit(scene, tree, ray)) {
+    hits.push_back(*hit);
+  }
+  Report report(loaded, arguments.json);
+  for (const RayHit& hit : hits) {
+    report.add(hit.polygon, io::point_of(hit, ray, scene.unit()),
+               io::distance_of(hit, ray, scene.unit()),
+               io::exact_parameter_of(hit));
+  }
+  report.finish();
+  return Status::kFine;
+}
+
+Status run_pick(const PickArguments& arguments) {
+  const std::string wrong = complaint(arguments);
+  if (!wrong.empty()) return fail(wrong);
+  const Result<io::LoadedScene> loaded =
+      load(arguments.path, import_options(arguments.view, arguments.grid_bits));
+  if (!loaded) return fail(arguments.path, loaded.error());
+  if (arguments.at) return run_pixel(arguments, *loaded);
+  return arguments.sees ? run_sees(arguments, *loaded)
+                        : run_ray(arguments, *loaded);
+}
+
+}  // namespace
+
+void add_pick(CLI::App& program, Status& status) {
+  CLI::App* app = program.add_subcommand(
+      "pick", "Say what a pixel sees, or what a ray hits");
+  const auto arguments = std::make_shared<PickArguments>();
+  app->add_option("FILE", arguments->path, "A mesh or a .scene")
+      ->required()
+      ->type_name("");
+  add_parsed(*app, "--at", "X,Y", "X,Y, a column and a row from 0 on",
+             arguments->at, parse_pixel,
+             "What is seen at this pixel, of the image that render makes with "
+             "the same options");
+  const std::string group = "Ray";
+  add_vector(*app, "--from", arguments->from, "Where the ray begins")
+      ->group(group);
+  add_vector(*app, "--along", arguments->along, "In which direction it goes")
+      ->group(group);
+  add_vector(*app, "--to", arguments->to, "Where it ends")->group(group);
+  add_vector(*app, "--sees", arguments->sees,
+             "Whether nothing is between --from and this point")
+      ->group(group);
+  app->add_flag("--all", arguments->all, "All hits in order, not the first")
+      ->group(group);
+  app->add_flag("--json", arguments->json, "As JSON");
+  add_grid_option(*app, arguments->grid_bits);
+  add_view_options(*app, arguments->view);
+  add_quiet_option(*app);
+  app->footer(
+      "Polygons are those of --ids. Which are hit is decided exactly; t is the "
+      "exact\nshare of the way, distance and point are rounded once "
+      "(spec/S8-rays.md).\n\n"
+      "Examples:\n"
+      "  halfspace pick part.stl --at 320,240\n"
+      "  halfspace pick part.stl --from 0,0,90 --along 0,0,-1 --all\n"
+      "  halfspace pick part.stl --from 0,0,9 --sees 5,5,0");
+  app->callback([arguments, &status] { status = run_pick(*arguments); });
+}
+
+}  // namespace halfspace::tools

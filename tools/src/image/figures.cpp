@@ -1,0 +1,206 @@
+#include "image/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <string_view>
+#include <tuple>
+
+#include "halfspace/fast/predicate.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// Numbers things in the order in which they come.
+template <class Thing>
+std::vector<std::int32_t> numbered(const std::vector<Thing>& things) {
+  std::map<Thing, std::int32_t> numbers;
+  std::vector<std::int32_t> result;
+  for (const Thing& thing : things) {
+    const auto next = static_cast<std::int32_t>(numbers.size());
+    result.push_back(numbers.try_emplace(thing, next).first->second);
+  }
+  return result;
+}
+
+/// Polygons that share vertices are of one part.
+std::vector<std::int32_t> parts_of(const Scene& scene) {
+  std::map<GridPoint, std::int32_t> points;
+  std::vector<std::int32_t> parents(scene.polygon_count());
+  std::iota(parents.begin(), parents.end(), 0);
+  const auto root_of = [&](std::int32_t p) {
+    while (parents[static_cast<std::size_t>(p)] != p) {
+      std::int32_t& parent = parents[static_cast<std::size_t>(p)];
+      parent = parents[static_cast<std::size_t>(parent)];
+      p = parent;
+    }
+    return p;
+  };
+  for (PolygonId p = 0; p < std::ssize(parents); ++p) {
+    for (const VertexId corner : scene.corners(p)) {
+      const auto [found, is_new] = points.try_emplace(scene.point(corner), p);
+      if (is_new) continue;
+      const std::int32_t a = root_of(found->second);
+      const std::int32_t b = root_of(p);
+      parents[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+  }
+  std::vector<std::int32_t> roots;
+  for (PolygonId p = 0; p < std::ssize(parents); ++p)
+    roots.push_back(root_of(p));
+  return numbered(roots);
+}
+
+/// Colours that are told apart, also by the colour-blind (Okabe and Ito 2008).
+constexpr std::array<Rgb, 8> kPalette = {{{230, 159, 0},
+                                          {86, 180, 233},
+                                          {0, 158, 115},
+                                          {240, 228, 66},
+                                          {0, 114, 178},
+                                          {213, 94, 0},
+                                          {204, 121, 167},
+                                          {153, 153, 153}}};
+
+constexpr std::string_view kClassNames[] = {"section", "border", "silhouette",
+                                            "intersection", "crease"};
+
+io::FigureRegion region_of(const fast::VisibleMap& map,
+                           const fast::MapRegion& region,
+                           const Placing& placing) {
+  io::FigureRegion drawn;
+  for (std::int32_t l = 0; l < region.loop_count; ++l) {
+    const auto loop = static_cast<std::size_t>(region.first_loop + l);
+    std::vector<io::FigurePoint> points;
+    for (std::uint32_t k = map.first_corner[loop];
+         k < map.first_corner[loop + 1]; ++k) {
+      const auto& vertex =
+          map.vertices[static_cast<std::size_t>(map.corners[k])];
+      points.push_back(placing.at(vertex.x, vertex.y));
+    }
+    drawn.loops.push_back(std::move(points));
+  }
+  return drawn;
+}
+
+/// The edges and intervals that a stroke is drawn for.
+std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
+  std::string title;
+  for (std::uint32_t k = 0; k < stroke.piece_count; ++k) {
+    const auto number =
+        static_cast<std::size_t>(drawing.pieces[stroke.first_piece + k]);
+    const fast::EdgeInterval& interval = drawing.intervals[number];
+    const fast::DrawingEdge& edge =
+        drawing.edges[static_cast<std::size_t>(interval.edge)];
+    if (!title.empty()) title += "; ";
+    title += edge.from >= 0
+                 ? fmt::format("polygon {} edge {}-{}", edge.polygon, edge.from,
+                               edge.to)
+                 : fmt::format("polygons {} and {}", edge.polygon, edge.other);
+    title += fmt::format(" {:.6g} to {:.6g} behind {}", interval.from_share,
+                         interval.to_share, interval.layers);
+  }
+  return title;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> keys_of(const FigureScene& figure,
+                                  const std::string& by) {
+  const Scene& scene = figure.scene;
+  const std::size_t count = scene.polygon_count();
+  if (by == "polygon") return {};
+  if (by == "all") return std::vector<std::int32_t>(count, 0);
+  if (by == "part") return parts_of(scene);
+  if (by == "file") return figure.files;
+  const fast::PlaneTable planes = fast::intern_planes(scene);
+  std::vector<std::tuple<std::int32_t, bool, Rgb>> faces;
+  for (std::size_t p = 0; p < count; ++p) {
+    const Rgb color = scene.color(static_cast<PolygonId>(p));
+    const bool is_face = by == "face";
+    faces.emplace_back(is_face ? planes.plane_of[p] : 0,
+                       is_face && planes.same_orientation[p], color);
+  }
+  return numbered(faces);
+}
+
+void add_regions(io::Figure& figure, const fast::VisibleMap& map,
+                 const FigureScene& scene, const std::string& by,
+                 Rgb background_color, bool background,
+                 const Placing& placing) {
+  const bool has_palette = by == "part" || by == "file";
+  for (const fast::MapRegion& region : map.regions) {
+    const bool is_background = region.item == kBackground;
+    if (is_background && !background) continue;
+    io::FigureRegion drawn = region_of(map, region, placing);
+    drawn.title =
+        is_background ? "background" : by + " " + std::to_string(region.key);
+    if (is_background) {
+      drawn.fill = background_color;
+    } else if (has_palette) {
+      drawn.fill =
+          kPalette[static_cast<std::size_t>(region.key) % kPalette.size()];
+    } else {
+      drawn.fill = scene.scene.color(region.item);
+    }
+    figure.regions.push_back(std::move(drawn));
+  }
+}
+
+void add_borders(io::Figure& figure, const fast::VisibleMap& map, double width,
+                 const Placing& placing) {
+  io::FigureStrokes strokes;
+  strokes.width = width;
+  strokes.name = "borders";
+  const auto point = [&](std::int32_t v) {
+    const fast::MapVertex& vertex = map.vertices[static_cast<std::size_t>(v)];
+    return placing.at(vertex.x, vertex.y);
+  };
+  for (const fast::MapArc& arc : map.arcs) {
+    if (arc.left < 0 || arc.right < 0) continue;
+    strokes.strokes.push_back({point(arc.from), point(arc.to), {}});
+  }
+  io::order_for_pen(strokes.strokes);
+  figure.strokes.push_back(std::move(strokes));
+}
+
+void add_strokes(io::Figure& figure, const fast::Drawing& drawing,
+                 const StrokeStyle& style, const Placing& placing) {
+  constexpr std::size_t kClasses = std::size(kClassNames);
+  for (const bool hidden : {true, false}) {
+    if (hidden && style.hidden == Hidden::kGone) continue;
+    for (std::size_t k = 0; k < kClasses; ++k) {
+      io::FigureStrokes strokes;
+      strokes.name = (hidden ? "hidden-" : "") + std::string(kClassNames[k]);
+      const auto edge_class = static_cast<EdgeClass>(k);
+      const bool is_inner = edge_class == EdgeClass::kCrease ||
+                            edge_class == EdgeClass::kIntersection;
+      strokes.width = style.width * (hidden ? 0.5 : is_inner ? 0.7 : 1);
+      if (hidden && style.hidden == Hidden::kDashed)
+        strokes.dashes = {4 * style.width, 3 * style.width};
+      for (const fast::Stroke& stroke : drawing.strokes) {
+        if (stroke.edge_class != edge_class || (stroke.layers > 0) != hidden)
+          continue;
+        strokes.strokes.push_back(
+            {placing.at(stroke.from.x, stroke.from.y),
+             placing.at(stroke.to.x, stroke.to.y),
+             style.titles ? title_of(drawing, stroke) : std::string()});
+      }
+      if (strokes.strokes.empty()) continue;
+      io::order_for_pen(strokes.strokes);
+      const auto same = std::find_if(
+          figure.strokes.begin(), figure.strokes.end(),
+          [&](const io::FigureStrokes& s) { return s.name == strokes.name; });
+      if (same == figure.strokes.end()) {
+        figure.strokes.push_back(std::move(strokes));
+      } else {
+        same->strokes.insert(same->strokes.end(), strokes.strokes.begin(),
+                             strokes.strokes.end());
+      }
+    }
+  }
+}
+
+}  // namespace halfspace::tools

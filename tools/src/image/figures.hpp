@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/visible_map.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/io/figure.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::tools {
+
+/// A scene of several files, and how its figures show it.
+struct FigureScene {
+  Scene scene;
+  std::vector<std::int32_t> files;  ///< by polygon
+};
+
+/// The keys by which regions are joined (S7.3): `polygon` (none), `face`,
+/// `colour`, `part`, `file` or `all`.
+std::vector<std::int32_t> keys_of(const FigureScene& scene,
+                                  const std::string& by);
+
+/// Where a view stands on the figure: image points are scaled, then moved.
+struct Placing {
+  double x = 0;
+  double y = 0;
+  double scale = 1;
+  io::FigurePoint at(double px, double py) const {
+    return {x + scale * px, y + scale * py};
+  }
+};
+
+/// Adds the regions of a map, titled by what joined them. Of parts and files
+/// each has a colour of its own; else a region has its lowest polygon's.
+/// `background`: whether regions in which nothing is seen are added.
+void add_regions(io::Figure& figure, const fast::VisibleMap& map,
+                 const FigureScene& scene, const std::string& by,
+                 Rgb background_color, bool background, const Placing& placing);
+
+/// Adds the borders of a map's regions.
+void add_borders(io::Figure& figure, const fast::VisibleMap& map, double width,
+                 const Placing& placing);
+
+/// How hidden strokes are drawn.
+enum class Hidden { kGone, kDashed, kSolid };
+
+/// How strokes are drawn. Units: those of the figure.
+struct StrokeStyle {
+  double width = 1;
+  Hidden hidden = Hidden::kGone;
+  bool titles = false;  ///< names the edges and intervals of each stroke
+};
+
+/// Adds the strokes of a drawing, a layer for each class and for what of it is
+/// hidden, in an order for a pen.
+void add_strokes(io::Figure& figure, const fast::Drawing& drawing,
+                 const StrokeStyle& style, const Placing& placing);
+
+}  // namespace halfspace::tools

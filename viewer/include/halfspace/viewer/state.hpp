@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "halfspace/io/view.hpp"
+#include "halfspace/polygon.hpp"
+#include "halfspace/result.hpp"
+
+namespace halfspace::viewer {
+
+/// A file that is shown.
+struct Part {
+  std::string path;
+  bool is_visible = true;
+  std::optional<Rgb> color;          ///< instead of the file's own colours
+  std::array<double, 3> shift = {};  ///< added to every point, exactly
+  friend bool operator==(const Part&, const Part&) = default;
+};
+
+/// What is made of the visible parts before they are shown.
+enum class Combination : std::uint8_t {
+  kNone,  ///< all of them are shown as they are
+  kUnion,
+  kDifference,  ///< the first one without the others
+  kIntersection,
+  kSymmetricDifference,
+};
+
+/// Which lines are drawn where two polygons meet in the picture.
+enum class Edges : std::uint8_t {
+  kNone,
+  kFeature,  ///< where the surface turns by more than 30 degrees, or ends
+  kPolygon,  ///< round every polygon
+};
+
+/// How the parts look.
+struct Looks {
+  bool is_smooth = false;  ///< Gouraud shading
+  bool cull = false;       ///< polygons seen from behind are not there
+  Edges edges = Edges::kNone;
+  Rgb background = {255, 255, 255};
+  std::optional<std::array<double, 3>> light;  ///< nothing: the usual one
+  friend bool operator==(const Looks&, const Looks&) = default;
+};
+
+/// All that a picture depends on.
+struct State {
+  std::vector<Part> parts;
+  Combination combination = Combination::kNone;
+  Looks looks;
+  /// Nothing: from above and to one side, so that all is seen.
+  std::optional<io::ViewOptions> camera;
+};
+
+/// Whether two cameras are the same in every number.
+bool is_same(const io::ViewOptions& a, const io::ViewOptions& b);
+
+/// Whether the pictures of two states need the same scene.
+bool have_same_scene(const State& a, const State& b);
+
+/// The text of a `.view` file: parse_state(to_text(s)) is s.
+std::string to_text(const State& state);
+
+/// The state that the text of a `.view` file describes. Paths that are not
+/// absolute are taken from `folder`.
+///
+/// Errors: kSyntax, kOutOfRange, naming the entry.
+Result<State> parse_state(std::string_view text,
+                          const std::filesystem::path& folder = {});
+
+/// Whether the name ends in `.view`.
+bool is_view_name(const std::filesystem::path& path);
+
+/// Reads and writes the file. Errors: also kUnreadable, kUnwritable.
+Result<State> read_state(const std::filesystem::path& path);
+Result<Done> write_state(const std::filesystem::path& path, const State& state);
+
+}  // namespace halfspace::viewer

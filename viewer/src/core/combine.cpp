@@ -1,0 +1,192 @@
+#include "core/combine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace::viewer {
+namespace {
+
+/// The sum of two numbers. Exact.
+io::Number sum(const io::Number& a, const io::Number& b) {
+  const std::int32_t two = std::min(a.two, b.two);
+  const std::int32_t five = std::min(a.five, b.five);
+  const auto scaled = [&](const io::Number& n) -> io::Integer {
+    io::Integer value = n.mantissa;
+    value <<= static_cast<unsigned>(n.two - two);
+    return value * boost::multiprecision::pow(
+                       io::Integer(5), static_cast<unsigned>(n.five - five));
+  };
+  return io::normalised(scaled(a) + scaled(b), two, five);
+}
+
+/// The shortest decimal that the double reads back from.
+io::Number decimal_of(double value) {
+  const Result<io::Number> number = io::parse_number(fmt::format("{}", value));
+  return number ? *number : io::number_of(value);
+}
+
+void append(const ReadPart& from, CombinedMesh& to) {
+  const io::Mesh& mesh = *from.mesh;
+  const auto first = static_cast<VertexId>(to.mesh.vertices.size());
+  const bool is_shifted = from.part->shift != std::array<double, 3>{};
+  to.mesh.vertices.insert(to.mesh.vertices.end(), mesh.vertices.begin(),
+                          mesh.vertices.end());
+  if (is_shifted) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const io::Number by = decimal_of(from.part->shift[axis]);
+      for (std::size_t v = static_cast<std::size_t>(first);
+           v < to.mesh.vertices.size(); ++v) {
+        io::Number& at = to.mesh.vertices[v][axis];
+        at = sum(at, by);
+      }
+    }
+  }
+  const auto corners = static_cast<std::uint32_t>(to.mesh.corners.size());
+  for (const VertexId corner : mesh.corners)
+    to.mesh.corners.push_back(first + corner);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    to.mesh.first_corner.push_back(corners + mesh.first_corner[f + 1]);
+    std::optional<Rgb> color = from.part->color;
+    if (!color && !mesh.face_colors.empty()) color = mesh.face_colors[f];
+    to.mesh.face_colors.push_back(color);
+  }
+  to.mesh.vertex_colors.resize(to.mesh.vertices.size());
+  if (!mesh.vertex_colors.empty() && !from.part->color) {
+    std::copy(mesh.vertex_colors.begin(), mesh.vertex_colors.end(),
+              to.mesh.vertex_colors.begin() + first);
+  }
+  to.parts.resize(to.mesh.face_count(), from.index);
+}
+
+Solid solid_of_part(const Part& part) {
+  const auto [x, y, z] = part.shift;
+  const Solid solid = Solid::from_file(part.path);
+  return (x == 0 && y == 0 && z == 0 ? solid : solid.translated({x, y, z}))
+      .named(part.path);
+}
+
+Solid expression(const std::vector<const Part*>& parts,
+                 Combination combination) {
+  std::vector<Solid> solids;
+  for (const Part* part : parts) solids.push_back(solid_of_part(*part));
+  if (solids.empty()) return {};
+  Solid result = solids.front();
+  const std::vector<Solid> others(solids.begin() + 1, solids.end());
+  switch (combination) {
+    case Combination::kNone:
+    case Combination::kUnion:
+      return Solid::union_of(solids);
+    case Combination::kDifference:
+      return others.empty() ? result : result - Solid::union_of(others);
+    case Combination::kIntersection:
+      return Solid::intersection_of(solids);
+    case Combination::kSymmetricDifference:
+      for (const Solid& other : others) result ^= other;
+      return result;
+  }
+  return result;
+}
+
+Result<Done> evaluated(const Solid& solid, const Report& report) {
+  WorkOptions options;
+  options.progress = [&report](double share) {
+    return report("boolean", share);
+  };
+  return solid.evaluate(options);
+}
+
+/// The colours of parts that have none of their own: a boolean shows whose a
+/// face was.
+constexpr Rgb kPartColors[] = {{0x8f, 0xb8, 0xde}, {0xf2, 0xa6, 0x5a},
+                               {0x8c, 0xc0, 0x84}, {0xd9, 0x8b, 0xb0},
+                               {0xe3, 0xc5, 0x5b}, {0x9f, 0x9b, 0xd6}};
+
+}  // namespace
+
+CombinedMesh joined(const std::vector<ReadPart>& parts) {
+  CombinedMesh result;
+  result.mesh.decimal = true;
+  for (const ReadPart& part : parts) {
+    append(part, result);
+    result.mesh.decimal = result.mesh.decimal && part.mesh->decimal;
+  }
+  const auto has_none = [](const std::vector<std::optional<Rgb>>& colors) {
+    return std::none_of(colors.begin(), colors.end(),
+                        [](const auto& color) { return color.has_value(); });
+  };
+  if (has_none(result.mesh.face_colors)) result.mesh.face_colors.clear();
+  if (has_none(result.mesh.vertex_colors)) result.mesh.vertex_colors.clear();
+  return result;
+}
+
+Result<CombinedMesh> combined(const std::vector<ReadPart>& parts,
+                              Combination combination, const Report& report) {
+  std::vector<const Part*> shown;
+  for (const ReadPart& part : parts) shown.push_back(part.part);
+  const Solid solid = expression(shown, combination);
+  const Result<Done> done = evaluated(solid, report);
+  if (!done) return done.error();
+  const auto mesh = solid.mesh();
+  if (!mesh) return mesh.error();
+  if (mesh->polygon_count() == 0)
+    return Error{ErrorCode::kEmpty, "the boolean of these parts is empty"};
+  const auto operands = solid.operands();
+  if (!operands) return operands.error();
+  CombinedMesh result;
+  for (const Point& p : mesh->vertices) {
+    result.mesh.vertices.push_back(
+        {io::number_of(p.x), io::number_of(p.y), io::number_of(p.z)});
+  }
+  result.mesh.first_corner = mesh->first_corner;
+  result.mesh.corners.assign(mesh->corners.begin(), mesh->corners.end());
+  for (std::size_t p = 0; p < mesh->polygon_count(); ++p) {
+    // An operand that occurs twice stands for the first of its parts.
+    const std::string name = (*operands)[mesh->origins[p].operand].name();
+    const auto from = std::find_if(
+        parts.begin(), parts.end(),
+        [&name](const ReadPart& part) { return part.part->path == name; });
+    const ReadPart& part = from == parts.end() ? parts.front() : *from;
+    result.parts.push_back(part.index);
+    result.mesh.face_colors.push_back(part.part->color.value_or(
+        kPartColors[part.index % std::size(kPartColors)]));
+  }
+  return result;
+}
+
+Solid solid_of(const State& state) {
+  std::vector<const Part*> shown;
+  for (const Part& part : state.parts) {
+    if (part.is_visible) shown.push_back(&part);
+  }
+  return expression(shown, state.combination);
+}
+
+Result<Done> save_combined(const State& state,
+                           const std::filesystem::path& path,
+                           const Report& report) {
+  const Solid solid = solid_of(state);
+  const Result<Done> done = evaluated(solid, report);
+  if (!done) return done.error();
+  return solid.save(path);
+}
+
+io::Mesh mesh_of(const Scene& scene) {
+  io::Mesh mesh;
+  const Unit unit = scene.unit();
+  const std::int32_t five = unit.base == 10 ? unit.exponent : 0;
+  for (const GridPoint& p : scene.data().vertices) {
+    mesh.vertices.push_back({io::normalised(p.x, unit.exponent, five),
+                             io::normalised(p.y, unit.exponent, five),
+                             io::normalised(p.z, unit.exponent, five)});
+  }
+  mesh.first_corner = scene.data().first_corner;
+  mesh.corners = scene.data().corners;
+  mesh.face_colors.assign(scene.data().colors.begin(),
+                          scene.data().colors.end());
+  mesh.decimal = unit.base == 10;
+  return mesh;
+}
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,97 @@
+#include "core/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halfspace::viewer {
+namespace {
+
+std::string vector_text(double x, double y, double z) {
+  return fmt::format("{},{},{}", x, y, z);
+}
+
+std::string vector_text(const glm::dvec3& v) {
+  return vector_text(v.x, v.y, v.z);
+}
+
+std::string color_text(const Rgb& color) {
+  return fmt::format("{},{},{}", color.r, color.g, color.b);
+}
+
+std::string camera_options(const io::ViewOptions& camera) {
+  std::string text = fmt::format(
+      " --size {}x{} --eye={} --target={} --up={} --fov {}", camera.width_px,
+      camera.height_px, vector_text(camera.eye), vector_text(camera.target),
+      vector_text(camera.up), camera.fov_deg);
+  if (camera.orthographic)
+    text += fmt::format(" --ortho --height {}", camera.ortho_height);
+  if (camera.near) text += fmt::format(" --near={}", *camera.near);
+  return text;
+}
+
+const Part* only_part(const State& state) {
+  const Part* found = nullptr;
+  for (const Part& part : state.parts) {
+    if (!part.is_visible) continue;
+    if (found != nullptr) return nullptr;
+    found = &part;
+  }
+  return found;
+}
+
+}  // namespace
+
+bool fits_command_line(const State& state) {
+  const Part* part = only_part(state);
+  if (part == nullptr || !state.camera ||
+      state.combination != Combination::kNone ||
+      part->shift != std::array<double, 3>{})
+    return false;
+  // A scene has colours and light of its own.
+  const bool is_scene =
+      part->path.ends_with(".scene") || part->path.ends_with(".scene.gz");
+  return !is_scene || (!part->color && !state.looks.light);
+}
+
+std::string shell_word(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           (c >= '0' && c <= '9') ||
+           std::string_view("_-./=,:+@%").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && text[0] != '-' &&
+      std::all_of(text.begin(), text.end(), is_plain))
+    return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string render_command(const State& state, const std::string& output,
+                           const std::string& view_file) {
+  std::string command = "halfspace render ";
+  if (!fits_command_line(state)) {
+    command += shell_word(view_file);
+  } else {
+    const Part& part = *only_part(state);
+    // A name that begins with a dash would be an option.
+    command +=
+        shell_word(part.path.starts_with('-') ? "./" + part.path : part.path);
+    command += camera_options(*state.camera);
+    if (state.looks.is_smooth)
+      command += " --shade gouraud";
+    else
+      command += " --shade flat";
+    command += state.looks.cull ? " --cull" : " --no-cull";
+    command += " --background " + color_text(state.looks.background);
+    if (part.color) command += " --color " + color_text(*part.color);
+    if (state.looks.light) {
+      const auto& [x, y, z] = *state.looks.light;
+      command += " --light=" + vector_text(x, y, z);
+    }
+  }
+  return command + " -o " + shell_word(output);
+}
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,196 @@
+#include "core/frame_maker.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "halfspace/fast/render.hpp"
+
+namespace halfspace::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Longer ones come in strips.
+constexpr double kLongFrameMs = 30;
+/// What one strip should take: two thirds of a sixtieth of a second.
+constexpr double kStripMs = 11;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start)
+      .count();
+}
+
+int thread_count() {
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+FrameMaker::FrameMaker(std::function<void()> wake)
+    : wake_(std::move(wake)), thread_([this] { work(); }) {}
+
+FrameMaker::~FrameMaker() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void FrameMaker::request(FrameRequest request) {
+  {
+    const std::lock_guard lock(mutex_);
+    wanted_ = request.number;
+    next_ = std::move(request);
+  }
+  changed_.notify_all();
+}
+
+std::optional<ColorImage> FrameMaker::finished() {
+  std::unique_lock lock(mutex_);
+  if (wanted_ == 0) return std::nullopt;
+  changed_.wait(lock, [this] { return done_ == wanted_; });
+  ColorImage image(canvas_.width_px, canvas_.height_px, {});
+  std::transform(canvas_.pixels.begin(), canvas_.pixels.end(),
+                 image.pixels.begin(), [](std::uint32_t pixel) {
+                   return Rgb{static_cast<std::uint8_t>(pixel >> 16),
+                              static_cast<std::uint8_t>(pixel >> 8),
+                              static_cast<std::uint8_t>(pixel)};
+                 });
+  return image;
+}
+
+void FrameMaker::read_changes(
+    const std::function<void(const Canvas&, std::int32_t, std::int32_t)>&
+        read) {
+  const std::lock_guard lock(mutex_);
+  if (dirty_first_ >= dirty_end_) return;
+  read(canvas_, dirty_first_, dirty_end_);
+  dirty_first_ = dirty_end_ = 0;
+}
+
+bool FrameMaker::is_done() const {
+  const std::lock_guard lock(mutex_);
+  return done_ == wanted_;
+}
+
+std::uint64_t FrameMaker::done_number() const {
+  const std::lock_guard lock(mutex_);
+  return done_;
+}
+
+std::size_t FrameMaker::count() const {
+  const std::lock_guard lock(mutex_);
+  return times_ms_.size();
+}
+
+double FrameMaker::last_ms() const {
+  const std::lock_guard lock(mutex_);
+  return times_ms_.empty() ? 0 : times_ms_.back();
+}
+
+std::vector<double> FrameMaker::times_ms() const {
+  const std::lock_guard lock(mutex_);
+  return times_ms_;
+}
+
+void FrameMaker::work() {
+  for (;;) {
+    FrameRequest request;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return ends_ || next_.has_value(); });
+      if (ends_) return;
+      request = *std::move(next_);
+      next_.reset();
+    }
+    make(request);
+  }
+}
+
+bool FrameMaker::is_newer_wanted(const FrameRequest& request) const {
+  const std::lock_guard lock(mutex_);
+  return ends_ || wanted_ != request.number;
+}
+
+void FrameMaker::make(const FrameRequest& request) {
+  const auto start = Clock::now();
+  const std::int32_t height = request.camera->height_px;
+  const double strips =
+      expected_ms_ > kLongFrameMs ? std::ceil(expected_ms_ / kStripMs) : 1;
+  const auto strip_height = static_cast<std::int32_t>(
+      std::clamp(std::ceil(height / strips), 1.0, double(height)));
+  fast::RenderOptions how;
+  how.threads = thread_count();
+  how.items = false;
+  fast::Rendering rendering;
+  std::int32_t row = next_row_ < height ? next_row_ : 0;
+  for (std::int32_t made = 0; made < height;) {
+    const std::int32_t end =
+        std::min({row + strip_height, height, row + height - made});
+    how.rectangle = {0, row, request.camera->width_px, end};
+    fast::render(request.model->loaded.file.scene, *request.model->tree,
+                 request.camera, request.options, how, rendering);
+    publish(request, rendering.colors, row);
+    made += end - row;
+    row = end < height ? end : 0;
+    if (made < height && is_newer_wanted(request)) {
+      // What the whole would have taken.
+      expected_ms_ = ms_since(start) * height / made;
+      next_row_ = row;
+      return;
+    }
+  }
+  next_row_ = 0;
+  expected_ms_ = ms_since(start);
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = request.number;
+    times_ms_.push_back(expected_ms_);
+  }
+  changed_.notify_all();
+  wake_();
+}
+
+void FrameMaker::publish(const FrameRequest& request, const ColorImage& rows,
+                         std::int32_t first_row) {
+  {
+    const std::lock_guard lock(mutex_);
+    const std::int32_t width = request.camera->width_px;
+    const std::int32_t height = request.camera->height_px;
+    if (canvas_.width_px != width || canvas_.height_px != height) {
+      const Rgb color = request.options.background;
+      const std::uint32_t background =
+          0xff000000u | static_cast<std::uint32_t>(color.r) << 16 |
+          static_cast<std::uint32_t>(color.g) << 8 | color.b;
+      canvas_.width_px = width;
+      canvas_.height_px = height;
+      canvas_.pixels.assign(
+          static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+          background);
+      dirty_first_ = 0;
+      dirty_end_ = height;
+    }
+    std::uint32_t* to =
+        canvas_.pixels.data() +
+        static_cast<std::size_t>(first_row) * static_cast<std::size_t>(width);
+    for (const Rgb& pixel : rows.pixels) {
+      *to++ = 0xff000000u | static_cast<std::uint32_t>(pixel.r) << 16 |
+              static_cast<std::uint32_t>(pixel.g) << 8 | pixel.b;
+    }
+    const std::int32_t end_row = first_row + rows.height_px;
+    if (dirty_first_ >= dirty_end_) {
+      dirty_first_ = first_row;
+      dirty_end_ = end_row;
+    } else {
+      dirty_first_ = std::min(dirty_first_, first_row);
+      dirty_end_ = std::max(dirty_end_, end_row);
+    }
+  }
+  wake_();
+}
+
+}  // namespace halfspace::viewer

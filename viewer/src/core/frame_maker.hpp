@@ -1,0 +1,89 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/viewer/model.hpp"
+
+namespace halfspace::viewer {
+
+/// A picture that is wanted.
+struct FrameRequest {
+  std::uint64_t number = 0;  ///< above that of requests before
+  std::shared_ptr<const Model> model;
+  Camera camera;
+  ImageOptions options;
+};
+
+/// Pixels for a screen: 0xffRRGGBB, row by row. Rows of two pictures may stand
+/// beside each other while one grows.
+struct Canvas {
+  std::int32_t width_px = 0;
+  std::int32_t height_px = 0;
+  std::vector<std::uint32_t> pixels;
+};
+
+/// Makes pictures in a thread of its own, the newest request first.
+///
+/// A picture that takes longer than 30 ms comes in strips of rows; a newer
+/// request ends it between two strips, and goes on at the row where it was, so
+/// that all rows stay alive however fast requests come.
+class FrameMaker {
+ public:
+  /// `wake` is called, in that thread, when rows have changed.
+  explicit FrameMaker(std::function<void()> wake);
+  ~FrameMaker();
+  FrameMaker(const FrameMaker&) = delete;
+  FrameMaker& operator=(const FrameMaker&) = delete;
+
+  void request(FrameRequest request);
+
+  /// Waits until the picture that was asked for last is whole, and gives its
+  /// colours; nothing if none was asked for.
+  std::optional<ColorImage> finished();
+
+  /// Calls `read` with the canvas and the rows that have changed since the last
+  /// call; not at all if none have.
+  void read_changes(
+      const std::function<void(const Canvas&, std::int32_t first_row,
+                               std::int32_t end_row)>& read);
+
+  /// Whether the picture that was asked for last is whole.
+  bool is_done() const;
+  std::uint64_t done_number() const;
+  /// How many pictures were whole, and how long the last of them took.
+  std::size_t count() const;
+  double last_ms() const;
+  std::vector<double> times_ms() const;
+
+ private:
+  void work();
+  void make(const FrameRequest& request);
+  void publish(const FrameRequest& request, const ColorImage& rows,
+               std::int32_t first_row);
+  bool is_newer_wanted(const FrameRequest& request) const;
+
+  std::function<void()> wake_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<FrameRequest> next_;
+  Canvas canvas_;
+  std::int32_t dirty_first_ = 0, dirty_end_ = 0;
+  std::uint64_t wanted_ = 0, done_ = 0;
+  std::vector<double> times_ms_;
+  bool ends_ = false;
+  // Of the thread alone.
+  double expected_ms_ = 0;
+  std::int32_t next_row_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace halfspace::viewer

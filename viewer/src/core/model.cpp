@@ -1,0 +1,211 @@
+#include "halfspace/viewer/model.hpp"
+
+#include <fmt/format.h>
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "core/combine.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/tree_file.hpp"
+#include "halfspace/io/import.hpp"
+#include "halfspace/io/read_mesh.hpp"
+
+namespace halfspace::viewer {
+namespace {
+
+/// The refinement of the grid for meshes that `halfspace render` asks for: a
+/// camera's lattice is 2^8 times finer than the grid (S4.1), and with 20 bits
+/// more an eye moves by less than a millionth of the scene.
+constexpr int kRefineBits = 20;
+
+io::ImportOptions import_options(const Looks& looks) {
+  io::ImportOptions options;
+  options.refine_bits = kRefineBits;
+  options.gouraud = looks.is_smooth;
+  options.light_colors = true;
+  if (looks.light) {
+    const auto& v = *looks.light;
+    const glm::dvec3 light = glm::normalize(glm::dvec3(v[0], v[1], v[2]));
+    options.to_light = {light.x, light.y, light.z};
+  }
+  return options;
+}
+
+Error stopped() { return {ErrorCode::kStopped, "stopped"}; }
+
+/// The parts that are seen, read.
+Result<std::vector<ReadPart>> read_parts(const State& state, MeshCache& cache,
+                                         const Report& report) {
+  std::vector<ReadPart> parts;
+  for (std::size_t i = 0; i < state.parts.size(); ++i) {
+    const Part& part = state.parts[i];
+    if (!part.is_visible) continue;
+    const double share =
+        static_cast<double>(i) / static_cast<double>(state.parts.size());
+    if (!report("reading " + part.path, share)) return stopped();
+    auto mesh = cache.mesh_of(part.path);
+    if (!mesh) return mesh.error();
+    parts.push_back({static_cast<std::uint32_t>(i), &part, *std::move(mesh)});
+  }
+  if (parts.empty()) {
+    return Error{ErrorCode::kEmpty, state.parts.empty()
+                                        ? "no file is open"
+                                        : "all parts are hidden"};
+  }
+  return parts;
+}
+
+/// The file alone, as a `.scene` that keeps its own grid and colours.
+Result<Model> model_of_scene_file(const std::string& path, const Looks& looks) {
+  Result<io::LoadedScene> loaded = io::load_scene(path, import_options(looks));
+  if (!loaded) return loaded.error();
+  Model model;
+  model.loaded = *std::move(loaded);
+  return model;
+}
+
+Result<Model> imported(const io::Mesh& mesh, const io::ImportOptions& options,
+                       const std::string& name) {
+  Result<io::Imported> done = io::import_scene(mesh, options);
+  if (!done) return io::error_about(name, done.error());
+  Model model;
+  model.loaded = {{std::move(done->scene), std::nullopt, {}},
+                  std::move(done->faces),
+                  done->report,
+                  false};
+  return model;
+}
+
+/// Says which part each polygon belongs to, by its faces' parts.
+void note_parts(Model& model, const std::vector<std::uint32_t>& face_parts,
+                std::size_t part_count) {
+  model.face_counts.assign(part_count, 0);
+  for (const std::uint32_t part : face_parts) ++model.face_counts[part];
+  for (const PolygonId face : model.loaded.polygons)
+    model.parts.push_back(face_parts[static_cast<std::size_t>(face)]);
+}
+
+Result<Model> scene_of_one(const ReadPart& part, const Looks& looks) {
+  if (io::is_scene_name(part.part->path) && !part.part->color)
+    return model_of_scene_file(part.part->path, looks);
+  io::ImportOptions options = import_options(looks);
+  options.surface = part.part->color;
+  return imported(*part.mesh, options, part.part->path);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const io::Mesh>> MeshCache::mesh_of(
+    const std::string& path) {
+  std::error_code code;
+  const auto time = std::filesystem::last_write_time(path, code);
+  const auto size = std::filesystem::file_size(path, code);
+  const auto found = entries_.find(path);
+  if (!code && found != entries_.end() && found->second.time == time &&
+      found->second.size == size)
+    return found->second.mesh;
+  std::shared_ptr<const io::Mesh> result;
+  if (io::is_scene_name(path)) {
+    const Result<io::LoadedScene> loaded = io::load_scene(path, {});
+    if (!loaded) return loaded.error();
+    result =
+        std::make_shared<const io::Mesh>(viewer::mesh_of(loaded->file.scene));
+  } else {
+    Result<io::Mesh> mesh = io::read_mesh(path);
+    if (!mesh) return io::error_about(path, mesh.error());
+    result = std::make_shared<const io::Mesh>(*std::move(mesh));
+  }
+  if (!code) entries_[path] = {time, size, result};
+  return result;
+}
+
+Result<Model> make_scene_of(const State& state, MeshCache& cache,
+                            const Report& report) {
+  const Result<std::vector<ReadPart>> parts = read_parts(state, cache, report);
+  if (!parts) return parts.error();
+  if (!report("import", 0)) return stopped();
+  const ReadPart& first = parts->front();
+  const bool is_alone =
+      parts->size() == 1 && first.part->shift == std::array<double, 3>{};
+  Result<Model> model = Error{ErrorCode::kEmpty, ""};
+  if (state.combination != Combination::kNone) {
+    const Result<CombinedMesh> all =
+        combined(*parts, state.combination, report);
+    if (!all) return all.error();
+    model = imported(all->mesh, import_options(state.looks), "");
+    if (model) note_parts(*model, all->parts, state.parts.size());
+  } else if (is_alone) {
+    model = scene_of_one(first, state.looks);
+    if (model) {
+      note_parts(*model, std::vector(first.mesh->face_count(), first.index),
+                 state.parts.size());
+    }
+  } else {
+    const CombinedMesh all = joined(*parts);
+    model = imported(all.mesh, import_options(state.looks), "");
+    if (model) note_parts(*model, all.parts, state.parts.size());
+  }
+  if (model && model->loaded.file.scene.polygon_count() == 0) {
+    return Error{ErrorCode::kEmpty,
+                 first.part->path + ": there are no polygons to see"};
+  }
+  return model;
+}
+
+Result<std::shared_ptr<const Model>> make_model(const State& state,
+                                                MeshCache& cache,
+                                                const Model* before,
+                                                const Report& report) {
+  Result<Model> model = make_scene_of(state, cache, report);
+  if (!model) return model.error();
+  const Scene& scene = model->loaded.file.scene;
+  model->fingerprint = fast::fingerprint_of(scene);
+  if (before != nullptr && before->fingerprint == model->fingerprint &&
+      before->loaded.file.scene.data().corners == scene.data().corners) {
+    model->tree = before->tree;
+  } else {
+    bool is_stopped = false;
+    fast::DisplayTreeOptions options;
+    options.progress = [&](double share) {
+      is_stopped = is_stopped || !report("building the tree", share);
+      return !is_stopped;
+    };
+    auto tree = std::make_shared<fast::BspTree>(
+        fast::build_display_tree(scene, options));
+    if (is_stopped) return stopped();
+    model->tree = std::move(tree);
+  }
+  return std::shared_ptr<const Model>(
+      std::make_shared<Model>(*std::move(model)));
+}
+
+Result<io::LoadedScene> load_view(const std::filesystem::path& path) {
+  const Result<State> state = read_state(path);
+  if (!state) return state.error();
+  MeshCache cache;
+  Result<Model> model = make_scene_of(
+      *state, cache, [](const std::string&, double) { return true; });
+  if (!model) return io::error_about(path.string(), model.error());
+  SceneFile& file = model->loaded.file;
+  file.options = image_options(state->looks);
+  file.camera.reset();
+  if (state->camera) {
+    const Result<io::Viewed> viewed = io::look_at(file.scene, *state->camera);
+    if (!viewed) return io::error_about(path.string(), viewed.error());
+    file.camera = viewed->camera;
+  }
+  // Its colours are the view's.
+  model->loaded.is_scene_file = true;
+  return std::move(model->loaded);
+}
+
+ImageOptions image_options(const Looks& looks) {
+  ImageOptions options;
+  options.cull = looks.cull;
+  options.shading = looks.is_smooth ? Shading::kGouraud : Shading::kFlat;
+  options.background = looks.background;
+  return options;
+}
+
+}  // namespace halfspace::viewer

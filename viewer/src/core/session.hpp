@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/frame_maker.hpp"
+#include "core/loader.hpp"
+#include "halfspace/viewer/model.hpp"
+#include "halfspace/viewer/run.hpp"
+#include "halfspace/viewer/state.hpp"
+
+namespace halfspace::viewer {
+
+/// What is seen at a pixel.
+struct PickedPoint {
+  PolygonId polygon = 0;
+  std::uint32_t part = 0;
+  std::int32_t face = 0;  ///< of the part's file, counted from 0
+  glm::dvec3 point{};     ///< where the ray through the pixel meets it
+  /// The corner of the polygon that is nearest to it in the picture, exactly.
+  glm::dvec3 corner{};
+  std::array<std::string, 3> exact_corner;
+};
+
+/// The viewer without its window: a state, its model and its pictures.
+///
+/// All but the threads inside are for one thread. Nothing here waits, but for
+/// finished_picture().
+class Session {
+ public:
+  /// `wake` is called, from any thread, when there is something for update().
+  Session(State state, FirstView first_view, std::function<void()> wake);
+
+  /// Takes what threads have made; whether anything has changed.
+  bool update();
+
+  const State& state() const { return state_; }
+  const std::shared_ptr<const Model>& model() const { return model_; }
+  FrameMaker& frames() { return frames_; }
+  const FrameMaker& frames() const { return frames_; }
+  Progress progress() const { return loader_.progress(); }
+  bool is_loading() const { return loader_.is_busy(); }
+  void cancel_loading() { loader_.cancel(); }
+  /// Whether the picture is that of the state, in full.
+  bool is_settled() const;
+
+  /// The last error, until it is dismissed; empty if there is none.
+  const std::string& message() const { return message_; }
+  void say(std::string message) { message_ = std::move(message); }
+
+  /// Changes the picture's size. Requires: 1 to 65,536.
+  void set_size(std::int32_t width_px, std::int32_t height_px);
+  /// Moves the camera, where there is one of that kind; whether there is.
+  bool set_camera(const io::ViewOptions& camera);
+  const std::optional<io::ViewOptions>& camera() const { return state_.camera; }
+  /// Sees all of it from where the camera is, or from a side.
+  void fit();
+  void see_from(const io::ViewDirection& direction);
+  /// As it was first seen.
+  void reset_camera();
+
+  /// Changes parts or looks, which undo() takes back; the model follows.
+  void change(const std::function<void(State&)>& edit);
+  bool can_undo() const { return !undone_from_.empty(); }
+  bool can_redo() const { return !redone_from_.empty(); }
+  void undo();
+  void redo();
+
+  /// Shows other files in place of these; a `.view` file brings its state.
+  void open(const std::vector<std::string>& paths);
+  /// Shows them beside these.
+  void add(const std::vector<std::string>& paths);
+  /// Reads all files again, and keeps the view.
+  void reload();
+  /// Reads again what has changed on the disk since it was read.
+  void reload_if_changed();
+
+  std::optional<PickedPoint> pick(std::int32_t x, std::int32_t y) const;
+
+  /// Waits for the picture of the state.
+  std::optional<ColorImage> finished_picture();
+  /// The polygon at each pixel of it. Requires: model() and camera().
+  ItemImage items() const;
+
+ private:
+  void load();
+  void ask_for_frame();
+  void take(Loaded loaded);
+  void give_up(const Error& error);
+  void see_first();
+  void note_file_times();
+
+  State state_;
+  State shown_;  ///< of the model
+  FirstView first_view_;
+  std::vector<State> undone_from_, redone_from_;
+  std::shared_ptr<const Model> model_;
+  std::optional<Camera> camera_;
+  std::int32_t width_px_ = 640, height_px_ = 480;
+  std::string message_;
+  bool wants_first_view_ = true;
+  std::uint64_t frame_number_ = 0;
+  std::string file_times_;
+  FrameMaker frames_;
+  Loader loader_;
+};
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <vector>
+
+#include "core/combine.hpp"
+#include "core/saving.hpp"
+#include "window/ui.hpp"
+
+namespace halfspace::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// More names than anybody reads in a list.
+constexpr std::size_t kMostNames = 2000;
+
+/// The folder that is shown, as long as a question is asked.
+struct Browser {
+  FileQuestion question = FileQuestion::kNone;
+  fs::path folder;
+  std::vector<std::string> folders, files;
+  std::string name;
+  std::string fault;
+};
+
+Browser& browser() {
+  static Browser kept;
+  return kept;
+}
+
+bool is_reading(FileQuestion question) {
+  return question == FileQuestion::kOpen || question == FileQuestion::kAdd;
+}
+
+bool is_shown_file(const fs::path& path) {
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  if (name.ends_with(".gz")) name.resize(name.size() - 3);
+  for (const char* end : {".stl", ".obj", ".ply", ".off", ".scene", ".view"}) {
+    if (name.ends_with(end)) return true;
+  }
+  return false;
+}
+
+void look_into(Browser& b, const fs::path& folder) {
+  std::error_code code;
+  b.folder = fs::absolute(folder, code).lexically_normal();
+  b.folders.clear();
+  b.files.clear();
+  b.fault.clear();
+  fs::directory_iterator entries(b.folder, code);
+  if (code) b.fault = b.folder.string() + ": " + code.message();
+  for (; !code && entries != fs::directory_iterator();
+       entries.increment(code)) {
+    const std::string name = entries->path().filename().string();
+    if (name.starts_with('.')) continue;
+    std::error_code unknown;
+    if (entries->is_directory(unknown))
+      b.folders.push_back(name);
+    else if (is_shown_file(name))
+      b.files.push_back(name);
+    if (b.folders.size() + b.files.size() >= kMostNames) break;
+  }
+  std::sort(b.folders.begin(), b.folders.end());
+  std::sort(b.files.begin(), b.files.end());
+}
+
+const char* title_of(FileQuestion question) {
+  switch (question) {
+    case FileQuestion::kOpen:
+      return "Open";
+    case FileQuestion::kAdd:
+      return "Open beside these";
+    case FileQuestion::kSavePicture:
+      return "Save the picture";
+    case FileQuestion::kSaveView:
+      return "Save the view";
+    case FileQuestion::kExport:
+      return "Export the solid";
+    case FileQuestion::kNone:
+      break;
+  }
+  return "";
+}
+
+const char* hint_of(FileQuestion question) {
+  switch (question) {
+    case FileQuestion::kSavePicture:
+      return ".png the picture, .npy the polygon at each pixel, .scene";
+    case FileQuestion::kSaveView:
+      return ".view: files, looks and camera";
+    case FileQuestion::kExport:
+      return ".stl, .off, .obj or .ply";
+    default:
+      return "";
+  }
+}
+
+std::string first_name(FileQuestion question, const State& state) {
+  if (is_reading(question)) return {};
+  const std::string stem = fs::path(name_of(state)).stem().string();
+  if (question == FileQuestion::kSavePicture) return stem + ".png";
+  if (question == FileQuestion::kSaveView) return stem + ".view";
+  return stem + "-result.stl";
+}
+
+void answer(Session& session, Background& background, Ui& ui, Browser& b) {
+  const std::string path = (b.folder / b.name).string();
+  std::error_code code;
+  if (fs::is_directory(path, code)) {
+    look_into(b, path);
+    b.name.clear();
+    return;
+  }
+  if (b.question == FileQuestion::kOpen) session.open({path});
+  if (b.question == FileQuestion::kAdd) session.add({path});
+  if (b.question == FileQuestion::kSavePicture ||
+      b.question == FileQuestion::kSaveView) {
+    const auto saved = save_shown(session, path);
+    if (!saved) {
+      b.fault = saved.error().message;
+      return;
+    }
+    ui.note = "Saved " + path;
+  }
+  if (b.question == FileQuestion::kExport) {
+    const State state = session.state();
+    background.start([state, path](const Report& report) {
+      const auto saved = save_combined(state, path, report);
+      return saved ? Result<std::string>("Saved " + path)
+                   : Result<std::string>(saved.error());
+    });
+  }
+  ui.question = FileQuestion::kNone;
+}
+
+/// Whether a name in the list was chosen.
+bool draw_list(Browser& b, float height) {
+  bool is_chosen = false;
+  fs::path next;
+  ImGui::BeginChild("names", {0, height}, true);
+  if (b.folder.has_parent_path() && ImGui::Selectable("../"))
+    next = b.folder.parent_path();
+  for (const std::string& name : b.folders) {
+    if (ImGui::Selectable((name + "/").c_str())) next = b.folder / name;
+  }
+  for (const std::string& name : b.files) {
+    if (ImGui::Selectable(name.c_str(), name == b.name,
+                          ImGuiSelectableFlags_AllowDoubleClick)) {
+      b.name = name;
+      is_chosen = ImGui::IsMouseDoubleClicked(0);
+    }
+  }
+  ImGui::EndChild();
+  if (!next.empty()) look_into(b, next);
+  return is_chosen;
+}
+
+}  // namespace
+
+void draw_file_question(Session& session, Background& background, Ui& ui) {
+  Browser& b = browser();
+  if (ui.question == FileQuestion::kNone) {
+    b.question = FileQuestion::kNone;
+    return;
+  }
+  const bool is_new = b.question != ui.question;
+  if (is_new) {
+    b.question = ui.question;
+    look_into(b, b.folder.empty() ? fs::path(".") : b.folder);
+    b.name = first_name(ui.question, session.state());
+  }
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  const auto scale = static_cast<float>(ui.scale);
+  ImGui::SetNextWindowPos({all.x / 2, all.y / 2}, ImGuiCond_Always,
+                          {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(620 * scale, all.x), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * scale);
+  ImGui::Begin("file question", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::PopStyleVar();
+  ImGui::TextUnformatted(title_of(ui.question));
+  ImGui::TextDisabled("%s", b.folder.string().c_str());
+  bool is_answered = draw_list(b, std::min(320 * scale, all.y / 2));
+  ImGui::SetNextItemWidth(-1);
+  if (is_new) ImGui::SetKeyboardFocusHere();
+  is_answered |=
+      ImGui::InputText("##name", &b.name, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (const char* hint = hint_of(ui.question); *hint != 0)
+    ImGui::TextDisabled("%s", hint);
+  if (!b.fault.empty())
+    ImGui::TextColored({1, 0.6f, 0.5f, 1}, "%s", b.fault.c_str());
+  is_answered |= ImGui::Button(is_reading(ui.question) ? "Open" : "Save");
+  ImGui::SameLine();
+  const bool is_cancelled = ImGui::Button("Cancel");
+  ImGui::End();
+  if (is_cancelled)
+    ui.question = FileQuestion::kNone;
+  else if (is_answered && !b.name.empty())
+    answer(session, background, ui, b);
+}
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,211 @@
+#include "window/imgui_backend.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+#include "window/fonts.hpp"
+
+namespace halfspace::viewer {
+namespace {
+
+const char* clipboard_text(void* kept) {
+  char*& text = *static_cast<char**>(kept);
+  SDL_free(text);
+  text = SDL_GetClipboardText();
+  return text;
+}
+
+void set_clipboard_text(void*, const char* text) { SDL_SetClipboardText(text); }
+
+char* kept_clipboard_text = nullptr;
+
+void set_key_map(ImGuiIO& io) {
+  constexpr struct {
+    ImGuiKey key;
+    SDL_Scancode code;
+  } kKeys[] = {{ImGuiKey_Tab, SDL_SCANCODE_TAB},
+               {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
+               {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
+               {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
+               {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
+               {ImGuiKey_PageUp, SDL_SCANCODE_PAGEUP},
+               {ImGuiKey_PageDown, SDL_SCANCODE_PAGEDOWN},
+               {ImGuiKey_Home, SDL_SCANCODE_HOME},
+               {ImGuiKey_End, SDL_SCANCODE_END},
+               {ImGuiKey_Insert, SDL_SCANCODE_INSERT},
+               {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
+               {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
+               {ImGuiKey_Space, SDL_SCANCODE_SPACE},
+               {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+               {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+               {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
+               {ImGuiKey_A, SDL_SCANCODE_A},
+               {ImGuiKey_C, SDL_SCANCODE_C},
+               {ImGuiKey_V, SDL_SCANCODE_V},
+               {ImGuiKey_X, SDL_SCANCODE_X},
+               {ImGuiKey_Y, SDL_SCANCODE_Y},
+               {ImGuiKey_Z, SDL_SCANCODE_Z}};
+  for (const auto& [key, code] : kKeys) io.KeyMap[key] = code;
+}
+
+}  // namespace
+
+ImguiBackend::ImguiBackend(SDL_Window* window, SDL_Renderer* renderer,
+                           double scale)
+    : window_(window), renderer_(renderer) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.BackendPlatformName = "halfspace";
+  io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors |
+                     ImGuiBackendFlags_RendererHasVtxOffset;
+  io.GetClipboardTextFn = clipboard_text;
+  io.SetClipboardTextFn = set_clipboard_text;
+  io.ClipboardUserData = &kept_clipboard_text;
+  set_key_map(io);
+  add_fonts(scale);
+  set_style(scale);
+  constexpr struct {
+    ImGuiMouseCursor cursor;
+    SDL_SystemCursor system;
+  } kCursors[] = {{ImGuiMouseCursor_Arrow, SDL_SYSTEM_CURSOR_ARROW},
+                  {ImGuiMouseCursor_TextInput, SDL_SYSTEM_CURSOR_IBEAM},
+                  {ImGuiMouseCursor_ResizeAll, SDL_SYSTEM_CURSOR_SIZEALL},
+                  {ImGuiMouseCursor_ResizeNS, SDL_SYSTEM_CURSOR_SIZENS},
+                  {ImGuiMouseCursor_ResizeEW, SDL_SYSTEM_CURSOR_SIZEWE},
+                  {ImGuiMouseCursor_Hand, SDL_SYSTEM_CURSOR_HAND}};
+  for (const auto& [cursor, system] : kCursors)
+    cursors_[cursor] = SDL_CreateSystemCursor(system);
+  make_font_texture();
+}
+
+ImguiBackend::~ImguiBackend() {
+  ImGui::DestroyContext();
+  if (font_texture_ != nullptr) SDL_DestroyTexture(font_texture_);
+  for (SDL_Cursor* cursor : cursors_) {
+    if (cursor != nullptr) SDL_FreeCursor(cursor);
+  }
+  SDL_free(kept_clipboard_text);
+  kept_clipboard_text = nullptr;
+}
+
+void ImguiBackend::make_font_texture() {
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  font_texture_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_ABGR8888,
+                                    SDL_TEXTUREACCESS_STATIC, width, height);
+  if (font_texture_ == nullptr) return;
+  SDL_UpdateTexture(font_texture_, nullptr, pixels, 4 * width);
+  SDL_SetTextureBlendMode(font_texture_, SDL_BLENDMODE_BLEND);
+  io.Fonts->SetTexID(font_texture_);
+}
+
+void ImguiBackend::handle(const SDL_Event& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  const auto ratio = static_cast<float>(pixel_ratio_);
+  switch (event.type) {
+    case SDL_MOUSEMOTION:
+      io.MousePos = {static_cast<float>(event.motion.x) * ratio,
+                     static_cast<float>(event.motion.y) * ratio};
+      break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP: {
+      const bool is_down = event.type == SDL_MOUSEBUTTONDOWN;
+      if (event.button.button == SDL_BUTTON_LEFT) io.MouseDown[0] = is_down;
+      if (event.button.button == SDL_BUTTON_RIGHT) io.MouseDown[1] = is_down;
+      if (event.button.button == SDL_BUTTON_MIDDLE) io.MouseDown[2] = is_down;
+      break;
+    }
+    case SDL_MOUSEWHEEL:
+      io.MouseWheel += event.wheel.preciseY;
+      io.MouseWheelH += event.wheel.preciseX;
+      break;
+    case SDL_TEXTINPUT:
+      io.AddInputCharactersUTF8(event.text.text);
+      break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP: {
+      const auto held = event.key.keysym.mod;
+      io.KeysDown[event.key.keysym.scancode] = event.type == SDL_KEYDOWN;
+      io.KeyShift = (held & KMOD_SHIFT) != 0;
+      io.KeyCtrl = (held & KMOD_CTRL) != 0;
+      io.KeyAlt = (held & KMOD_ALT) != 0;
+      break;
+    }
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE)
+        io.MousePos = {-FLT_MAX, -FLT_MAX};
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST)
+        std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+      break;
+    default:
+      break;
+  }
+}
+
+void ImguiBackend::begin_frame() {
+  ImGuiIO& io = ImGui::GetIO();
+  int width = 0, height = 0, window_width = 0, window_height = 0;
+  SDL_GetRendererOutputSize(renderer_, &width, &height);
+  SDL_GetWindowSize(window_, &window_width, &window_height);
+  pixel_ratio_ = window_width > 0 ? double(width) / window_width : 1;
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  const std::uint64_t now = SDL_GetPerformanceCounter();
+  const double passed = static_cast<double>(now - last_count_) /
+                        static_cast<double>(SDL_GetPerformanceFrequency());
+  io.DeltaTime = static_cast<float>(
+      last_count_ == 0 ? 1.0 / 60 : std::clamp(passed, 1e-4, 0.5));
+  last_count_ = now;
+  show_cursor();
+  ImGui::NewFrame();
+}
+
+void ImguiBackend::show_cursor() {
+  const ImGuiMouseCursor wanted = ImGui::GetMouseCursor();
+  if (wanted == shown_cursor_ || wanted < 0) return;
+  shown_cursor_ = wanted;
+  SDL_Cursor* cursor = cursors_[wanted];
+  SDL_SetCursor(cursor != nullptr ? cursor : cursors_[ImGuiMouseCursor_Arrow]);
+}
+
+void ImguiBackend::end_frame() {
+  ImGui::Render();
+  draw(*ImGui::GetDrawData());
+}
+
+void ImguiBackend::draw(const ImDrawData& data) {
+  for (int l = 0; l < data.CmdListsCount; ++l) {
+    const ImDrawList& list = *data.CmdLists[l];
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      if (command.UserCallback != nullptr || command.ElemCount == 0) continue;
+      const ImVec4& box = command.ClipRect;
+      const SDL_Rect clip = {
+          std::max(0, static_cast<int>(box.x)),
+          std::max(0, static_cast<int>(box.y)),
+          static_cast<int>(box.z) - std::max(0, static_cast<int>(box.x)),
+          static_cast<int>(box.w) - std::max(0, static_cast<int>(box.y))};
+      if (clip.w <= 0 || clip.h <= 0) continue;
+      SDL_RenderSetClipRect(renderer_, &clip);
+      const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
+      const auto* bytes = reinterpret_cast<const char*>(vertices);
+      constexpr int kStride = sizeof(ImDrawVert);
+      SDL_RenderGeometryRaw(
+          renderer_, static_cast<SDL_Texture*>(command.GetTexID()),
+          reinterpret_cast<const float*>(bytes + offsetof(ImDrawVert, pos)),
+          kStride,
+          reinterpret_cast<const SDL_Color*>(bytes + offsetof(ImDrawVert, col)),
+          kStride,
+          reinterpret_cast<const float*>(bytes + offsetof(ImDrawVert, uv)),
+          kStride, list.VtxBuffer.Size - static_cast<int>(command.VtxOffset),
+          list.IdxBuffer.Data + command.IdxOffset,
+          static_cast<int>(command.ElemCount), sizeof(ImDrawIdx));
+    }
+  }
+  SDL_RenderSetClipRect(renderer_, nullptr);
+}
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <SDL.h>
+#include <imgui.h>
+
+#include <cstdint>
+
+namespace halfspace::viewer {
+
+/// Dear ImGui on SDL: its events go in, its lists of triangles come out through
+/// SDL_RenderGeometryRaw. No OpenGL. One at a time.
+class ImguiBackend {
+ public:
+  /// `scale` is that of letters and spaces: 1 for 96 dots an inch.
+  ImguiBackend(SDL_Window* window, SDL_Renderer* renderer, double scale);
+  ~ImguiBackend();
+  ImguiBackend(const ImguiBackend&) = delete;
+  ImguiBackend& operator=(const ImguiBackend&) = delete;
+
+  /// Tells ImGui of an event. Mouse positions become pixels of the renderer.
+  void handle(const SDL_Event& event);
+
+  void begin_frame();
+  /// Draws what ImGui was told since begin_frame().
+  void end_frame();
+
+  /// Renderer pixels in a unit of mouse positions.
+  double pixel_ratio() const { return pixel_ratio_; }
+
+ private:
+  void make_font_texture();
+  void draw(const ImDrawData& data);
+  void show_cursor();
+
+  SDL_Window* window_;
+  SDL_Renderer* renderer_;
+  SDL_Texture* font_texture_ = nullptr;
+  SDL_Cursor* cursors_[ImGuiMouseCursor_COUNT] = {};
+  ImGuiMouseCursor shown_cursor_ = ImGuiMouseCursor_Arrow;
+  double pixel_ratio_ = 1;
+  std::uint64_t last_count_ = 0;
+};
+
+}  // namespace halfspace::viewer

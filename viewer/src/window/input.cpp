@@ -1,0 +1,197 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/moves.hpp"
+#include "window/window.hpp"
+
+namespace halfspace::viewer {
+namespace {
+
+/// A press that moves less is a click.
+constexpr int kClickPx = 3;
+/// What one notch of the wheel does.
+constexpr double kNotch = 0.88;
+
+Modifiers modifiers_of(int held) {
+  return {(held & KMOD_SHIFT) != 0, (held & KMOD_CTRL) != 0,
+          (held & KMOD_ALT) != 0};
+}
+
+}  // namespace
+
+void Window::handle(const SDL_Event& event) {
+  if (event.type == wake_event_) {
+    is_woken_ = false;
+    redraws_ = std::max(redraws_, 1);
+    return;
+  }
+  if (player_ == nullptr) held_ = modifiers_of(SDL_GetModState());
+  imgui_.handle(event);
+  redraws_ = std::max(redraws_, 3);
+  const double ratio = imgui_.pixel_ratio();
+  const auto pixel = [ratio](int at) {
+    return static_cast<int>(std::floor(at * ratio));
+  };
+  switch (event.type) {
+    case SDL_QUIT:
+      ui_.wants_to_quit = true;
+      break;
+    case SDL_WINDOWEVENT:
+      handle_window(event.window);
+      break;
+    case SDL_MOUSEMOTION:
+      move(pixel(event.motion.x), pixel(event.motion.y));
+      break;
+    case SDL_MOUSEBUTTONDOWN:
+      press(event.button.button, pixel(event.button.x), pixel(event.button.y));
+      break;
+    case SDL_MOUSEBUTTONUP:
+      release(event.button.button, event.button.clicks > 1);
+      break;
+    case SDL_MOUSEWHEEL:
+      wheel(event.wheel);
+      break;
+    case SDL_MULTIGESTURE:
+      pinch(event.mgesture.dDist);
+      break;
+    case SDL_KEYDOWN:
+      key(event.key);
+      break;
+    case SDL_DROPFILE:
+      dropped_.emplace_back(event.drop.file);
+      SDL_free(event.drop.file);
+      break;
+    case SDL_DROPCOMPLETE:
+      drop();
+      break;
+    default:
+      break;
+  }
+}
+
+void Window::drop() {
+  if (dropped_.empty()) return;
+  // Beside what is there only where that is asked for.
+  if (ui_.question == FileQuestion::kAdd || (SDL_GetModState() & KMOD_SHIFT))
+    session_.add(dropped_);
+  else
+    session_.open(dropped_);
+  dropped_.clear();
+}
+
+void Window::handle_window(const SDL_WindowEvent& event) {
+  if (event.event == SDL_WINDOWEVENT_CLOSE) ui_.wants_to_quit = true;
+  if (event.event == SDL_WINDOWEVENT_SIZE_CHANGED) lay_out();
+}
+
+void Window::press(int button, int x, int y) {
+  if (ImGui::GetIO().WantCaptureMouse || !ui_.view.holds(x, y)) return;
+  if (button_ != 0) return;
+  button_ = button;
+  pressed_x_ = last_x_ = x;
+  pressed_y_ = last_y_ = y;
+  has_moved_ = false;
+  const AxesPlace axes = axes_place(ui_);
+  drags_axes_ =
+      ui_.has_axes && std::hypot(static_cast<float>(x) - axes.x,
+                                 static_cast<float>(y) - axes.y) <= axes.radius;
+}
+
+void Window::release(int button, bool is_double) {
+  if (button != button_) return;
+  button_ = 0;
+  if (!has_moved_ && !drags_axes_ && button == SDL_BUTTON_LEFT)
+    click(pressed_x_ - ui_.view.x, pressed_y_ - ui_.view.y, is_double);
+}
+
+void Window::move(int x, int y) {
+  if (button_ == 0) return;
+  if (!has_moved_ && std::abs(x - pressed_x_) < kClickPx &&
+      std::abs(y - pressed_y_) < kClickPx)
+    return;
+  has_moved_ = true;
+  const glm::dvec2 drag(x - last_x_, y - last_y_);
+  last_x_ = x;
+  last_y_ = y;
+  if (!session_.camera()) return;
+  ui_.flight.reset();
+  const io::ViewOptions& camera = *session_.camera();
+  const Modifiers held = held_;
+  if (drags_axes_) {
+    // The handle is small: its width is a half turn.
+    const double gain = camera.height_px / (2.0 * axes_place(ui_).radius);
+    ask_for_camera(rolled(camera, gain * drag));
+  } else if (button_ == SDL_BUTTON_MIDDLE ||
+             (button_ == SDL_BUTTON_LEFT && held.shift)) {
+    ask_for_camera(panned(camera, drag));
+  } else if (button_ == SDL_BUTTON_RIGHT) {
+    const double factor = std::exp(4 * drag.y / camera.height_px);
+    ask_for_camera(
+        zoomed(camera, factor,
+               {pressed_x_ - ui_.view.x + 0.5, pressed_y_ - ui_.view.y + 0.5}));
+  } else if (held.control) {
+    ask_for_camera(twisted(camera, 0.4 * drag.x));
+  } else if (ui_.is_trackball) {
+    ask_for_camera(rolled(camera, drag));
+  } else {
+    ask_for_camera(orbited(camera, drag));
+  }
+}
+
+void Window::ask_for_camera(const io::ViewOptions& camera) {
+  if (session_.is_settled()) note_request();
+  session_.set_camera(camera);
+}
+
+void Window::wheel(const SDL_MouseWheelEvent& wheel) {
+  if (ImGui::GetIO().WantCaptureMouse || !session_.camera()) return;
+  ui_.flight.reset();
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  if (!ui_.view.holds(static_cast<int>(at.x), static_cast<int>(at.y))) return;
+  if (held_.shift) {
+    const double px = 24 * ui_.scale;
+    ask_for_camera(panned(*session_.camera(),
+                          {-px * wheel.preciseX, px * wheel.preciseY}));
+    return;
+  }
+  const double notches = std::clamp<double>(wheel.preciseY, -20, 20);
+  ask_for_camera(zoomed(*session_.camera(), std::pow(kNotch, notches),
+                        {at.x - static_cast<float>(ui_.view.x),
+                         at.y - static_cast<float>(ui_.view.y)}));
+}
+
+void Window::pinch(double distance) {
+  if (!session_.camera()) return;
+  const io::ViewOptions& camera = *session_.camera();
+  ask_for_camera(zoomed(camera, std::exp(-4 * distance),
+                        {camera.width_px / 2.0, camera.height_px / 2.0}));
+}
+
+void Window::key(const SDL_KeyboardEvent& key) {
+  const bool is_escape = key.keysym.sym == SDLK_ESCAPE;
+  if (ImGui::GetIO().WantTextInput && !is_escape) return;
+  act_on_key(key.keysym.sym, modifiers_of(key.keysym.mod), session_, ui_);
+}
+
+void Window::click(int x, int y, bool is_double) {
+  std::optional<PickedPoint> point = session_.pick(x, y);
+  if (!point) {
+    if (!ui_.measures) ui_.points.clear();
+    return;
+  }
+  if (is_double && session_.camera()) {
+    io::ViewOptions camera = *session_.camera();
+    const glm::dvec3 by = point->point - camera.target;
+    camera.target += by;
+    camera.eye += by;
+    fly_to(session_, ui_, camera);
+    return;
+  }
+  if (!ui_.measures) ui_.points.clear();
+  ui_.points.push_back(*std::move(point));
+}
+
+}  // namespace halfspace::viewer

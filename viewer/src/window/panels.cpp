@@ -1,0 +1,351 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <glm/geometric.hpp>
+
+#include "core/command_line.hpp"
+#include "core/measure.hpp"
+#include "core/moves.hpp"
+#include "window/fonts.hpp"
+#include "window/ui.hpp"
+
+namespace halfspace::viewer {
+namespace {
+
+using Edit = std::function<void(State&)>;
+
+std::array<float, 3> to_floats(const Rgb& color) {
+  return {static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
+          static_cast<float>(color.b) / 255};
+}
+
+Rgb to_color(const std::array<float, 3>& floats) {
+  const auto channel = [](float value) {
+    return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f);
+  };
+  return {channel(floats[0]), channel(floats[1]), channel(floats[2])};
+}
+
+/// A colour to choose; whether another was chosen.
+bool choose_color(const char* name, Rgb& color) {
+  std::array<float, 3> floats = to_floats(color);
+  const bool is_changed = ImGui::ColorEdit3(
+      name, floats.data(),
+      ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_PickerHueWheel);
+  const Rgb next = to_color(floats);
+  if (!is_changed || next == color) return false;
+  color = next;
+  return true;
+}
+
+/// A button as wide as `share` of what is left in a row of `count`.
+bool wide_button(const char* name, int count) {
+  const float space = ImGui::GetStyle().ItemSpacing.x;
+  const float all = ImGui::GetWindowContentRegionMax().x -
+                    ImGui::GetWindowContentRegionMin().x;
+  const auto n = static_cast<float>(count);
+  return ImGui::Button(name, {(all - (n - 1) * space) / n, 0});
+}
+
+void draw_files(Session& session, Ui& ui) {
+  if (wide_button("Open...", 2)) ui.question = FileQuestion::kOpen;
+  ImGui::SameLine();
+  if (wide_button("Add...", 2)) ui.question = FileQuestion::kAdd;
+  const State& state = session.state();
+  Edit edit;
+  for (std::size_t i = 0; i < state.parts.size(); ++i) {
+    const Part& part = state.parts[i];
+    ImGui::PushID(static_cast<int>(i));
+    bool is_visible = part.is_visible;
+    if (ImGui::Checkbox("##seen", &is_visible))
+      edit = [i, is_visible](State& s) { s.parts[i].is_visible = is_visible; };
+    ImGui::SameLine();
+    Rgb color = part.color.value_or(Rgb{204, 204, 204});
+    if (choose_color("##color", color))
+      edit = [i, color](State& s) { s.parts[i].color = color; };
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const std::string name =
+        std::filesystem::path(part.path).filename().string();
+    ImGui::TextUnformatted(name.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", part.path.c_str());
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x -
+                    ImGui::GetFrameHeight());
+    if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) {
+      edit = [i](State& s) {
+        s.parts.erase(s.parts.begin() + static_cast<std::ptrdiff_t>(i));
+      };
+    }
+    ImGui::PopID();
+  }
+  if (edit) session.change(edit);
+}
+
+void draw_view(Session& session, Ui& ui) {
+  const struct {
+    const char* name;
+    io::ViewDirection side;
+  } kSides[] = {
+      {"Front", {{0, -1, 0}, {0, 0, 1}}}, {"Right", {{1, 0, 0}, {0, 0, 1}}},
+      {"Top", {{0, 0, 1}, {0, 1, 0}}},    {"Back", {{0, 1, 0}, {0, 0, 1}}},
+      {"Left", {{-1, 0, 0}, {0, 0, 1}}},  {"Bottom", {{0, 0, -1}, {0, -1, 0}}}};
+  for (int i = 0; i < 6; ++i) {
+    if (i % 3 != 0) ImGui::SameLine();
+    if (wide_button(kSides[i].name, 3))
+      fly_to_side(session, ui, kSides[i].side);
+  }
+  if (wide_button("Corner", 3)) fly_to_side(session, ui, io::ViewDirection());
+  ImGui::SameLine();
+  if (wide_button("Fit", 3)) fly_to_fit(session, ui);
+  ImGui::SameLine();
+  if (wide_button("Reset", 3)) session.reset_camera();
+  if (!session.camera()) return;
+  int is_orthographic = session.camera()->orthographic ? 1 : 0;
+  bool is_other = ImGui::RadioButton("Perspective", &is_orthographic, 0);
+  ImGui::SameLine();
+  is_other |= ImGui::RadioButton("Orthographic", &is_orthographic, 1);
+  if (is_other)
+    session.set_camera(
+        with_projection(*session.camera(), is_orthographic == 1));
+  if (!session.camera()->orthographic) {
+    auto degrees = static_cast<float>(session.camera()->fov_deg);
+    if (ImGui::SliderFloat("Field", &degrees, 5, 120, "%.0f deg",
+                           ImGuiSliderFlags_AlwaysClamp))
+      session.set_camera(with_field(*session.camera(), degrees));
+  }
+  ImGui::Checkbox("Free turning", &ui.is_trackball);
+  ImGui::SameLine();
+  ImGui::Checkbox("Axes", &ui.has_axes);
+}
+
+void draw_light(Session& session, Looks& looks) {
+  bool has_own = looks.light.has_value();
+  if (ImGui::Checkbox("Light from here", &has_own)) {
+    looks.light.reset();
+    if (has_own && session.camera()) {
+      const glm::dvec3 back = axes_of(*session.camera()).back;
+      looks.light = {back.x, back.y, back.z};
+    }
+  }
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("The light comes from where the eye is now");
+}
+
+void draw_looks(Session& session) {
+  Looks looks = session.state().looks;
+  int is_smooth = looks.is_smooth ? 1 : 0;
+  ImGui::RadioButton("Flat", &is_smooth, 0);
+  ImGui::SameLine();
+  ImGui::RadioButton("Smooth", &is_smooth, 1);
+  looks.is_smooth = is_smooth == 1;
+  ImGui::Checkbox("Leave out back sides", &looks.cull);
+  draw_light(session, looks);
+  choose_color("Background", looks.background);
+  for (const Rgb& color : {Rgb{255, 255, 255}, Rgb{232, 236, 241},
+                           Rgb{43, 48, 56}, Rgb{0, 0, 0}}) {
+    ImGui::SameLine();
+    ImGui::PushID(color.r);
+    const auto c = to_floats(color);
+    if (ImGui::ColorButton("##paper", {c[0], c[1], c[2], 1}))
+      looks.background = color;
+    ImGui::PopID();
+  }
+  if (looks != session.state().looks)
+    session.change([&looks](State& state) { state.looks = looks; });
+}
+
+void draw_point(const PickedPoint& point) {
+  if (ImFont* font = fixed_font()) ImGui::PushFont(font);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ImGui::TextDisabled("%c", "xyz"[axis]);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(point.exact_corner[axis].c_str());
+  }
+  if (fixed_font() != nullptr) ImGui::PopFont();
+}
+
+void draw_distances(const std::vector<PickedPoint>& points) {
+  const std::size_t n = points.size();
+  if (n < 2) return;
+  const glm::dvec3& b = points[n - 1].corner;
+  const glm::dvec3& a = points[n - 2].corner;
+  const glm::dvec3 by = b - a;
+  const std::string distance = fmt::format("{:.9g}", glm::length(by));
+  ImGui::Text("Distance  %s", distance.c_str());
+  const std::string axes =
+      fmt::format("{:.6g}, {:.6g}, {:.6g}", by.x, by.y, by.z);
+  ImGui::TextDisabled("by %s", axes.c_str());
+  if (n < 3) return;
+  const glm::dvec3& c = points[n - 3].corner;
+  const std::string angle = fmt::format("{:.6g} deg", angle_deg(b, a, c));
+  ImGui::Text("Angle  %s", angle.c_str());
+  const std::string area = fmt::format("{:.6g}", triangle_area(a, b, c));
+  ImGui::Text("Triangle  %s", area.c_str());
+}
+
+void draw_measures(Session& session, Background& background, Ui& ui) {
+  ImGui::Checkbox("Keep points that are clicked", &ui.measures);
+  if (ui.points.empty()) {
+    ImGui::TextDisabled("Click on the model: the nearest corner,");
+    ImGui::TextDisabled("in exact numbers");
+  } else {
+    const PickedPoint& point = ui.points.back();
+    const std::string name =
+        point.part < session.state().parts.size()
+            ? std::filesystem::path(session.state().parts[point.part].path)
+                  .filename()
+                  .string()
+            : std::string();
+    ImGui::Text("Face %d of %s", point.face, name.c_str());
+    draw_point(point);
+    draw_distances(ui.points);
+    if (ImGui::SmallButton("Forget points")) ui.points.clear();
+  }
+  if (wide_button("Volume and area", 1) && !session.state().parts.empty()) {
+    const State state = session.state();
+    ui.measures_text.clear();
+    background.start(
+        [state](const Report& report) { return measures_of(state, report); });
+  }
+  if (!ui.measures_text.empty())
+    ImGui::TextWrapped("%s", ui.measures_text.c_str());
+}
+
+void draw_shift(Session& session, std::size_t index) {
+  const Part& part = session.state().parts[index];
+  float shift[3] = {static_cast<float>(part.shift[0]),
+                    static_cast<float>(part.shift[1]),
+                    static_cast<float>(part.shift[2])};
+  ImGui::PushID(static_cast<int>(index));
+  ImGui::TextDisabled(
+      "%s", std::filesystem::path(part.path).filename().string().c_str());
+  ImGui::SetNextItemWidth(-1);
+  const float speed =
+      session.camera()
+          ? static_cast<float>(height_at_target(*session.camera()) / 500)
+          : 0.01f;
+  if (ImGui::DragFloat3("##shift", shift, speed, 0, 0, "%.6g")) {
+    session.change([&](State& state) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        // As many digits as are shown.
+        state.parts[index].shift[axis] =
+            std::stod(fmt::format("{:.6g}", shift[axis]));
+      }
+    });
+  }
+  ImGui::PopID();
+}
+
+void draw_booleans(Session& session, Ui& ui) {
+  const struct {
+    const char* name;
+    Combination value;
+  } kChoices[] = {{"None", Combination::kNone},
+                  {"Union", Combination::kUnion},
+                  {"Difference", Combination::kDifference},
+                  {"Intersection", Combination::kIntersection},
+                  {"Sym. difference", Combination::kSymmetricDifference}};
+  if (session.state().parts.size() < 2) {
+    ImGui::TextDisabled("Add a second file to combine them");
+  } else {
+    int n = 0;
+    for (const auto& choice : kChoices) {
+      const bool is_it = session.state().combination == choice.value;
+      if (n++ % 2 == 1)
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x / 2);
+      if (ImGui::RadioButton(choice.name, is_it) && !is_it)
+        session.change(
+            [&choice](State& state) { state.combination = choice.value; });
+    }
+  }
+  for (std::size_t i = 0; i < session.state().parts.size(); ++i)
+    draw_shift(session, i);
+  if (!session.state().parts.empty() && wide_button("Export the solid...", 1))
+    ui.question = FileQuestion::kExport;
+}
+
+void draw_saving(Session& session, Ui& ui) {
+  if (wide_button("Picture...", 2)) ui.question = FileQuestion::kSavePicture;
+  ImGui::SameLine();
+  if (wide_button("View...", 2)) ui.question = FileQuestion::kSaveView;
+  if (wide_button("Copy as command line", 1)) copy_command(session, ui);
+}
+
+bool begin_section(const char* name, bool is_open = true) {
+  return ImGui::CollapsingHeader(
+      name, is_open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+}
+
+void draw_undo(Session& session, Ui& ui) {
+  ImGui::BeginDisabled(!session.can_undo());
+  if (wide_button("Undo", 3)) session.undo();
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!session.can_redo());
+  if (wide_button("Redo", 3)) session.redo();
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (wide_button("Keys", 3)) ui.has_help = !ui.has_help;
+}
+
+void draw_side_panel(Session& session, Background& background, Ui& ui) {
+  const float left = static_cast<float>(ui.view.x + ui.view.width);
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({left, 0});
+  ImGui::SetNextWindowSize({all.x - left, all.y});
+  ImGui::Begin("panel", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav);
+  draw_undo(session, ui);
+  if (begin_section("Files")) draw_files(session, ui);
+  if (begin_section("View")) draw_view(session, ui);
+  if (begin_section("Look")) draw_looks(session);
+  if (begin_section("Measure")) draw_measures(session, background, ui);
+  if (begin_section("Combine", session.state().parts.size() > 1))
+    draw_booleans(session, ui);
+  if (begin_section("Save")) draw_saving(session, ui);
+  ImGui::End();
+}
+
+std::string status_of(Session& session, const Ui& ui) {
+  if (!session.model()) return session.is_loading() ? "Loading" : "";
+  const io::LoadedScene& loaded = session.model()->loaded;
+  std::string text =
+      fmt::format("{} polygons", loaded.file.scene.polygon_count());
+  if (loaded.report.moved > 0)
+    text += fmt::format("; import rounded {} coordinates, by {:.2g} at most",
+                        loaded.report.moved, loaded.report.max_move);
+  if (!ui.note.empty()) text = ui.note + "   |   " + text;
+  return text;
+}
+
+void draw_status_line(Session& session, const Ui& ui) {
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  const auto top = static_cast<float>(ui.view.y + ui.view.height);
+  ImGui::SetNextWindowPos({0, top});
+  ImGui::SetNextWindowSize({static_cast<float>(ui.view.width), all.y - top});
+  ImGui::PushStyleVar(
+      ImGuiStyleVar_WindowPadding,
+      {12 * static_cast<float>(ui.scale), 4 * static_cast<float>(ui.scale)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin("status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  ImGui::TextDisabled("%s", status_of(session, ui).c_str());
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace
+
+void draw_panels(Session& session, Background& background, Ui& ui) {
+  if (ui.has_panel && !ui.is_fullscreen)
+    draw_side_panel(session, background, ui);
+  if (!ui.is_fullscreen) draw_status_line(session, ui);
+  draw_file_question(session, background, ui);
+}
+
+}  // namespace halfspace::viewer

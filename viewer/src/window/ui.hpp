@@ -1,0 +1,112 @@
+#pragma once
+
+#include <SDL.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/background.hpp"
+#include "core/script.hpp"
+#include "core/session.hpp"
+
+namespace halfspace::viewer {
+
+/// A rectangle of the window. Units: pixels of the renderer.
+struct Area {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+  bool holds(int px, int py) const {
+    return px >= x && py >= y && px < x + width && py < y + height;
+  }
+};
+
+/// A way of the camera that takes a moment.
+struct CameraFlight {
+  io::ViewOptions from;
+  io::ViewOptions to;
+  double start_ms = 0;
+};
+
+/// A question for a file's name.
+enum class FileQuestion : std::uint8_t {
+  kNone,
+  kOpen,
+  kAdd,
+  kSavePicture,
+  kSaveView,
+  kExport,  ///< the solid
+};
+
+/// What the window shows beside the picture.
+struct Ui {
+  Area view;
+  double scale = 1;
+  bool has_panel = true;
+  bool has_help = false;
+  bool has_axes = true;
+  bool has_frame_rate = false;
+  bool has_name = false;
+  bool is_fullscreen = false;
+  bool is_trackball = false;
+  bool measures = false;
+  bool wants_to_quit = false;
+  bool animates = true;  ///< not while events are played
+  std::optional<CameraFlight> flight;
+  std::vector<PickedPoint> points;    ///< that were clicked, the last one last
+  std::optional<glm::ivec2> hovered;  ///< pixel of the view
+  FileQuestion question = FileQuestion::kNone;
+  std::string note;  ///< of what was done last, for the status line
+  std::vector<std::string> recent;
+  std::string measures_text;  ///< of the solid, a line each
+};
+
+/// Panels, the status line and questions, by ImGui.
+void draw_panels(Session& session, Background& background, Ui& ui);
+
+/// The question for a file's name, if one is asked, and what follows from it.
+void draw_file_question(Session& session, Background& background, Ui& ui);
+
+/// What is drawn over the picture: axes, measures, progress, messages.
+void draw_overlay(Session& session, Background& background, Ui& ui);
+
+/// The circle of the axes, in which a drag turns freely. Units: pixels.
+struct AxesPlace {
+  float x = 0;
+  float y = 0;
+  float radius = 0;
+};
+AxesPlace axes_place(const Ui& ui);
+
+/// Moves the camera there, in a moment if it animates.
+void fly_to(Session& session, Ui& ui, const io::ViewOptions& camera);
+void fly_to_side(Session& session, Ui& ui, const io::ViewDirection& side);
+void fly_to_fit(Session& session, Ui& ui);
+
+/// A key and what it does.
+struct KeyAction {
+  const char* keys;  ///< as people read them
+  const char* deed;  ///< empty: the help names it with another one
+  SDL_Keycode key;
+  Modifiers modifiers;
+  void (*act)(Session& session, Ui& ui);
+};
+
+/// All keys, in the order of the help.
+const std::vector<KeyAction>& key_actions();
+
+/// Does what the key is for; whether it is for anything.
+bool act_on_key(SDL_Keycode key, const Modifiers& modifiers, Session& session,
+                Ui& ui);
+
+/// Copies the command that makes the picture; where options do not say all of
+/// the state, it is saved first.
+void copy_command(Session& session, Ui& ui);
+
+/// The name of what is shown, for titles and names of files.
+std::string name_of(const State& state);
+
+}  // namespace halfspace::viewer

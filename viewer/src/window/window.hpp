@@ -1,0 +1,103 @@
+#pragma once
+
+#include <SDL.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/background.hpp"
+#include "core/script.hpp"
+#include "core/session.hpp"
+#include "halfspace/viewer/run.hpp"
+#include "window/imgui_backend.hpp"
+#include "window/player.hpp"
+#include "window/ui.hpp"
+
+namespace halfspace::viewer {
+
+/// Width of the panel and height of the status line. Units: pixels.
+int panel_px(double scale);
+int status_px(double scale);
+
+/// Time as it passes. Units: milliseconds.
+double window_now_ms();
+
+/// The window: takes events to the session, and its pictures to the screen.
+///
+/// It draws when something has changed, and sleeps until then.
+class Window {
+ public:
+  /// `player` gives the events to be played; null where a person does.
+  Window(const WindowOptions& options, SDL_Window* window,
+         SDL_Renderer* renderer, double scale, Player* player);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  Result<WindowReport> run();
+
+ private:
+  void wait();
+  void handle(const SDL_Event& event);
+  void handle_window(const SDL_WindowEvent& event);
+  void press(int button, int x, int y);
+  void release(int button, bool is_double);
+  void move(int x, int y);
+  void wheel(const SDL_MouseWheelEvent& wheel);
+  void key(const SDL_KeyboardEvent& key);
+  void click(int x, int y, bool is_double);
+  void pinch(double distance);
+  void drop();
+  void ask_for_camera(const io::ViewOptions& camera);
+  void note_request();
+  void lay_out();
+  void update();
+  void fly();
+  void draw();
+  void draw_view();
+  void show_title();
+  bool is_drawn_later() const;
+  Result<Done> play();
+  Result<Done> play_event(const Event& event);
+  Result<Done> dump();
+  Result<Done> shoot(const std::string& path);
+  void record(const SDL_Event& event);
+  Result<Done> write_recorded() const;
+  WindowReport report() const;
+
+  const WindowOptions& options_;
+  SDL_Window* window_;
+  SDL_Renderer* renderer_;
+  std::uint32_t wake_event_;
+  std::atomic<bool> is_woken_ = false;
+  ImguiBackend imgui_;
+  Ui ui_;
+  Session session_;
+  Background background_;
+  Player* player_;
+  SDL_Texture* texture_ = nullptr;
+  int texture_width_ = 0, texture_height_ = 0;
+  int redraws_ = 3;  ///< ImGui settles in a few
+  // The button that moves the camera now, and where it was pressed.
+  int button_ = 0;
+  bool drags_axes_ = false;
+  int pressed_x_ = 0, pressed_y_ = 0, last_x_ = 0, last_y_ = 0;
+  bool has_moved_ = false;
+  Modifiers held_;
+  int played_x_ = 0, played_y_ = 0;
+  std::vector<std::string> dropped_;
+  bool is_fullscreen_ = false;
+  std::string title_;
+  std::string recorded_;
+  std::int64_t dump_count_ = 0;
+  std::size_t event_count_ = 0;
+  double longest_block_ms_ = 0;
+  double first_draw_ms_ = -1;
+  double asked_ms_ = 0;  ///< when the picture that is not there was asked for
+  double next_look_ms_ = 0;  ///< at files, where they are watched
+};
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,236 @@
+#include "core/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "core/moves.hpp"
+#include "core/saving.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/render.hpp"
+#include "halfspace/io/file.hpp"
+#include "halfspace/solid.hpp"
+
+namespace halfspace::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ViewerSession : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("halfspace-viewer-" + std::string(test->name()) + "-" +
+               std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    ball_ = path("ball.stl");
+    box_ = path("box.off");
+    ASSERT_TRUE(Solid::sphere(1, 24).save(ball_));
+    ASSERT_TRUE(Solid::box({0, 0, 0}, {2, 2, 2}).save(box_));
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+  static State state_of(std::initializer_list<std::string> paths) {
+    State state;
+    for (const std::string& p : paths)
+      state.parts.push_back({p, true, std::nullopt, {}});
+    return state;
+  }
+
+  /// Waits for threads, as a window does.
+  static void settle(Session& session) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    session.update();
+    while (!session.is_settled() && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      session.update();
+    }
+    ASSERT_TRUE(session.is_settled());
+  }
+
+  /// What `halfspace render` makes of the `.view` file of the state.
+  ColorImage rendered(const State& state) const {
+    const std::string file = path("state.view");
+    EXPECT_TRUE(write_state(file, state));
+    const auto loaded = load_view(file);
+    EXPECT_TRUE(loaded);
+    const auto tree = fast::build_display_tree(loaded->file.scene);
+    return fast::render(loaded->file.scene, tree, *loaded->file.camera,
+                        loaded->file.options)
+        .colors;
+  }
+
+  fs::path folder_;
+  std::string ball_, box_;
+};
+
+void ignore() {}
+
+TEST_F(ViewerSession, EveryPictureIsThatOfItsViewFile) {
+  Session session(state_of({ball_, box_}), nullptr, ignore);
+  session.set_size(161, 123);
+  settle(session);
+  const std::vector<std::function<void()>> moves = {
+      [] {},
+      [&] {
+        session.set_camera(orbited(*session.camera(), {40, 9}));
+      },
+      [&] {
+        session.set_camera(zoomed(*session.camera(), 0.3, {9, 99}));
+      },
+      [&] { session.set_camera(with_projection(*session.camera(), true)); },
+      [&] { session.change([](State& s) { s.looks.is_smooth = true; }); },
+      [&] { session.change([](State& s) {
+              s.looks.light = {1, 1, 1};
+            }); },
+      [&] {
+        session.change([](State& s) { s.parts[0].color = Rgb{9, 99, 9}; });
+      },
+      [&] { session.change([](State& s) {
+              s.parts[1].shift = {.1, 0, 0};
+            }); },
+      [&] {
+        session.change(
+            [](State& s) { s.combination = Combination::kDifference; });
+      },
+      [&] { session.undo(); },
+      [&] { session.change([](State& s) { s.parts[1].is_visible = false; }); },
+      [&] { session.set_size(77, 200); }};
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    moves[i]();
+    settle(session);
+    const auto picture = session.finished_picture();
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(*picture, rendered(session.state())) << "after move " << i;
+  }
+}
+
+TEST_F(ViewerSession, ThePolygonUnderTheCursorIsThatOfTheItemImage) {
+  Session session(state_of({ball_, box_}), nullptr, ignore);
+  session.set_size(97, 71);
+  settle(session);
+  const ItemImage items = session.items();
+  for (std::int32_t y = 0; y < 71; y += 2) {
+    for (std::int32_t x = 0; x < 97; x += 3) {
+      const auto picked = session.pick(x, y);
+      EXPECT_EQ(picked ? picked->polygon : kBackground, items.at(x, y));
+    }
+  }
+  EXPECT_FALSE(session.pick(-1, 3));
+  EXPECT_FALSE(session.pick(97, 3));
+}
+
+TEST_F(ViewerSession, CornersArePickedInFull) {
+  Session session(state_of({box_}), nullptr, ignore);
+  settle(session);
+  session.see_from({{0, 0, 1}, {0, 1, 0}});
+  settle(session);
+  const auto picked = session.pick(330, 230);
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->exact_corner, (std::array<std::string, 3>{"2", "2", "2"}));
+  EXPECT_NEAR(picked->point.z, 2, 1e-9);
+}
+
+TEST_F(ViewerSession, ABadFileIsAMessageAndTheModelStays) {
+  Session session(state_of({box_}), nullptr, ignore);
+  settle(session);
+  const auto before = session.model();
+  std::ofstream(path("bad.off")) << "OFF\n3 1 0\n1 2\n";
+  session.open({path("bad.off")});
+  settle(session);
+  EXPECT_EQ(session.model(), before);
+  EXPECT_NE(session.message().find("bad.off"), std::string::npos);
+  session.open({path("vanished.stl")});
+  settle(session);
+  EXPECT_EQ(session.model(), before);
+  EXPECT_NE(session.message().find("vanished.stl"), std::string::npos);
+  session.open({ball_});
+  settle(session);
+  EXPECT_NE(session.model(), before);
+  EXPECT_EQ(session.message(), "");
+}
+
+TEST_F(ViewerSession, UndoGivesBackPartsAndLooksButNotTheCamera) {
+  Session session(state_of({box_}), nullptr, ignore);
+  settle(session);
+  session.change([](State& s) { s.looks.cull = true; });
+  session.add({ball_});
+  settle(session);
+  session.set_camera(orbited(*session.camera(), {30, 0}));
+  const io::ViewOptions camera = *session.camera();
+  session.undo();
+  session.undo();
+  settle(session);
+  EXPECT_FALSE(session.can_undo());
+  EXPECT_FALSE(session.state().looks.cull);
+  EXPECT_EQ(session.state().parts.size(), 1u);
+  EXPECT_TRUE(is_same(*session.camera(), camera));
+  session.redo();
+  session.redo();
+  EXPECT_FALSE(session.can_redo());
+  EXPECT_EQ(session.state().parts.size(), 2u);
+}
+
+TEST_F(ViewerSession, AFileThatChangedIsReadAgainAndTheViewStays) {
+  Session session(state_of({box_}), nullptr, ignore);
+  settle(session);
+  session.set_camera(orbited(*session.camera(), {30, 0}));
+  const io::ViewOptions camera = *session.camera();
+  const auto before = session.model();
+  session.reload_if_changed();
+  settle(session);
+  EXPECT_EQ(session.model(), before);
+  ASSERT_TRUE(Solid::box({0, 0, 0}, {2, 2, 1.5}).save(box_));
+  fs::last_write_time(
+      box_, fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  session.reload_if_changed();
+  settle(session);
+  EXPECT_NE(session.model(), before);
+  EXPECT_TRUE(is_same(*session.camera(), camera));
+}
+
+TEST_F(ViewerSession, ACameraBeyondTheLatticeIsNotTaken) {
+  Session session(state_of({box_}), nullptr, ignore);
+  settle(session);
+  io::ViewOptions far = *session.camera();
+  far.eye *= 1e30;
+  EXPECT_FALSE(session.set_camera(far));
+  far.eye = far.target;
+  EXPECT_FALSE(session.set_camera(far));
+  EXPECT_NE(session.camera()->eye, far.eye);
+}
+
+TEST_F(ViewerSession, ABooleanOfAnOpenSurfaceIsAMessage) {
+  std::ofstream(path("open.off"))
+      << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  Session session(state_of({box_, path("open.off")}), nullptr, ignore);
+  settle(session);
+  const auto before = session.model();
+  session.change([](State& s) { s.combination = Combination::kUnion; });
+  settle(session);
+  EXPECT_EQ(session.model(), before);
+  EXPECT_NE(session.message(), "");
+}
+
+TEST_F(ViewerSession, WhatIsSavedIsWhatItsNameSays) {
+  Session session(state_of({box_}), nullptr, ignore);
+  settle(session);
+  for (const char* name : {"a.png", "a.npy", "a.view", "a.scene"}) {
+    const auto saved = save_shown(session, path(name));
+    EXPECT_TRUE(saved) << name;
+    EXPECT_GT(fs::file_size(path(name)), 100u);
+  }
+  EXPECT_FALSE(save_shown(session, path("a.gif")));
+  EXPECT_FALSE(save_shown(session, path("no/folder.png")));
+}
+
+}  // namespace
+}  // namespace halfspace::viewer

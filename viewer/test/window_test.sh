@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# The window as its users have it, without a screen: events are played, and
+# what it dumps is what `halfspace render` makes of the same state.
+. "$(dirname "$0")/../../tools/test/expect.sh"
+export SDL_VIDEODRIVER=dummy SDL_RENDER_DRIVER=software
+
+"$make_model" pinwheel pinwheel.off >/dev/null 2>&1 ||
+  box 0 0 0 3 1 1 >pinwheel.off
+box 0 0 0 2 2 2 >box.off
+box 1 1 1 3 3 3 >other.off
+
+# played N ARGUMENT...: plays what stands on standard input; N pictures come of
+# it, and each is that of its view.
+played() {
+  local count=$1 i
+  shift
+  cat >events
+  rm -f out-*
+  timeout 60 "$program" view "$@" --play events --dump out-%d.png \
+    >stdout 2>stderr </dev/null ||
+    wrong "'view $*': $(head -c 300 stderr) ($(tr '\n' ';' <events))"
+  [ "$(find . -name 'out-*.png' | wc -l)" = "$count" ] ||
+    wrong "'view $*': not $count pictures"
+  for ((i = 0; i < count; ++i)); do
+    "$program" render "out-$i.view" -o again.png -q ||
+      wrong "out-$i.view is not rendered"
+    same "out-$i.png" again.png
+  done
+}
+
+# The first picture is that of render's own usual view.
+echo dump | played 1 box.off --size 300x200 --background 255,255,255
+"$program" render box.off --size 300x200 -o usual.png -q
+same out-0.png usual.png
+echo dump | played 1 box.off --size 301x203 --view front --shade gouraud \
+  --background 10,20,30 --color 200,100,50 --light 1,2,3 --fov 50
+"$program" render box.off --size 301x203 --view front --shade gouraud -q \
+  --background 10,20,30 --color 200,100,50 --light 1,2,3 --fov 50 -o usual.png
+same out-0.png usual.png
+
+# Every way to move the camera makes another picture.
+played 11 pinwheel.off --size 320x240 <<'END'
+dump
+drag left 100 100 180 120
+dump
+drag right 100 100 100 140
+dump
+drag middle 100 100 130 140
+dump
+drag left 100 100 130 140 ctrl
+dump
+move 30 200
+wheel 2
+dump
+key 7
+dump
+key 5
+dump
+key 9
+dump
+key Shift+Left
+dump
+size 900 500
+dump
+END
+for ((i = 1; i < 11; ++i)); do
+  cmp -s "out-$i.png" "out-$((i - 1)).png" && wrong "move $i moves nothing"
+done
+
+# Two files, a boolean by the panel's state, hiding, undoing.
+played 4 box.off other.off --size 200x150 <<'END'
+dump
+key Right
+dump
+key Right
+dump
+key A
+dump
+END
+same out-0.png out-3.png
+cmp -s out-1.png out-2.png && wrong 'both files look the same'
+
+# Dropped files: one that is bad leaves what was there.
+echo nonsense >bad.off
+played 3 box.off --size 200x150 <<'END'
+dump
+drop bad.off
+dump
+key Escape
+drop other.off
+dump
+END
+same out-0.png out-1.png
+
+# A view brings everything back.
+cp out-2.view kept.view
+cp out-2.png kept.png
+echo dump | played 1 kept.view
+same out-0.png kept.png
+
+# Without files there is a window, too; the window itself can be taken.
+printf 'wait\nshot window.png\nkey H\nshot help.png\nquit\n' | played 0
+for file in window help; do
+  [ -s $file.png ] || wrong "no $file.png"
+done
+cmp -s window.png help.png && wrong 'the help is not shown'
+
+# What is wrong is one line.
+expect 2 'line 2' view box.off --play <(printf 'wait\njump\n')
+expect 2 'no.events' view box.off --play no.events
+echo '{}' >empty.view
+expect 2 'view.parts' view empty.view --play /dev/null
+expect 2 'view.parts' render empty.view -o none.png
+SDL_VIDEODRIVER=none expect 2 'no display' view box.off
+finish
