@@ -8,6 +8,8 @@
 #include "generate/shapes.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/resolve.hpp"
+#include "halfspace/fast/rounded_mesh.hpp"
+#include "halfspace/io/import.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/winding.hpp"
 
@@ -138,12 +140,52 @@ void expect_resolved(generate::Polygons polygons,
                         areas_of(expected));
 }
 
+/// Far out, where floats are as far apart as the solids' corners: rounding
+/// makes faces meet.
+generate::Polygons far_out(generate::Polygons polygons) {
+  for (auto& polygon : polygons) {
+    for (GridPoint& p : polygon) p.x += std::int64_t{1} << 23;
+  }
+  return polygons;
+}
+
+/// A difference rounded to floats is a solid as it stands (S6.8).
+void expect_rounded(const generate::Polygons& first,
+                    const generate::Polygons& second) {
+  const fast::Solid a = fast::to_solid(made(far_out(first)));
+  const fast::Solid b = fast::to_solid(made(far_out(second)), a);
+  const auto mesh =
+      fast::rounded_mesh(fast::boolean(BooleanOp::kDifference, a, b),
+                         {.number = fast::FileNumber::kFloat});
+  HALFSPACE_FUZZ_EXPECT(mesh.has_value());
+  if (mesh->faces.empty()) return;
+  io::Mesh file;
+  for (const auto& v : mesh->vertices) {
+    for (const double c : v)
+      HALFSPACE_FUZZ_EXPECT(double{static_cast<float>(c)} == c);
+    file.vertices.push_back(
+        {io::number_of(v[0]), io::number_of(v[1]), io::number_of(v[2])});
+  }
+  file.first_corner = mesh->first_corner;
+  file.corners = mesh->corners;
+  const auto again = io::import_scene(file, {});
+  HALFSPACE_FUZZ_EXPECT(again.has_value());
+  HALFSPACE_FUZZ_EXPECT(again->report.moved == 0 &&
+                        again->report.dropped == 0 &&
+                        again->report.triangulated == 0);
+  const auto solid = make_solid(again->scene);
+  HALFSPACE_FUZZ_EXPECT(solid.has_value());
+  HALFSPACE_FUZZ_EXPECT(
+      fast::check_operand(fast::to_solid(*solid)).has_value());
+}
+
 }  // namespace
 }  // namespace halfspace
 
 /// Booleans of small solids, and of their results with a third, are closed,
 /// have the same surface by reference and fast library, and the volumes of
-/// sets. Two of them in one scene are resolved to the same surface by both.
+/// sets. Two of them in one scene are resolved to the same surface by both. Far
+/// out, a difference in floats is a solid.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   using namespace halfspace;
@@ -156,6 +198,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const auto operation = kBooleanOps[static_cast<std::size_t>(bytes.below(4))];
   const auto first = solid_of(bytes);
   const auto second = solid_of(bytes);
+  expect_rounded(first, second);
   const auto a = pair_of(made(first));
   const auto b = pair_of(made(second));
   if (bytes.empty()) {

@@ -103,6 +103,8 @@ need_test_packages() {
   need libbenchmark-dev "measures booleans"
   need python3 "scripts that check the tree of sources"
   need coq "checks the proofs of spec/coq"
+  need xvfb "a display for the viewer"
+  need xdotool "a hand for the viewer"
   need make "compiles the proofs"
   need ocaml "compiles the oracle that the proofs are extracted to"
 }

@@ -83,16 +83,23 @@ SceneData with_points(const Scene& scene,
 
 }  // namespace
 
-ClosedScene closed_on_lines(Scene scene) {
+ClosedScene split_on_lines(Scene scene) {
   const std::vector<BadEdge> bad = bad_edges(scene);
   if (bad.empty()) return {std::move(scene), 0};
   const auto within = points_within(bad);
   if (within.empty()) return {std::move(scene), 0};
-  Result<Scene> closed = make_scene(with_points(scene, within));
-  if (!closed || !bad_edges(*closed).empty()) return {std::move(scene), 0};
+  Result<Scene> split = make_scene(with_points(scene, within));
+  if (!split) return {std::move(scene), 0};
   const std::size_t added =
-      closed->data().corners.size() - scene.data().corners.size();
-  return {*std::move(closed), added};
+      split->data().corners.size() - scene.data().corners.size();
+  return {*std::move(split), added};
+}
+
+ClosedScene closed_on_lines(Scene scene) {
+  ClosedScene split = split_on_lines(scene);
+  if (split.added == 0 || !bad_edges(split.scene).empty())
+    return {std::move(scene), 0};
+  return split;
 }
 
 }  // namespace halfspace::csg

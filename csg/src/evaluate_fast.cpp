@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "halfspace/csg/components.hpp"
 #include "halfspace/csg/evaluate.hpp"
 #include "halfspace/csg/outcome.hpp"
 #include "halfspace/csg/volume.hpp"
@@ -61,6 +62,14 @@ class FastAlgebra {
   const std::vector<Repair>& repairs() const { return repairs_; }
 
   Value complement(Value value) { return fast::complement(std::move(value)); }
+
+  Result<Value> component(const Value& value, const Numbers3& point) {
+    Value part = component_at(value, point);
+    if (!part.faces.empty()) return part;
+    return Error{ErrorCode::kOutOfRange,
+                 "a part of a solid is gone, for a transform rounds it away; "
+                 "move the whole, and take it apart then"};
+  }
 
   Value combine(NodeKind kind, const Value& a, const Value& b) {
     if (combine_ && !is_half_space(a) && !is_half_space(b))
@@ -223,8 +232,7 @@ BooleanOp boolean_op(NodeKind kind) {
   }
 }
 
-Result<Outcome> outcome_of(fast::Solid solid,
-                           const EvaluateOptions& options) {
+Result<Outcome> outcome_of(fast::Solid solid, const EvaluateOptions& options) {
   Outcome result;
   // Only of closed faces can there be polygons.
   const auto is_closed = [&result](const fast::Solid& made) {

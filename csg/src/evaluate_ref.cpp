@@ -50,6 +50,12 @@ class RefAlgebra {
                  "the reference has no half-spaces; the fast library has", -1};
   }
 
+  Result<Value> component(const Value&, const Numbers3&) {
+    return Error{ErrorCode::kUnknownFormat,
+                 "the reference takes no solid apart; the fast library does",
+                 -1};
+  }
+
   Value complement(Value value) {
     if (value.is_all) return {};
     if (value.solid.faces.empty()) return {{}, true};

@@ -44,6 +44,8 @@ constexpr Named kFunctions[] = {
     {"cone", Function::kCone,
      "two radii, not both 0, a height above 0 and, if wanted, a number of "
      "segments from 3 to 1000"},
+    {"hull", Function::kHull,
+     "3 numbers for each of at least 4 points, not all in one plane"},
     {"range", Function::kRange,
      "an end, or a begin and an end, and perhaps a step that is not 0"},
     {"length", Function::kLength, "a list"},

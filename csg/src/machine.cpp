@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "halfspace/csg/hull.hpp"
 #include "halfspace/csg/matrix.hpp"
 #include "numbers.hpp"
 #include "primitives.hpp"
@@ -61,6 +62,9 @@ std::optional<std::int64_t> whole_in(const Number& number, std::int64_t least,
 }
 
 bool is_positive(const Number& number) { return number.mantissa > 0; }
+
+/// The points of a hull: more take minutes.
+constexpr std::size_t kMostHullPoints = 20000;
 
 /// Whether primitives of this size can be made in doubles.
 bool is_usable(const Number& number) {
@@ -363,6 +367,17 @@ bool Machine::call_primitive(const Instruction& at,
     return push_primitive(at, box_mesh({}, {numbers[0], numbers[count / 3],
                                             numbers[count == 3 ? 2 : 0]}));
   }
+  if (at.function == Function::kHull) {
+    if (count < 12 || count % 3 != 0 || count > 3 * kMostHullPoints)
+      return wrong();
+    std::vector<Numbers3> points;
+    for (std::size_t i = 0; i < count; i += 3)
+      points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    Result<io::Mesh> mesh = hull_of(std::move(points), true);
+    if (!mesh)
+      return fail(error_at(at.place, mesh.error().code, mesh.error().message));
+    return push_primitive(at, *std::move(mesh));
+  }
   const std::size_t lengths = at.function == Function::kSphere     ? 1
                               : at.function == Function::kCylinder ? 2
                                                                    : 3;
@@ -488,7 +503,7 @@ bool Machine::call(const Instruction& at) {
     return half ? push_half(at, *std::move(half)) : fail(half.error());
   }
   if (at.function == Function::kRange) return call_range(at, numbers);
-  return at.function <= Function::kCone ? call_primitive(at, numbers)
+  return at.function <= Function::kHull ? call_primitive(at, numbers)
                                         : call_number(at, numbers);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "functions.hpp"
+#include "halfspace/csg/hull.hpp"
 #include "halfspace/csg/lexer.hpp"
 #include "numbers.hpp"
 #include "primitives.hpp"
@@ -151,6 +152,8 @@ class Reader {
   bool shape(const Call& call, std::int32_t& node);
   bool begin_extrusion(const Call& call);
   bool transform(const Call& call, std::int32_t& node);
+  bool hull(const Call& call, std::int32_t& node);
+  bool corners_of(const Call& call, std::vector<Numbers3>& corners);
   bool cube(const Call& call, std::int32_t& node);
   bool sphere(const Call& call, std::int32_t& node);
   bool cylinder(const Call& call, std::int32_t& node);
@@ -576,15 +579,62 @@ bool Reader::transform(const Call& call, std::int32_t& node) {
   return true;
 }
 
+/// The corners of all primitives below a call, moved as they are; false where
+/// something else is there that only a boolean knows the corners of.
+bool Reader::corners_of(const Call& call, std::vector<Numbers3>& corners) {
+  std::vector<std::pair<std::int32_t, Matrix>> waiting;
+  for (const std::int32_t child : call.children)
+    waiting.emplace_back(child, identity_matrix());
+  while (!waiting.empty()) {
+    const auto [id, matrix] = std::move(waiting.back());
+    waiting.pop_back();
+    const Node& node = script_.nodes[static_cast<std::size_t>(id)];
+    const auto item = static_cast<std::size_t>(node.item);
+    if (node.kind == NodeKind::kFile && script_.files[item].mesh) {
+      for (const auto& vertex : script_.files[item].mesh->vertices)
+        corners.push_back(image_of(matrix, vertex));
+    } else if (node.kind == NodeKind::kTransform) {
+      const auto both = product(matrix, script_.transforms[item]);
+      if (!both) return false;
+      waiting.emplace_back(node.left, *both);
+    } else if (node.kind == NodeKind::kUnion) {
+      waiting.emplace_back(node.left, matrix);
+      waiting.emplace_back(node.right, matrix);
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Reader::hull(const Call& call, std::int32_t& node) {
+  std::vector<Numbers3> corners;
+  if (!corners_of(call, corners)) {
+    return fail(call.place, ErrorCode::kUnknownFormat,
+                "hull is read of shapes and unions, not of differences, "
+                "intersections and files");
+  }
+  if (corners.empty()) return true;
+  Result<io::Mesh> mesh = hull_of(std::move(corners), true);
+  if (!mesh) return fail(call.place, mesh.error().code, mesh.error().message);
+  node = add_mesh(call, *std::move(mesh));
+  return true;
+}
+
 /// The solid of a call whose children are there; -1 for nothing.
 bool Reader::shape(const Call& call, std::int32_t& node) {
   using Make = bool (Reader::*)(const Call&, std::int32_t&);
   constexpr std::pair<std::string_view, Make> kShapes[] = {
-      {"cube", &Reader::cube},           {"sphere", &Reader::sphere},
-      {"cylinder", &Reader::cylinder},   {"polyhedron", &Reader::polyhedron},
-      {"import", &Reader::file},         {"square", &Reader::square},
-      {"circle", &Reader::circle},       {"polygon", &Reader::polygon},
-      {"multmatrix", &Reader::transform}};
+      {"cube", &Reader::cube},
+      {"sphere", &Reader::sphere},
+      {"cylinder", &Reader::cylinder},
+      {"polyhedron", &Reader::polyhedron},
+      {"import", &Reader::file},
+      {"square", &Reader::square},
+      {"circle", &Reader::circle},
+      {"polygon", &Reader::polygon},
+      {"multmatrix", &Reader::transform},
+      {"hull", &Reader::hull}};
   constexpr std::pair<std::string_view, NodeKind> kSets[] = {
       {"group", NodeKind::kUnion},
       {"union", NodeKind::kUnion},

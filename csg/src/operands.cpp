@@ -170,6 +170,13 @@ std::string inside_out_advice(const Scene& scene) {
   return "; " + share + " face inwards, and are not in the solid of another";
 }
 
+/// The error, and what mends such faults.
+Error with_advice(Error error, const OperandOptions& options) {
+  if (!options.mending_word.empty())
+    error.message += " (" + options.mending_word + " mends such surfaces)";
+  return error;
+}
+
 /// Whether the surface must be repaired; an error if that is not wanted.
 Result<bool> needs_repair(const GridSolid& solid,
                           const std::vector<PolygonId>& polygons,
@@ -196,6 +203,7 @@ Result<bool> needs_repair(const GridSolid& solid,
     error.message += " (" + options.repair_word + " keeps what it winds round)";
   } else if (error.code == ErrorCode::kInsideOut) {
     error.message += inside_out_advice(solid.scene());
+    return with_advice(std::move(error), options);
   }
   return error;
 }
@@ -222,7 +230,8 @@ Result<Source> make_source(const std::string& path,
   source.scene = std::move(closed.scene);
   const Result<GridSolid> solid = make_solid(source.scene);
   if (!solid)
-    return io::error_about(path, open_error(source.scene, source.polygons));
+    return io::error_about(
+        path, with_advice(open_error(source.scene, source.polygons), options));
   const Result<bool> repairs = needs_repair(*solid, source.polygons, options);
   if (!repairs) return io::error_about(path, repairs.error());
   source.to_repair = *repairs;

@@ -189,7 +189,8 @@ void Planner::join_chains() {
     const auto is = [&](std::int32_t child, NodeKind wanted) {
       return raw(child).node->kind == wanted;
     };
-    if (kind == NodeKind::kComplement) append(step, step.left, false);
+    if (kind == NodeKind::kComplement || kind == NodeKind::kComponent)
+      append(step, step.left, false);
     if (step.right < 0) continue;
     append(step, step.left, is(step.left, kind));
     append(step, step.right,
@@ -249,6 +250,12 @@ bool Planner::reach_of(Step& step) {
       }
       inside = bounded > 0;
       break;
+    case NodeKind::kComponent:
+      if (unbounded > 0) {
+        return fail(step.place, ErrorCode::kUnbounded,
+                    "a part of this would reach infinitely far");
+      }
+      break;
     case NodeKind::kUnion:
       inside = decided = unbounded > 0;
       break;
@@ -282,6 +289,12 @@ bool Planner::make_steps() {
     step.place = from.node->place;
     step.uses = from.uses;
     if (from.first < 0) take_item(from, step);
+    if (step.kind == NodeKind::kComponent) {
+      step.item = static_cast<std::int32_t>(plan_.points.size());
+      plan_.points.push_back(
+          image_of(plan_.matrices[static_cast<std::size_t>(from.matrix)],
+                   script_.points[static_cast<std::size_t>(from.node->item)]));
+    }
     for (std::int32_t link = from.first; link >= 0;) {
       const Link& at = links_[static_cast<std::size_t>(link)];
       step.terms.push_back(raw(at.raw).step);

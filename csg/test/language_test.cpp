@@ -46,6 +46,14 @@ TEST(CsgLanguage, HasPrimitives) {
   EXPECT_EQ(volume_of("cone(2, 0, 3, 4)"), "8");
   EXPECT_EQ(volume_of("cone(0, 2, 3, 4)"), "8");
   EXPECT_EQ(volume_of("cone(2, 1, 3, 4)"), "14");
+  EXPECT_EQ(volume_of("hull(0, 0, 0, 1, 0, 0, 0, 1, 0, [0, 0, 3], [0.1, 0.1, "
+                      "0.1])"),
+            "0.5");
+  EXPECT_NE(volume_of("hull(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0)")
+                .find("line 1, column 1: hull: all points are in one plane"),
+            std::string::npos);
+  EXPECT_NE(volume_of("hull(1, 2, 3)").find("hull takes 3 numbers"),
+            std::string::npos);
   // An octahedron.
   EXPECT_EQ(volume_of("sphere(3, 4)"), "36");
   EXPECT_EQ(volume_of("sphere(1, 100)").substr(0, 4), "4.18");

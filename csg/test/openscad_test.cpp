@@ -56,6 +56,24 @@ TEST(OpenScad, ReadsItsSolids) {
             "0.5");
 }
 
+TEST(OpenScad, ReadsHullsOfShapes) {
+  // Two cubes, one of them moved: a sheared box between them.
+  EXPECT_EQ(scad("hull() { cube(size = 1, center = false);\n"
+                 "multmatrix([[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], "
+                 "[0, 0, 0, 1]]) { group() { cube(size = 1, center = false); "
+                 "} } }"),
+            "4");
+  EXPECT_EQ(scad("linear_extrude(height = 2, center = false, convexity = 1) { "
+                 "hull() { square(size = [1, 1], center = false); "
+                 "polygon(points = [[0, 0], [3, 0], [0, 1]], paths = undef, "
+                 "convexity = 1); } }"),
+            "4");
+  EXPECT_NE(scad("hull() { difference() { cube(size = 2, center = false); "
+                 "cube(size = 1, center = false); } }")
+                .find("not of differences"),
+            std::string::npos);
+}
+
 TEST(OpenScad, ReadsSetsAndMatrices) {
   EXPECT_EQ(scad("group() {\n"
                  "  difference() {\n"

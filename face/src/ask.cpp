@@ -3,15 +3,16 @@
 #include <utility>
 
 #include "fields.hpp"
+#include "halfspace/csg/exact_measure.hpp"
+#include "halfspace/csg/locate.hpp"
 #include "halfspace/csg/outcome.hpp"
+#include "halfspace/csg/topology.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/io/format.hpp"
 #include "halfspace/io/write_mesh.hpp"
-#include "locate.hpp"
-#include "measure.hpp"
 #include "node.hpp"
-#include "topology.hpp"
+#include "number.hpp"
 
 namespace halfspace {
 namespace {
@@ -176,46 +177,47 @@ Result<bool> Solid::is_empty() const {
   return answer(*this, [](const fast::Solid& s) { return s.faces.empty(); });
 }
 
-Result<double> Solid::volume() const {
-  return answer(*this, detail::volume_of);
-}
+Result<double> Solid::volume() const { return answer(*this, csg::volume_of); }
 
-Result<double> Solid::area() const { return answer(*this, detail::area_of); }
+Result<double> Solid::area() const { return answer(*this, csg::area_of); }
 
 Result<std::string> Solid::exact_volume() const {
-  return answer(*this, detail::exact_volume_of);
+  return answer(*this, csg::exact_volume_of);
 }
 
 Result<std::optional<std::string>> Solid::exact_area() const {
-  return answer(*this, detail::exact_area_of);
+  return answer(*this, csg::exact_area_of);
 }
 
 Result<Bounds> Solid::bounds() const {
-  return answer_of_some(*this, detail::bounds_of);
+  return answer_of_some(*this, [](const fast::Solid& solid) {
+    const auto [low, high] = csg::bounds_of(solid);
+    return Bounds{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+  });
 }
 
 Result<Point> Solid::centroid() const {
   return answer_of_some(*this, [](const fast::Solid& solid) {
-    const auto c = detail::moments_of(solid).centroid;
+    const auto c = csg::moments_of(solid).centroid;
     return Point{c[0], c[1], c[2]};
   });
 }
 
 Result<std::array<std::array<double, 3>, 3>> Solid::inertia() const {
   return answer_of_some(*this, [](const fast::Solid& solid) {
-    return detail::moments_of(solid).inertia;
+    return csg::moments_of(solid).inertia;
   });
 }
 
 Result<std::size_t> Solid::shell_count() const {
   return answer(*this, [](const fast::Solid& solid) {
-    return detail::topology_of(solid).shells;
+    return csg::topology_of(solid).shells;
   });
 }
 
 Result<std::int64_t> Solid::genus() const {
   return answer(*this, [](const fast::Solid& solid) {
-    return detail::topology_of(solid).genus;
+    return csg::topology_of(solid).genus;
   });
 }
 
@@ -224,7 +226,11 @@ Result<Location> Solid::locate(Point point) const {
       !std::isfinite(point.z))
     return Error{ErrorCode::kNotFinite, "the point is not finite"};
   return answer(*this, [&](const fast::Solid& solid) {
-    return detail::location_of(solid, point);
+    const int side = csg::location_of(
+        solid, csg::in_steps(detail::numbers_of(point), solid.unit));
+    return side < 0    ? Location::kInside
+           : side == 0 ? Location::kOn
+                       : Location::kOutside;
   });
 }
 

@@ -61,6 +61,9 @@ class Lowering {
     } else if (node->kind == csg::NodeKind::kTransform) {
       made.item = static_cast<std::int32_t>(script.transforms.size());
       script.transforms.push_back(node->matrix);
+    } else if (node->kind == csg::NodeKind::kComponent) {
+      made.item = static_cast<std::int32_t>(script.points.size());
+      script.points.push_back(node->point);
     }
     ids_.emplace(node.get(), static_cast<std::int32_t>(script.nodes.size()));
     script.nodes.push_back(made);
@@ -152,6 +155,11 @@ Result<std::shared_ptr<Evaluation>> SolidNode::evaluation(
   if (!result && result.error().code == ErrorCode::kStopped) return result;
   evaluation_ = std::move(result);
   return *evaluation_;
+}
+
+void SolidNode::set_evaluation(std::shared_ptr<Evaluation> evaluation) const {
+  const std::lock_guard lock(mutex_);
+  evaluation_.emplace(std::move(evaluation));
 }
 
 Solid leaf_solid(std::string name, Leaf::Load load) {

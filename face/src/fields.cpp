@@ -5,10 +5,19 @@
 #include <optional>
 #include <utility>
 
-#include "interval.hpp"
+#include "halfspace/csg/interval.hpp"
 
 namespace halfspace::detail {
 namespace {
+
+using csg::area2;
+using csg::ExactPoint;
+using csg::ExactSurface;
+using csg::in_steps;
+using csg::Integer;
+using csg::longest_axis;
+using csg::nearest_double;
+using csg::same;
 
 /// What a half-space cut has no colour of its own.
 constexpr Rgb kCutColor{170, 170, 170};

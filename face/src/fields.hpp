@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "halfspace/csg/surface.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "node.hpp"
-#include "surface.hpp"
 
 namespace halfspace::detail {
 

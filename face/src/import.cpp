@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "halfspace/csg/repair.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/load_scene.hpp"
@@ -197,6 +198,26 @@ Result<LeafData> file_leaf(const std::string& path,
   LeafData data;
   data.source = std::make_shared<const csg::Source>(*std::move(source));
   data.properties = std::move(properties);
+  return data;
+}
+
+Result<LeafData> mended_leaf(const std::string& path,
+                             const MendOptions& options,
+                             std::vector<std::string>& done) {
+  const Result<io::Mesh> mesh = io::read_mesh(path);
+  if (!mesh) return mesh.error();
+  csg::RepairOptions how;
+  how.weld = options.weld;
+  how.close_all = options.close_all;
+  how.thicken = options.thicken;
+  how.check.threads = thread_count(0);
+  Result<csg::Repaired> repaired = csg::repaired(path, *mesh, how);
+  if (!repaired) return repaired.error();
+  done = repaired->report.sentences();
+  LeafData data;
+  data.source =
+      std::make_shared<const csg::Source>(std::move(repaired->source));
+  data.properties = properties_of(*mesh);
   return data;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "halfspace/io/mesh.hpp"
 #include "node.hpp"
@@ -31,6 +32,11 @@ Result<LeafData> mesh_leaf(const std::string& name, const Mesh& mesh,
 /// The leaf in a file.
 Result<LeafData> file_leaf(const std::string& path,
                            const OperandOptions& options);
+
+/// The leaf in a mesh file, mended, and what was done to it.
+Result<LeafData> mended_leaf(const std::string& path,
+                             const MendOptions& options,
+                             std::vector<std::string>& done);
 
 /// The error of a mesh that does not keep to its shape, if it does not.
 std::optional<Error> fault_of(const Mesh& mesh);

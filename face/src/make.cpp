@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "hull.hpp"
+#include "halfspace/csg/hull.hpp"
 #include "import.hpp"
 #include "node.hpp"
 #include "number.hpp"
@@ -270,7 +270,8 @@ Solid Solid::hull(std::vector<Point> points) {
       "hull", [points = std::move(points)]() -> Result<detail::LeafData> {
         if (!std::all_of(points.begin(), points.end(), detail::is_finite))
           return Error{ErrorCode::kNotFinite, "hull: a point is not finite"};
-        auto mesh = detail::hull_of(points);
+        detail::ExactPoints exact = detail::exact_points(points);
+        auto mesh = csg::hull_of(std::move(exact.points), exact.decimal);
         if (!mesh) return mesh.error();
         return detail::imported_leaf("hull", *std::move(mesh), nullptr, {});
       });
@@ -287,6 +288,16 @@ Solid Solid::from_file(std::filesystem::path path,
   std::string name = path.string();
   return leaf_solid(
       name, [name, options] { return detail::file_leaf(name, options); });
+}
+
+Result<Mended> mended(const std::filesystem::path& path,
+                      const MendOptions& options) {
+  std::vector<std::string> done;
+  const Result<detail::LeafData> data =
+      detail::mended_leaf(path.string(), options, done);
+  if (!data) return data.error();
+  return Mended{detail::leaf_solid(path.string(), [data] { return data; }),
+                std::move(done)};
 }
 
 }  // namespace halfspace

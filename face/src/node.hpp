@@ -74,6 +74,7 @@ struct SolidNode {
   std::shared_ptr<const Leaf> leaf;  ///< of kFile
   csg::HalfSpace half;               ///< of kHalf
   csg::Matrix matrix;                ///< of kTransform
+  csg::Numbers3 point;               ///< of kComponent
   std::optional<Error> error;        ///< what was wrong with its making
   std::string name;
 
@@ -94,6 +95,8 @@ struct SolidNode {
   /// What the expression comes to; worked out once.
   Result<std::shared_ptr<Evaluation>> evaluation(
       const WorkOptions& options) const;
+  /// What it comes to is known.
+  void set_evaluation(std::shared_ptr<Evaluation> evaluation) const;
 
  private:
   mutable std::mutex mutex_;

@@ -2,18 +2,18 @@
 #include <map>
 #include <utility>
 
+#include "halfspace/csg/interval.hpp"
+#include "halfspace/csg/surface.hpp"
 #include "halfspace/solid.hpp"
-#include "interval.hpp"
 #include "node.hpp"
-#include "surface.hpp"
 
 namespace halfspace {
 namespace {
 
-using detail::ExactPoint;
-using detail::ExactSurface;
-using detail::Integer;
-using detail::Integers3;
+using csg::ExactPoint;
+using csg::ExactSurface;
+using csg::Integer;
+using csg::Integers3;
 using detail::SolidNode;
 
 /// Takes the loops of a face apart.
@@ -21,9 +21,9 @@ class Loops {
  public:
   Loops(ExactSurface& surface, const fast::Face& face) : surface_(surface) {
     const Integers3 normal = surface.normal(face);
-    axis_ = detail::longest_axis(normal);
+    axis_ = csg::longest_axis(normal);
     sign_ = normal[axis_].sign();
-    detail::for_edges(surface.solid(), face, [&](const fast::SolidEdge& edge) {
+    csg::for_edges(surface.solid(), face, [&](const fast::SolidEdge& edge) {
       from_[edge.from].push_back(edge.to);
     });
   }
@@ -132,15 +132,15 @@ std::size_t Loops::held(const std::vector<std::int32_t>& loop,
   ExactSurface surface(outline);
   return static_cast<std::size_t>(
       std::count_if(loop.begin(), loop.end(), [&](std::int32_t corner) {
-        return detail::turns_round(surface, face, surface_.point(corner),
-                                   axis_) != 0;
+        return csg::turns_round(surface, face, surface_.point(corner), axis_) !=
+               0;
       }));
 }
 
-Point rounded(const ExactPoint& point, const detail::Scale& scale) {
+Point rounded(const ExactPoint& point, const csg::Scale& scale) {
   const auto at = [&](std::size_t i) {
-    return detail::nearest_double(point.at[i] * scale.numerator,
-                                  point.below * scale.denominator);
+    return csg::nearest_double(point.at[i] * scale.numerator,
+                               point.below * scale.denominator);
   };
   return {at(0), at(1), at(2)};
 }
@@ -154,7 +154,7 @@ void add_regions(ExactSurface& surface, const fast::Face& face,
     const bool outer = loops.orientation(loop) > 0;
     (outer ? boundaries : holes).push_back(std::move(loop));
   }
-  const detail::Scale scale = detail::scale_of(surface.solid().unit, 1);
+  const csg::Scale scale = csg::scale_of(surface.solid().unit, 1);
   const auto points_of = [&](const std::vector<std::int32_t>& loop) {
     std::vector<Point> points;
     for (const std::int32_t v : loop)
@@ -180,14 +180,14 @@ bool is_in_plane(const ExactSurface& surface, const fast::Face& face,
   std::array<Integers3, 3> p;
   for (std::size_t i = 0; i < 3; ++i) {
     p[i] = {points[i].x, points[i].y, points[i].z};
-    if (detail::side_of(surface, face, {p[i], 1}) != 0) return false;
+    if (csg::side_of(surface, face, {p[i], 1}) != 0) return false;
   }
   Integers3 u, v;
   for (std::size_t i = 0; i < 3; ++i) {
     u[i] = p[1][i] - p[0][i];
     v[i] = p[2][i] - p[0][i];
   }
-  return detail::dot(surface.normal(face), detail::cross(u, v)) > 0;
+  return csg::dot(surface.normal(face), csg::cross(u, v)) > 0;
 }
 
 }  // namespace

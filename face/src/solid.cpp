@@ -244,6 +244,7 @@ Solid Solid::named(std::string name) const {
     node->leaf = from.leaf;
     node->half = from.half;
     node->matrix = from.matrix;
+    node->point = from.point;
     node->error = from.error;
     node->name = name;
     return node;

@@ -3,27 +3,27 @@
 #include <utility>
 #include <vector>
 
+#include "halfspace/csg/interval.hpp"
+#include "halfspace/csg/surface.hpp"
 #include "halfspace/solid.hpp"
-#include "interval.hpp"
 #include "node.hpp"
-#include "surface.hpp"
 
 namespace halfspace {
 namespace {
 
+using csg::ExactPoint;
+using csg::ExactSurface;
+using csg::Integer;
 using detail::Evaluation;
-using detail::ExactPoint;
-using detail::ExactSurface;
-using detail::Integer;
 using detail::SolidNode;
 
 /// A solid's surface, and what its grid steps are in those of the other.
 struct Side {
   ExactSurface surface;
-  detail::Scale scale;  ///< a step of this one, in model units
+  csg::Scale scale;  ///< a step of this one, in model units
 
   explicit Side(const fast::Solid& solid)
-      : surface(solid), scale(detail::scale_of(solid.unit, 1)) {}
+      : surface(solid), scale(csg::scale_of(solid.unit, 1)) {}
 };
 
 /// A point of one on the grid of the other.
@@ -48,16 +48,16 @@ ExactPoint meet(const ExactPoint& a, const Integer& a_side, const ExactPoint& b,
 /// Whether two segments of the face's plane have a common point.
 bool segments_meet(const ExactPoint& a, const ExactPoint& b,
                    const ExactPoint& c, const ExactPoint& d, std::size_t axis) {
-  const int c_side = detail::area2(a, b, c, axis).sign();
-  const int d_side = detail::area2(a, b, d, axis).sign();
-  const int a_side = detail::area2(c, d, a, axis).sign();
-  const int b_side = detail::area2(c, d, b, axis).sign();
+  const int c_side = csg::area2(a, b, c, axis).sign();
+  const int d_side = csg::area2(a, b, d, axis).sign();
+  const int a_side = csg::area2(c, d, a, axis).sign();
+  const int b_side = csg::area2(c, d, b, axis).sign();
   if (c_side * d_side > 0 || a_side * b_side > 0) return false;
   if (c_side != 0 || d_side != 0) return true;
   // On one line: whether they overlap there.
   for (std::size_t i = 0; i < 3; ++i) {
     const auto less = [i](const ExactPoint& p, const ExactPoint& q) {
-      return detail::compare(p, q, i) < 0;
+      return csg::compare(p, q, i) < 0;
     };
     const auto [ab_low, ab_high] = std::minmax(a, b, less);
     const auto [cd_low, cd_high] = std::minmax(c, d, less);
@@ -69,19 +69,18 @@ bool segments_meet(const ExactPoint& a, const ExactPoint& b,
 /// Whether a segment and a face, both closed, have a common point.
 bool segment_meets(ExactSurface& surface, const fast::Face& face,
                    const ExactPoint& a, const ExactPoint& b) {
-  const detail::Integers3 normal = surface.normal(face);
-  const Integer offset = detail::dot(normal, surface.origin(face));
-  const Integer a_side = detail::dot(normal, a.at) - offset * a.below;
-  const Integer b_side = detail::dot(normal, b.at) - offset * b.below;
+  const csg::Integers3 normal = surface.normal(face);
+  const Integer offset = csg::dot(normal, surface.origin(face));
+  const Integer a_side = csg::dot(normal, a.at) - offset * a.below;
+  const Integer b_side = csg::dot(normal, b.at) - offset * b.below;
   if (a_side.sign() * b_side.sign() > 0) return false;
   if (a_side != 0 || b_side != 0) {
-    return detail::is_in_face(surface, face,
-                              meet(a, abs(a_side), b, abs(b_side)));
+    return csg::is_in_face(surface, face, meet(a, abs(a_side), b, abs(b_side)));
   }
-  if (detail::is_in_face(surface, face, a)) return true;
-  const std::size_t axis = detail::longest_axis(normal);
+  if (csg::is_in_face(surface, face, a)) return true;
+  const std::size_t axis = csg::longest_axis(normal);
   bool any = false;
-  detail::for_edges(surface.solid(), face, [&](const fast::SolidEdge& edge) {
+  csg::for_edges(surface.solid(), face, [&](const fast::SolidEdge& edge) {
     const ExactPoint c = surface.point(edge.from);
     any = any || segments_meet(a, b, c, surface.point(edge.to), axis);
   });
@@ -92,14 +91,12 @@ bool segment_meets(ExactSurface& surface, const fast::Face& face,
 bool edges_meet(Side& first, const fast::Face& face, Side& second,
                 const fast::Face& other) {
   bool any = false;
-  detail::for_edges(
-      first.surface.solid(), face, [&](const fast::SolidEdge& edge) {
-        if (any) return;
-        const ExactPoint a =
-            moved(first.surface.point(edge.from), first, second);
-        const ExactPoint b = moved(first.surface.point(edge.to), first, second);
-        any = segment_meets(second.surface, other, a, b);
-      });
+  csg::for_edges(first.surface.solid(), face, [&](const fast::SolidEdge& edge) {
+    if (any) return;
+    const ExactPoint a = moved(first.surface.point(edge.from), first, second);
+    const ExactPoint b = moved(first.surface.point(edge.to), first, second);
+    any = segment_meets(second.surface, other, a, b);
+  });
   return any;
 }
 

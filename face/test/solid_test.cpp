@@ -128,6 +128,50 @@ TEST(FaceSolid, OriginsNameOperandsAndPolygons) {
   EXPECT_EQ(of_drill, 5u);  // four sides and the bottom of the hole
 }
 
+TEST(FaceSolid, PartsAreSolidsWithTheirOrigins) {
+  const Solid bar = Solid::box({0, 0, 0}, {9, 1, 1}).named("bar");
+  const Solid slot = Solid::box({3, -1, -1}, {4, 2, 2}).named("slot");
+  const Solid sawn = bar - slot - slot.translated({3, 0, 0});
+  const std::vector<Solid> parts = *sawn.decompose();
+  ASSERT_EQ(parts.size(), 3u);
+  double volume = 0;
+  for (const Solid& part : parts) {
+    volume += *part.volume();
+    EXPECT_EQ(*part.shell_count(), 1u);
+    EXPECT_EQ(part.mesh()->polygon_count(), 6u);
+    EXPECT_EQ(part.polygons_by_operand()->at("bar") +
+                  part.polygons_by_operand()->at("slot"),
+              6u);
+    // In another expression, and moved, exactly or not, it is the same part.
+    EXPECT_EQ(*(part - Solid()).exact_volume(), *part.exact_volume());
+    const Solid moved = part.rotated({0, 0, 1}, 90).translated({0, 0, 5});
+    EXPECT_EQ(*moved.exact_volume(), *part.exact_volume());
+    EXPECT_NEAR(*part.rotated({1, 2, 3}, 20).volume(), *part.volume(), 1e-9);
+  }
+  EXPECT_EQ(volume, *sawn.volume());
+  EXPECT_TRUE(*(Solid::union_of(parts) ^ sawn).is_empty());
+  EXPECT_TRUE(Solid().decompose()->empty());
+}
+
+TEST(FaceSolid, PartsHaveTheirCavities) {
+  // Three boxes within one another, each hollow, and one apart.
+  const auto cube_at = [](double low, double high) {
+    return Solid::box({low, low, low}, {high, high, high});
+  };
+  const Solid shells = cube_at(0, 20) - cube_at(2, 18) + cube_at(4, 16) -
+                       cube_at(6, 14) + cube_at(8, 12) + cube_at(30, 31);
+  const std::vector<Solid> parts = *shells.decompose();
+  ASSERT_EQ(parts.size(), 4u);
+  std::vector<double> volumes;
+  for (const Solid& part : parts) volumes.push_back(*part.volume());
+  std::sort(volumes.begin(), volumes.end());
+  EXPECT_EQ(volumes, (std::vector<double>{1, 64, 12 * 12 * 12 - 8 * 8 * 8,
+                                          20 * 20 * 20 - 16 * 16 * 16}));
+  // Cubes that only touch along an edge are apart.
+  const Solid edge = cube_at(0, 1) + cube_at(0, 1).translated({1, 1, 0});
+  EXPECT_EQ(edge.decompose()->size(), 2u);
+}
+
 TEST(FaceSolid, TrianglesInOnePlaneAreOneFace) {
   Mesh mesh = *cube(1).mesh({.triangles = true});
   ASSERT_EQ(mesh.polygon_count(), 12u);
@@ -264,6 +308,21 @@ TEST(FaceSolid, SectionsAreRegionsWithHoles) {
   EXPECT_EQ(pipe.section({{0, 0, 1}, 9})->size(), 1u);
   EXPECT_EQ(pipe.section({{0, 0, 1}, 0})->size(), 0u);
   EXPECT_EQ(pipe.section({{0, 0, 1}, 20})->size(), 0u);
+}
+
+TEST(FaceSolid, AFileIsMended) {
+  {
+    // A tetrahedron with one face the wrong way round.
+    std::ofstream file("face_turned.off");
+    file << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+            "3 0 2 1\n3 0 1 3\n3 1 3 2\n3 0 3 2\n";
+  }
+  EXPECT_FALSE(Solid::from_file("face_turned.off").volume());
+  const Result<Mended> mended = halfspace::mended("face_turned.off");
+  ASSERT_TRUE(mended);
+  EXPECT_EQ(mended->done,
+            std::vector<std::string>{"1 polygon turned to agree with others"});
+  EXPECT_EQ(*mended->solid.exact_volume(), "1/6");
 }
 
 TEST(FaceSolid, TextAndFilesAreOperands) {

@@ -35,6 +35,7 @@ void add_commands(CLI::App& program, Status& status) {
   halfspace::tools::add_render(program, status);
   halfspace::tools::add_build(program, status);
   halfspace::tools::add_csg(program, status);
+  halfspace::tools::add_repair(program, status);
   halfspace::tools::add_compare(program, status);
   halfspace::tools::add_join(program, status);
   halfspace::tools::add_scene(program, status);

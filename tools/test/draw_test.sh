@@ -50,6 +50,14 @@ grep -q 'width="297mm" height="210mm"' s.svg || wrong "the sheet is not A4"
 grep -q 'MediaBox\[0 0 841.89 595.276\]' s.pdf || wrong "the page is not A4"
 expect 2 'no room' draw cubes.off -o s.svg --sheet a4 --scale 1000:1
 expect 2 'holds lines alone' draw cubes.off -o s.dxf --lines none
+# A section is hatched where it is seen, and nowhere else.
+expect 0 'polygons' csg 'box(4, 3, 2) & half(z < 1)' -o half.off
+expect 0 ' strokes' draw half.off -o cut.svg --view top --ortho --cut z=1
+grep -q 'id="hatching"' cut.svg || wrong "the section is not hatched"
+grep -q 'id="section"' cut.svg || wrong "the section has no border"
+expect 0 ' strokes' draw half.off -o cut.svg --view bottom --ortho --cut z=1
+grep -q 'id="hatching"' cut.svg && wrong "a hidden section is hatched"
+expect 2 'x, y or z' draw half.off -o cut.svg --cut w=1
 # Several files, and one without polygons.
 expect 0 ' regions' draw cubes.off pinwheel.off -o two.svg --fill file
 grep -q '<title>file 1' two.svg || wrong "the second file is not seen"

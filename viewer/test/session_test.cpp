@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "core/measure.hpp"
 #include "core/moves.hpp"
 #include "core/saving.hpp"
 #include "halfspace/fast/display_tree.hpp"
@@ -100,6 +101,11 @@ TEST_F(ViewerSession, EveryPictureIsThatOfItsViewFile) {
       [&] {
         session.change(
             [](State& s) { s.combination = Combination::kDifference; });
+      },
+      [&] {
+        session.change([](State& s) {
+          s.sections.push_back({{1, 0, -0.5}, 0.4, true});
+        });
       },
       [&] { session.undo(); },
       [&] { session.change([](State& s) { s.parts[1].is_visible = false; }); },
@@ -218,6 +224,53 @@ TEST_F(ViewerSession, ABooleanOfAnOpenSurfaceIsAMessage) {
   settle(session);
   EXPECT_EQ(session.model(), before);
   EXPECT_NE(session.message(), "");
+}
+
+TEST_F(ViewerSession, ASectionIsClosedByACapThatCanBePicked) {
+  State state = state_of({box_});
+  state.sections.push_back({{0, 0, 1}, 0.5, true});
+  Session session(state, nullptr, ignore);
+  settle(session);
+  session.see_from({{0, 0, 1}, {0, 1, 0}});
+  settle(session);
+  const auto picked = session.pick(320, 240);
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->part, kCapPart);
+  EXPECT_NEAR(picked->point.z, 0.5, 1e-9);
+  const auto measures = measures_of(
+      session.state(), [](const std::string&, double) { return true; });
+  ASSERT_TRUE(measures);
+  EXPECT_NE(measures->find("volume 2 = 2\n"), std::string::npos) << *measures;
+  EXPECT_NE(measures->find("section of area 4"), std::string::npos)
+      << *measures;
+}
+
+TEST_F(ViewerSession, OneDragOfAWidgetIsUndoneAsOne) {
+  Session session(state_of({box_}), nullptr, ignore);
+  settle(session);
+  for (int i = 1; i < 5; ++i) {
+    session.change(
+        [i](State& s) {
+          s.parts[0].shift = {0.5 * i, 0, 0};
+        },
+        /*gesture=*/7);
+  }
+  session.undo();
+  settle(session);
+  EXPECT_EQ(session.state().parts[0].shift, (std::array<double, 3>{}));
+  EXPECT_FALSE(session.can_undo());
+}
+
+TEST_F(ViewerSession, EdgeLinesAreThoseOfThePicture) {
+  Session session(state_of({box_}), nullptr, ignore);
+  settle(session);
+  const std::vector<fast::Stroke>* lines = nullptr;
+  for (int i = 0; i < 6000 && lines == nullptr; ++i) {
+    lines = session.edge_lines();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_NE(lines, nullptr);
+  EXPECT_EQ(lines->size(), 9u);  // of twelve edges three are behind
 }
 
 TEST_F(ViewerSession, WhatIsSavedIsWhatItsNameSays) {

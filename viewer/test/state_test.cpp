@@ -10,7 +10,8 @@ State some_state() {
   state.parts = {{"a part.stl", true, Rgb{1, 2, 255}, {0.1, -2, 1e-7}},
                  {"b.off", false, std::nullopt, {}}};
   state.combination = Combination::kDifference;
-  state.looks = {true, true, Edges::kFeature, {3, 4, 5}, {{1, 2, 3.5}}};
+  state.sections = {{{1, 0, -0.5}, 0.1, true}, {{0, 0, 1}, -3, false}};
+  state.looks = {true, true, {3, 4, 5}, {{1, 2, 3.5}}};
   io::ViewOptions camera;
   camera.eye = {1.0 / 3, -2e-300, 5e300};
   camera.near = 0.25;
@@ -26,6 +27,7 @@ TEST(State, TextGivesBackEveryNumber) {
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->parts, state.parts);
   EXPECT_EQ(read->combination, state.combination);
+  EXPECT_EQ(read->sections, state.sections);
   EXPECT_EQ(read->looks, state.looks);
   EXPECT_TRUE(is_same(*read->camera, *state.camera));
 }
@@ -44,21 +46,25 @@ TEST(State, FaultsNameTheEntry) {
   const struct {
     const char* text;
     const char* part;
-  } kFaults[] = {{"", "JSON"},
-                 {"[]", "view is no object"},
-                 {"{}", "view.parts"},
-                 {R"({"parts": [3]})", "parts[0] is no object"},
-                 {R"({"parts": [{"file": 1}]})", "parts[0].file"},
-                 {R"({"parts": [], "background": "blue"})", "background"},
-                 {R"({"parts": [], "light": [0, 0, 0]})", "light"},
-                 {R"({"parts": [], "edges": "thick"})", "one of none, feature"},
-                 {R"({"parts": [], "camera": {"eye": [1, 2]}})", "camera.eye"},
-                 {R"({"parts": [], "camera": {"eye": [1,2,3], "target": [0,0,0],
+  } kFaults[] = {
+      {"", "JSON"},
+      {"[]", "view is no object"},
+      {"{}", "view.parts"},
+      {R"({"parts": [3]})", "parts[0] is no object"},
+      {R"({"parts": [{"file": 1}]})", "parts[0].file"},
+      {R"({"parts": [], "background": "blue"})", "background"},
+      {R"({"parts": [], "light": [0, 0, 0]})", "light"},
+      {R"({"parts": [], "combination": "sum"})", "one of none, union"},
+      {R"({"parts": [], "sections": [{"normal": [0, 0, 0]}]})",
+       "sections[0].normal"},
+      {R"({"parts": [], "sections": 3})", "view.sections"},
+      {R"({"parts": [], "camera": {"eye": [1, 2]}})", "camera.eye"},
+      {R"({"parts": [], "camera": {"eye": [1,2,3], "target": [0,0,0],
           "up": [0,0,1], "fov": 180, "size": [3, 4]}})",
-                  "camera.fov"},
-                 {R"({"parts": [], "camera": {"eye": [1,2,3], "target": [0,0,0],
+       "camera.fov"},
+      {R"({"parts": [], "camera": {"eye": [1,2,3], "target": [0,0,0],
           "up": [0,0,1], "size": [0, 4]}})",
-                  "camera.size"}};
+       "camera.size"}};
   for (const auto& [text, part] : kFaults) {
     const auto read = parse_state(text);
     ASSERT_FALSE(read) << text;

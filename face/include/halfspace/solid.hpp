@@ -51,6 +51,20 @@ struct OperandOptions {
   bool may_round = false;
 };
 
+/// How a surface that is no solid's is mended. What has to be done is done:
+/// polygons that others cover go, borders are welded, polygons are turned to
+/// agree, holes are filled, components turned outwards, and what crosses itself
+/// is resolved by winding number.
+struct MendOptions {
+  /// Welds vertices at borders that are no farther apart, along any axis;
+  /// nothing: four steps of floats of the mesh's size. Units: model units.
+  std::optional<double> weld = std::nullopt;
+  /// Fills borders that are half as wide as their component, too.
+  bool close_all = false;
+  /// Makes an open surface a shell as thick as this, in place of filling it.
+  std::optional<double> thicken = std::nullopt;
+};
+
 /// Which faces in one plane become one in a result.
 enum class MergeFaces : std::uint8_t {
   kOrigin,  ///< parts of one face of one operand
@@ -199,6 +213,12 @@ class HALFSPACE_API Solid {
   /// The parts on the negative and on the positive side of a plane.
   std::pair<Solid, Solid> split(const Plane& plane) const;
 
+  /// The connected parts, each with its cavities; parts that only touch are
+  /// apart. Each has the operands, origins and properties of the whole, and
+  /// is a solid like others. Exact. Errors: those of the solid; where a part is
+  /// moved by a map that rounds it away, that has the error kOutOfRange.
+  Result<std::vector<Solid>> decompose() const;
+
   /// Whether two are the same expression, made at the same place; not whether
   /// they are the same points, which is is_empty(a ^ b).
   friend bool operator==(const Solid&, const Solid&) = default;
@@ -262,5 +282,19 @@ class HALFSPACE_API Solid {
   Node node_;
   friend struct detail::SolidNode;
 };
+
+/// A solid that was mended, and a sentence for each thing that was done.
+struct Mended {
+  Solid solid;
+  std::vector<std::string> done;
+};
+
+/// The solid that the surface in a mesh file was meant to be.
+///
+/// Exact:  but for what is welded, or offset to a shell, yes.
+/// Errors: those of reading; kOpen, kInsideOut, kEmpty: the message says what
+///         is left to decide.
+HALFSPACE_API Result<Mended> mended(const std::filesystem::path& path,
+                                    const MendOptions& options = {});
 
 }  // namespace halfspace

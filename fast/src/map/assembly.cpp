@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <unordered_map>
 
 #include "base/disjoint_sets.hpp"
@@ -15,11 +16,11 @@ constexpr std::int32_t kOutside = -1;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
-/// A corner of a cell: where the edges before and after it meet.
-struct CellCorner {
+/// A corner of a cell is the start of an edge, and has its number. The lines
+/// before and after it meet there.
+struct CornerLines {
   LineId before = 0;
   LineId after = 0;
-  MapPoint point;
 };
 
 /// An edge of a cell on the line of a node, from its lower to its upper end
@@ -64,40 +65,58 @@ class Assembly {
     number_points();
     link();
     VisibleMap map;
-    map.cells = items_.size();
+    map.cells = cells_.size();
     write(map);
     return map;
   }
 
  private:
-  struct NodePart {
-    CellNodeId node;
-    std::int32_t side;
-    Part part;
+  /// A cell, in the order of the tree's nodes.
+  struct CellKey {
+    PolygonId item = kBackground;
+    std::int32_t key = kBackgroundKey;
+    std::int32_t first_edge = 0;
+    std::int32_t edge_count = 0;
   };
 
+  const CellEdge& edge(std::int32_t e) const { return tree_.edges()[at(e)]; }
+  const MapPoint& point_at(std::int32_t corner) const {
+    return edge(corner).start;
+  }
+  /// The edges round the cell of an edge, before and after it.
+  std::int32_t before(std::int32_t e) const {
+    const CellKey& cell = cells_[at(cell_of_[at(e)])];
+    return e == cell.first_edge ? cell.first_edge + cell.edge_count - 1 : e - 1;
+  }
+  std::int32_t after(std::int32_t e) const {
+    const CellKey& cell = cells_[at(cell_of_[at(e)])];
+    return e + 1 == cell.first_edge + cell.edge_count ? cell.first_edge : e + 1;
+  }
+  CornerLines lines_at(std::int32_t corner) const {
+    return {edge(before(corner)).line, edge(corner).line};
+  }
+  Part part_of(std::int32_t e) const {
+    const std::int32_t next = after(e);
+    Part part = {cell_of_[at(e)], e, next, edge(before(e)).line,
+                 edge(next).line};
+    // Edges go round with the interior on the positive side of a turn from x
+    // to y: along (b, -a) if that is the line's positive side.
+    if (edge(e).side < 0) {
+      std::swap(part.low, part.high);
+      std::swap(part.low_line, part.high_line);
+    }
+    return part;
+  }
+
   void collect_cells() {
-    tree_.for_cells([&](const Cell& cell, std::span<const CellEdge> edges) {
-      const auto id = static_cast<std::int32_t>(items_.size());
-      items_.push_back(cell.item);
-      keys_.push_back(key_of_(cell.item));
-      const auto first = static_cast<std::int32_t>(corners_.size());
-      const auto n = static_cast<std::int32_t>(edges.size());
-      for (std::int32_t k = 0; k < n; ++k) {
-        const CellEdge& edge = edges[at(k)];
-        const CellEdge& before = edges[at(k == 0 ? n - 1 : k - 1)];
-        const CellEdge& after = edges[at(k + 1 == n ? 0 : k + 1)];
-        corners_.push_back({before.line, edge.line, edge.start});
-        Part part = {id, first + k, first + (k + 1 == n ? 0 : k + 1),
-                     before.line, after.line};
-        // Edges go round with the interior on the positive side of a turn from
-        // x to y: along (b, -a) if that is the line's positive side.
-        if (edge.side < 0) {
-          std::swap(part.low, part.high);
-          std::swap(part.low_line, part.high_line);
-        }
-        parts_.push_back({edge.node, edge.side, part});
-      }
+    cell_of_.assign(tree_.edges().size(), -1);
+    cells_.reserve(tree_.cell_count());
+    tree_.for_cells([&](const Cell& cell) {
+      const auto id = static_cast<std::int32_t>(cells_.size());
+      const auto first = static_cast<std::int32_t>(cell.first_edge);
+      const auto count = static_cast<std::int32_t>(cell.edge_count);
+      cells_.push_back({cell.item, key_of_(cell.item), first, count});
+      for (std::int32_t e = first; e < first + count; ++e) cell_of_[at(e)] = id;
     });
   }
 
@@ -109,17 +128,18 @@ class Assembly {
   int order(LineId line, LineId p, std::int32_t p_corner, LineId q,
             std::int32_t q_corner) {
     if (p_corner == q_corner) return 0;
-    const MapPoint& f = corners_[at(p_corner)].point;
-    const MapPoint& g = corners_[at(q_corner)].point;
+    const MapPoint& f = point_at(p_corner);
+    const MapPoint& g = point_at(q_corner);
     const double a = lines_.slope_x(line);
     const double b = lines_.slope_y(line);
     const double x = b * (g.x - f.x);
     const double y = a * (g.y - f.y);
-    const double bound = (std::abs(a) + std::abs(b)) * (f.error + g.error) +
-                         8 * kRounding * (std::abs(x) + std::abs(y)) +
-                         kRounding * 4 *
-                             (std::abs(b) * (std::abs(f.x) + std::abs(g.x)) +
-                              std::abs(a) * (std::abs(f.y) + std::abs(g.y)));
+    const double bound =
+        (std::abs(a) + std::abs(b)) * (double{f.error} + g.error) +
+        8 * kRounding * (std::abs(x) + std::abs(y)) +
+        kRounding * 4 *
+            (std::abs(b) * (std::abs(f.x) + std::abs(g.x)) +
+             std::abs(a) * (std::abs(f.y) + std::abs(g.y)));
     if (x - y > bound) return 1;
     if (x - y < -bound) return -1;
     return -lines_.turn(line, p) *
@@ -127,30 +147,39 @@ class Assembly {
   }
 
   void cut_along_nodes() {
-    std::stable_sort(
-        parts_.begin(), parts_.end(), [](const NodePart& f, const NodePart& g) {
-          return f.node != g.node ? f.node < g.node : f.side > g.side;
-        });
-    corner_sets_ = DisjointSets(corners_.size());
-    cell_sets_ = DisjointSets(items_.size());
-    for (std::size_t first = 0; first < parts_.size();) {
+    std::vector<std::int32_t> parts;
+    parts.reserve(cell_of_.size());
+    for (std::int32_t e = 0; e < std::ssize(cell_of_); ++e) {
+      if (cell_of_[at(e)] >= 0) parts.push_back(e);
+    }
+    std::sort(parts.begin(), parts.end(), [&](std::int32_t f, std::int32_t g) {
+      const CellEdge& p = edge(f);
+      const CellEdge& q = edge(g);
+      if (p.node != q.node) return p.node < q.node;
+      return p.side != q.side ? p.side > q.side : f < g;
+    });
+    corner_sets_ = DisjointSets(cell_of_.size());
+    cell_sets_ = DisjointSets(cells_.size());
+    const std::span<const std::int32_t> all = parts;
+    for (std::size_t first = 0; first < all.size();) {
       std::size_t end = first;
       std::size_t middle = first;
-      const CellNodeId node = parts_[first].node;
-      while (end < parts_.size() && parts_[end].node == node) {
-        if (parts_[end].side > 0) middle = end + 1;
+      const CellNodeId node = edge(all[first]).node;
+      while (end < all.size() && edge(all[end]).node == node) {
+        if (edge(all[end]).side > 0) middle = end + 1;
         ++end;
       }
       const LineId line = node < 0 ? node + 4 : tree_.line_of(node);
-      merge(line, sorted(line, first, middle), sorted(line, middle, end));
+      merge(line, sorted(line, all.subspan(first, middle - first)),
+            sorted(line, all.subspan(middle, end - middle)));
       first = end;
     }
   }
 
   /// Parts of one side of a node, in their order along its line.
-  std::vector<Part> sorted(LineId line, std::size_t first, std::size_t end) {
+  std::vector<Part> sorted(LineId line, std::span<const std::int32_t> edges) {
     std::vector<Part> parts;
-    for (std::size_t k = first; k < end; ++k) parts.push_back(parts_[k].part);
+    for (const std::int32_t e : edges) parts.push_back(part_of(e));
     std::sort(parts.begin(), parts.end(), [&](const Part& f, const Part& g) {
       return order(line, f.low_line, f.low, g.low_line, g.low) > 0;
     });
@@ -161,7 +190,7 @@ class Assembly {
 
   void add(const Piece& piece) {
     if (piece.positive != kOutside && piece.negative != kOutside &&
-        keys_[at(piece.positive)] == keys_[at(piece.negative)]) {
+        cells_[at(piece.positive)].key == cells_[at(piece.negative)].key) {
       cell_sets_.unite(piece.positive, piece.negative);
       return;
     }
@@ -200,14 +229,17 @@ class Assembly {
 
   /// The points of the boundary, and the pieces seen from both of their ends.
   void number_points() {
-    std::unordered_map<std::int32_t, std::int32_t> numbers;
+    std::vector<std::int32_t> numbers(cell_of_.size(), -1);
     const auto point_of = [&](std::int32_t corner) {
       const std::int32_t set = corner_sets_.root(corner);
-      const auto [found, is_new] = numbers.try_emplace(
-          set, static_cast<std::int32_t>(point_corner_.size()));
-      if (is_new) point_corner_.push_back(set);
-      return found->second;
+      std::int32_t& number = numbers[at(set)];
+      if (number < 0) {
+        number = static_cast<std::int32_t>(point_corner_.size());
+        point_corner_.push_back(set);
+      }
+      return number;
     };
+    halves_.reserve(2 * pieces_.size());
     const auto region_of = [&](std::int32_t cell) {
       return cell == kOutside ? kOutside : cell_sets_.root(cell);
     };
@@ -219,10 +251,23 @@ class Assembly {
           {piece.line, 1, high, h + 1, region_of(piece.positive)});
       halves_.push_back({piece.line, -1, low, h, region_of(piece.negative)});
     }
-    leaving_.resize(point_corner_.size());
-    for (std::size_t h = 0; h < halves_.size(); ++h)
-      leaving_[at(halves_[at(halves_[h].twin)].to)].push_back(
-          static_cast<std::int32_t>(h));
+    pieces_ = {};
+    // Those that leave a point, point after point: counted, then entered.
+    first_leaving_.assign(point_corner_.size() + 1, 0);
+    for (const HalfPiece& half : halves_)
+      ++first_leaving_[at(halves_[at(half.twin)].to) + 1];
+    std::partial_sum(first_leaving_.begin(), first_leaving_.end(),
+                     first_leaving_.begin());
+    leaving_.resize(halves_.size());
+    std::vector<std::int32_t> next = first_leaving_;
+    for (std::int32_t h = 0; h < std::ssize(halves_); ++h)
+      leaving_[at(next[at(halves_[at(halves_[at(h)].twin)].to)]++)] = h;
+  }
+
+  std::span<std::int32_t> leaving(std::int32_t point) {
+    const std::int32_t first = first_leaving_[at(point)];
+    const std::int32_t end = first_leaving_[at(point) + 1];
+    return {leaving_.data() + first, static_cast<std::size_t>(end - first)};
   }
 
   /// Whether the direction of a half is in the lower half-turn: y grows, or it
@@ -243,7 +288,8 @@ class Assembly {
   /// Round every point, each half goes on along the next one of its region: of
   /// those leaving its end the one before its twin, by angle.
   void link() {
-    for (auto& halves : leaving_) {
+    for (std::int32_t p = 0; p < std::ssize(point_corner_); ++p) {
+      const std::span<std::int32_t> halves = leaving(p);
       std::sort(
           halves.begin(), halves.end(),
           [&](std::int32_t f, std::int32_t g) { return turns_before(f, g); });
@@ -257,7 +303,7 @@ class Assembly {
 
   /// Whether the boundary passes straight through a point (S7.4).
   bool is_straight(std::int32_t point) {
-    const auto& halves = leaving_[at(point)];
+    const std::span<std::int32_t> halves = leaving(point);
     return halves.size() == 2 && lines_.turn(halves_[at(halves[0])].line,
                                              halves_[at(halves[1])].line) == 0;
   }
@@ -279,17 +325,16 @@ class Assembly {
   LineTable& lines_;
   const CellTree& tree_;
   const std::function<std::int32_t(PolygonId)>& key_of_;
-  std::vector<PolygonId> items_;  ///< by cell
-  std::vector<std::int32_t> keys_;
-  std::vector<CellCorner> corners_;
-  std::vector<NodePart> parts_;
+  std::vector<CellKey> cells_;
+  std::vector<std::int32_t> cell_of_;  ///< by edge; -1: of none
   DisjointSets corner_sets_{0};
   DisjointSets cell_sets_{0};
   std::vector<Piece> pieces_;
   std::vector<std::int32_t> point_corner_;  ///< by point: one of its corners
   std::vector<HalfPiece> halves_;
-  std::vector<std::vector<std::int32_t>> leaving_;  ///< by point
-  std::vector<std::int32_t> vertex_of_;             ///< by point; -1: straight
+  std::vector<std::int32_t> leaving_;        ///< halves, point after point
+  std::vector<std::int32_t> first_leaving_;  ///< by point
+  std::vector<std::int32_t> vertex_of_;      ///< by point; -1: straight
   std::unordered_map<std::int32_t, std::int32_t> region_of_cell_;
 };
 
@@ -298,7 +343,7 @@ void Assembly::number_vertices(VisibleMap& map) {
   std::vector<MapVertex> vertices;
   for (std::int32_t p = 0; p < std::ssize(point_corner_); ++p) {
     if (is_straight(p)) continue;
-    const CellCorner& corner = corners_[at(point_corner_[at(p)])];
+    const CornerLines corner = lines_at(point_corner_[at(p)]);
     points.push_back(p);
     vertices.push_back(lines_.vertex(corner.before, corner.after));
   }
@@ -313,15 +358,22 @@ void Assembly::number_vertices(VisibleMap& map) {
   });
   vertex_of_.assign(point_corner_.size(), -1);
   std::unordered_map<LineId, std::int32_t> used;
+  for (const MapVertex& vertex : vertices) {
+    for (const LineId line : vertex.lines) used.try_emplace(line, -1);
+  }
+  map.lines.reserve(used.size());
+  map.vertices.reserve(vertices.size());
   for (const std::int32_t k : order) {
     vertex_of_[at(points[at(k)])] =
         static_cast<std::int32_t>(map.vertices.size());
     MapVertex vertex = vertices[at(k)];
     for (std::int32_t& line : vertex.lines) {
-      const auto [found, is_new] =
-          used.try_emplace(line, static_cast<std::int32_t>(map.lines.size()));
-      if (is_new) map.lines.push_back(lines_.exact(line));
-      line = found->second;
+      std::int32_t& number = used[line];
+      if (number < 0) {
+        number = static_cast<std::int32_t>(map.lines.size());
+        map.lines.push_back(lines_.exact(line));
+      }
+      line = number;
     }
     map.vertices.push_back(vertex);
   }
@@ -397,13 +449,14 @@ void Assembly::write_regions(VisibleMap& map) {
     }
   }
   map.regions.resize(of_region.size());
-  for (std::size_t cell = 0; cell < items_.size(); ++cell) {
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     const std::int32_t set = cell_sets_.root(static_cast<std::int32_t>(cell));
     MapRegion& region = map.regions[at(region_of_cell_.at(set))];
-    region.key = keys_[cell];
-    if (items_[cell] != kBackground &&
-        (region.item == kBackground || items_[cell] < region.item))
-      region.item = items_[cell];
+    region.key = cells_[cell].key;
+    const PolygonId item = cells_[cell].item;
+    if (item != kBackground &&
+        (region.item == kBackground || item < region.item))
+      region.item = item;
   }
   for (std::size_t r = 0; r < of_region.size(); ++r) {
     map.regions[r].first_loop =

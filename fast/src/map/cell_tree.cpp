@@ -83,11 +83,26 @@ void CellTree::add_cell(CellNodeId node, std::span<const CellEdge> polygon,
                         PolygonId item) {
   Cell cell;
   cell.item = item;
-  cell.first_edge = edges_.size();
   cell.edge_count = static_cast<std::uint32_t>(polygon.size());
-  edges_.insert(edges_.end(), polygon.begin(), polygon.end());
-  nodes_[at(node)].cell = static_cast<std::int32_t>(cells_.size());
-  cells_.push_back(cell);
+  if (free_edges_.size() > polygon.size() &&
+      !free_edges_[polygon.size()].empty()) {
+    auto& free = free_edges_[polygon.size()];
+    cell.first_edge = free.back();
+    free.pop_back();
+    std::copy(polygon.begin(), polygon.end(),
+              edges_.begin() + static_cast<std::ptrdiff_t>(cell.first_edge));
+  } else {
+    cell.first_edge = edges_.size();
+    edges_.insert(edges_.end(), polygon.begin(), polygon.end());
+  }
+  if (free_cells_.empty()) {
+    nodes_[at(node)].cell = static_cast<std::int32_t>(cells_.size());
+    cells_.push_back(cell);
+  } else {
+    nodes_[at(node)].cell = free_cells_.back();
+    free_cells_.pop_back();
+    cells_[at(nodes_[at(node)].cell)] = cell;
+  }
   ++cell_count_;
 }
 
@@ -101,6 +116,12 @@ void CellTree::divide(CellNodeId node, LineId line) {
 }
 
 void CellTree::drop_cell(CellNodeId node) {
+  const std::int32_t number = nodes_[at(node)].cell;
+  const Cell& cell = cells_[at(number)];
+  if (free_edges_.size() <= cell.edge_count)
+    free_edges_.resize(std::size_t{cell.edge_count} + 1);
+  free_edges_[cell.edge_count].push_back(cell.first_edge);
+  free_cells_.push_back(number);
   nodes_[at(node)].cell = -1;
   --cell_count_;
 }

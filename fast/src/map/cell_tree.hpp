@@ -64,16 +64,15 @@ class CellTree {
     return static_cast<CellNodeId>(nodes_.size());
   }
   LineId line_of(CellNodeId node) const { return nodes_[at(node)].line; }
-  /// Calls visit(cell, edges) for every cell.
+  /// Calls visit(cell) for every cell; its edges are `edges()[first_edge]` and
+  /// those after it. Some of edges() are of no cell.
   template <class Visit>
   void for_cells(Visit&& visit) const {
     for (const Node& node : nodes_) {
-      if (node.cell < 0) continue;
-      const Cell& cell = cells_[at(node.cell)];
-      visit(cell, std::span<const CellEdge>(edges_.data() + cell.first_edge,
-                                            cell.edge_count));
+      if (node.cell >= 0) visit(cells_[at(node.cell)]);
     }
   }
+  const std::vector<CellEdge>& edges() const { return edges_; }
 
  private:
   struct Node {
@@ -119,6 +118,9 @@ class CellTree {
   std::vector<Cell> cells_;
   std::vector<CellEdge> edges_;
   std::size_t cell_count_ = 0;
+  /// Where edges of cells that are gone stood, by their count, and such cells.
+  std::vector<std::vector<std::size_t>> free_edges_;
+  std::vector<std::int32_t> free_cells_;
   // Scratch.
   std::vector<std::int8_t> signs_;
   std::vector<CellEdge> work_;

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "box/box.hpp"
 #include "exact/nearest_double.hpp"
 
 namespace halfspace::fast {
@@ -190,7 +191,7 @@ MapPoint LineTable::point(LineId a, LineId b) const {
   const double w_error = kDoubt * (std::abs(l.a * m.b) + std::abs(l.b * m.a));
   const double sure = std::abs(w) - w_error;
   if (!(sure > w_error)) {
-    point.error = std::numeric_limits<double>::infinity();
+    point.error = std::numeric_limits<float>::infinity();
     return point;
   }
   point.x = (l.b * m.c - l.c * m.b) / w;
@@ -199,10 +200,10 @@ MapPoint LineTable::point(LineId a, LineId b) const {
     return (kDoubt * size + std::abs(value) * w_error) / sure +
            kDoubt * std::abs(value);
   };
-  point.error =
+  point.error = rounded_up(
       std::max(error_of(point.x, std::abs(l.b * m.c) + std::abs(l.c * m.b)),
                error_of(point.y, std::abs(l.c * m.a) + std::abs(l.a * m.c))) *
-      kMargin;
+      kMargin);
   return point;
 }
 

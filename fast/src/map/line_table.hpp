@@ -19,7 +19,7 @@ using LineId = std::int32_t;
 struct MapPoint {
   double x = 0;
   double y = 0;
-  double error = 0;
+  float error = 0;
   VertexId vertex = -1;  ///< the vertex of the scene that is seen there, if one
 };
 
@@ -88,6 +88,11 @@ class LineTable {
   double slope_y(LineId line) const { return at(line).b; }
   double offset(LineId line) const { return at(line).c; }
   const FilterStats& stats() const { return stats_; }
+  /// Frees what finds lines again by name: no more are made by it.
+  void forget_names() {
+    edges_ = {};
+    meets_ = {};
+  }
 
  private:
   enum class Kind : std::uint8_t { kColumn, kRow, kEdge, kMeet, kNear };

@@ -154,6 +154,7 @@ Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
                                              std::to_string(limits.most_cells) +
                                              " cells, which is the limit"};
   }
+  lines.forget_names();
   const auto key_of = [&](PolygonId item) {
     if (item == kBackground) return kBackgroundKey;
     return options.keys.empty() ? item

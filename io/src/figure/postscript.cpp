@@ -40,10 +40,10 @@ std::string operators_of(const Figure& figure, const FigureOptions& options,
   std::string text =
       is_pdf ? "1 j 1 J 1 w\n" : "1 setlinejoin 1 setlinecap 1 setlinewidth\n";
   for (const bool with_strokes : {true, false}) {
-    for (const FigureRegion& region : figure.regions) {
-      const auto loops = loops_of(region, pen);
+    for (const FigureRegion* region : drawn_regions(figure, with_strokes)) {
+      const auto loops = loops_of(*region, pen);
       if (loops.empty()) continue;
-      const std::string color = rgb_of(region.fill);
+      const std::string color = rgb_of(region->fill);
       text += is_pdf ? color + " rg " + color + " RG\n" : color + " c\n";
       for (const auto& loop : loops) {
         text += loop[0] + std::string(words.move);

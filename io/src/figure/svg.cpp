@@ -99,14 +99,26 @@ std::string svg_of(const Figure& figure, const FigureOptions& options) {
                      "\" viewBox=\"0 0 " + decimal(figure.width, 3) + " " +
                      decimal(figure.height, 3) + "\">\n";
   if (!figure.regions.empty()) {
-    text +=
-        "<defs>\n<g id=\"regions\" fill-rule=\"evenodd\" "
-        "stroke-linejoin=\"round\">\n";
-    for (const FigureRegion& region : figure.regions)
-      text += region_of(region, pen);
-    text += "</g>\n</defs>\n<use href=\"#regions\" stroke-width=\"" +
-            decimal(on_paper ? 0.25 / figure.unit_mm : 1, 3) +
-            "\"/>\n<use href=\"#regions\" stroke-width=\"0\"/>\n";
+    text += "<defs>\n";
+    for (const bool background : {true, false}) {
+      text += std::string("<g id=\"") +
+              (background ? "background" : "regions") +
+              "\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
+      for (const FigureRegion& region : figure.regions) {
+        if (region.is_background == background) text += region_of(region, pen);
+      }
+      text += "</g>\n";
+    }
+    text += "</defs>\n";
+    const std::string width = decimal(on_paper ? 0.25 / figure.unit_mm : 1, 3);
+    const auto use = [&text](const char* group, const std::string& stroke) {
+      text += std::string("<use href=\"#") + group + "\" stroke-width=\"" +
+              stroke + "\"/>\n";
+    };
+    use("background", width);
+    use("regions", width);
+    use("regions", "0");
+    use("background", "0");
   }
   for (const FigureStrokes& strokes : figure.strokes)
     text += strokes_of(strokes, pen);

@@ -23,10 +23,10 @@ std::string tex_of(const Figure& figure, const FigureOptions& options) {
       "bp}}\n\\pgfusepath{use as bounding box}\n\\pgfseteorule"
       "\\pgfsetroundjoin\\pgfsetroundcap\\pgfsetlinewidth{1bp}\n";
   for (const bool with_strokes : {true, false}) {
-    for (const FigureRegion& region : figure.regions) {
-      const auto loops = loops_of(region, pen);
+    for (const FigureRegion* region : drawn_regions(figure, with_strokes)) {
+      const auto loops = loops_of(*region, pen);
       if (loops.empty()) continue;
-      text += color("\\pgfsetcolor{h}", region.fill);
+      text += color("\\pgfsetcolor{h}", region->fill);
       for (const auto& loop : loops) {
         text += "\\pgfpathmoveto{" + point(loop[0]) + "}\n";
         for (std::size_t k = 1; k < loop.size(); ++k)

@@ -1,5 +1,6 @@
 #include "figure/writers.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace halfspace::io {
@@ -36,6 +37,17 @@ std::vector<std::vector<std::string>> loops_of(const FigureRegion& region,
     if (points.size() > 2) loops.push_back(std::move(points));
   }
   return loops;
+}
+
+std::vector<const FigureRegion*> drawn_regions(const Figure& figure,
+                                               bool with_strokes) {
+  std::vector<const FigureRegion*> regions;
+  for (const FigureRegion& region : figure.regions) regions.push_back(&region);
+  std::stable_partition(regions.begin(), regions.end(),
+                        [with_strokes](const FigureRegion* region) {
+                          return region->is_background == with_strokes;
+                        });
+  return regions;
 }
 
 std::vector<std::vector<std::string>> chains_of(const FigureStrokes& strokes,

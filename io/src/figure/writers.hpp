@@ -41,6 +41,11 @@ std::vector<std::vector<std::string>> loops_of(const FigureRegion& region,
 std::vector<std::vector<std::string>> chains_of(const FigureStrokes& strokes,
                                                 const Pen& pen);
 
+/// The order in which regions are drawn with strokes, and then without: the
+/// background first, and then last.
+std::vector<const FigureRegion*> drawn_regions(const Figure& figure,
+                                               bool with_strokes);
+
 std::string svg_of(const Figure& figure, const FigureOptions& options);
 std::string pdf_of(const Figure& figure, const FigureOptions& options);
 std::string eps_of(const Figure& figure, const FigureOptions& options);

@@ -63,10 +63,65 @@ TEST(Figure, TheCrossReferencesOfAPdfAreRight) {
   EXPECT_TRUE(holds(pdf, "startxref\n" + std::to_string(pdf.find("xref\n"))));
 }
 
+TEST(Figure, TheBackgroundIsDrawnFirstWithStrokesAndLastWithout) {
+  Figure figure = square_with_hole();
+  figure.regions.push_back(figure.regions[0]);
+  figure.regions[1].fill = {0, 0, 255};
+  figure.regions[1].is_background = true;
+  const std::string eps = *figure_bytes(".eps", figure);
+  const std::string_view orange = "1 0.502 0 c", blue = "0 0 1 c";
+  EXPECT_LT(eps.find(blue), eps.find(orange));
+  EXPECT_LT(eps.rfind(orange), eps.rfind(blue));
+}
+
+Figure lines() {
+  Figure figure;
+  figure.width = figure.height = 20;
+  figure.unit_mm = 1;
+  FigureStrokes strokes;
+  strokes.name = "crease";
+  strokes.strokes = {
+      {{0, 0}, {4, 0}, {}}, {{9, 9}, {5, 0}, {}}, {{9, 9}, {9, 3}, {}}};
+  order_for_pen(strokes.strokes);
+  strokes.dashes = {2, 1};
+  figure.strokes.push_back(strokes);
+  return figure;
+}
+
+TEST(Figure, APenGoesOnWhereItIsOrToTheNearestEnd) {
+  const auto strokes = lines().strokes[0].strokes;
+  const FigureStroke turned = {{5, 0}, {9, 9}, {}};
+  ASSERT_EQ(strokes.size(), 3u);
+  EXPECT_EQ(strokes[1], turned);
+  EXPECT_EQ(strokes[2], (FigureStroke{{9, 9}, {9, 3}, {}}));
+}
+
+TEST(Figure, PlottersGetMillimetres) {
+  const std::string hpgl = *figure_bytes(".hpgl", lines());
+  EXPECT_TRUE(holds(hpgl, "SP1;LT2,1;\nPU0,800;PD160,800;\n"));
+  EXPECT_TRUE(holds(hpgl, "PU200,800;PD360,440,360,680;\n"));
+  const std::string dxf = *figure_bytes(".dxf", lines());
+  EXPECT_TRUE(holds(dxf, "LINE\n8\ncrease\n10\n0\n20\n20\n30\n0\n11\n4"));
+}
+
+TEST(Figure, HatchingStaysInsideOfARegion) {
+  FigureRegion square;
+  square.loops = {{{0, 0}, {8, 0}, {8, 8}, {0, 8}},
+                  {{2, 2}, {6, 2}, {6, 6}, {2, 6}}};
+  const auto strokes = hatching(square, 1);
+  EXPECT_GT(strokes.size(), 10u);
+  for (const FigureStroke& stroke : strokes) {
+    const double x = (stroke.from[0] + stroke.to[0]) / 2;
+    const double y = (stroke.from[1] + stroke.to[1]) / 2;
+    EXPECT_TRUE(x >= 0 && x <= 8 && y >= 0 && y <= 8);
+    EXPECT_FALSE(x > 2 && x < 6 && y > 2 && y < 6);
+  }
+}
+
 TEST(Figure, AnEmptyFigureIsAValidFile) {
   Figure figure;
   figure.width = figure.height = 1;
-  for (const char* ending : {".svg", ".pdf", ".eps", ".tex"})
+  for (const char* ending : {".svg", ".pdf", ".eps", ".tex", ".dxf", ".hpgl"})
     EXPECT_TRUE(figure_bytes(ending, figure).has_value()) << ending;
   EXPECT_EQ(figure_bytes(".png", figure).error().code,
             ErrorCode::kUnknownFormat);

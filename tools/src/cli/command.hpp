@@ -63,6 +63,7 @@ void add_render(CLI::App& program, Status& status);
 void add_build(CLI::App& program, Status& status);
 void add_csg(CLI::App& program, Status& status);
 void add_compare(CLI::App& program, Status& status);
+void add_repair(CLI::App& program, Status& status);
 void add_join(CLI::App& program, Status& status);
 void add_scene(CLI::App& program, Status& status);
 void add_draw(CLI::App& program, Status& status);

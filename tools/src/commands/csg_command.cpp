@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "cli/command.hpp"
@@ -239,7 +240,11 @@ Result<csg::Operands> Job::load(const csg::Script& script,
   options.find_crossings = find_crossings;
   options.repair = arguments_.repair;
   options.repair_word = "--repair";
-  options.check.threads = thread_count(arguments_.build);
+  options.mending_word = "halfspace repair FILE -o OUT";
+  // Whatever they are, the result is the same.
+  const unsigned all = std::max(1u, std::thread::hardware_concurrency());
+  options.check.threads =
+      static_cast<int>(arguments_.build.threads.value_or(all));
   options.check.progress = [work](double share) { return work->report(share); };
   try {
     return csg::Operands::load(script, plan, options);
@@ -304,7 +309,7 @@ Status Job::finish(const csg::Script& script, const csg::Plan& plan,
         edges + (checked ? "" : "; " + checked.error().message));
   }
   if (arguments_.strict && result.rounding && result.rounding->lost_any())
-    return fail(loss_sentence(context) + "; nothing was written");
+    return fail(loss_sentence(result) + "; nothing was written");
   const Result<io::ExportReport> report = write_result_of(arguments_, result);
   if (!report) return fail(arguments_.output, report.error());
   if (!arguments_.origin.empty()) {

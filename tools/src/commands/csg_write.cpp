@@ -92,11 +92,11 @@ Result<Done> write_origins(const std::string& path, const CsgContext& context) {
   return write_output(path, text);
 }
 
-std::string loss_sentence(const CsgContext& context) {
-  const csg::RoundingReport& rounding = *context.result.rounding;
+std::string loss_sentence(const csg::Outcome& result) {
+  const csg::RoundingReport& rounding = *result.rounding;
   std::string sentence = "rounding lost " +
                          std::to_string(rounding.faces_lost) + " of " +
-                         std::to_string(context.result.faces) + " faces";
+                         std::to_string(result.faces) + " faces";
   if (rounding.parts_before != rounding.parts_after) {
     sentence += ", and made " + std::to_string(rounding.parts_before) +
                 (rounding.parts_before == 1 ? " part" : " parts") +
@@ -115,7 +115,7 @@ void print_rounding(const CsgContext& context) {
     say("rounding: surfaces met in {} places; settled in {} rounds\n",
         rounding.contacts, rounding.rounds);
   }
-  if (rounding.lost_any()) say("warning: {}\n", loss_sentence(context));
+  if (rounding.lost_any()) say("warning: {}\n", loss_sentence(context.result));
   // Rounding and one more for what meets move less.
   constexpr double kFar = 8;
   if (context.result.max_move > kFar * rounding.spacing) {

@@ -39,7 +39,7 @@ Result<Done> write_origins(const std::string& path, const CsgContext& context);
 
 /// What is said where rounding lost something of the solid.
 /// Requires: result.rounding.
-std::string loss_sentence(const CsgContext& context);
+std::string loss_sentence(const csg::Outcome& result);
 
 /// What `--stats` says.
 nlohmann::json stats_of(const CsgContext& context,

@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
@@ -34,6 +36,7 @@ struct DrawArguments {
   std::string lines;
   std::optional<Hidden> hidden;
   std::optional<double> crease_deg;
+  std::optional<CutPlane> cut;
   double line_width = 1;
   bool titles = false;
   int decimals = 3;
@@ -53,7 +56,8 @@ void complete(DrawArguments& arguments) {
   const bool plotter = io::is_plotter_format(
       std::filesystem::path(arguments.output).extension().string());
   const bool speaks_of_edges = arguments.hidden || arguments.crease_deg ||
-                               arguments.titles || arguments.sheet.is_used();
+                               arguments.cut || arguments.titles ||
+                               arguments.sheet.is_used();
   const bool only_lines =
       arguments.fill.empty() &&
       (plotter || speaks_of_edges || arguments.lines == "edges");
@@ -96,8 +100,10 @@ class Figures {
         return done;
     }
     if (arguments_.lines != "edges") return Done{};
+    DrawingOptions options = drawing_options(arguments_, cull_);
+    if (arguments_.cut) options.cuts = cuts_of(scene_.scene(), *arguments_.cut);
     const Result<fast::Drawing> drawing =
-        fast::draw(scene_.scene, camera, drawing_options(arguments_, cull_));
+        fast::draw(scene_.scene(), camera, options);
     if (!drawing) return drawing.error();
     StrokeStyle style;
     style.width = arguments_.line_width * (on_sheet ? kSheetLineMm : 1);
@@ -105,6 +111,11 @@ class Figures {
     style.titles = arguments_.titles;
     add_strokes(figure_, *drawing, style, placing);
     strokes_ += drawing->strokes.size();
+    if (arguments_.cut) {
+      const double line = style.width * 0.5;
+      const double gap = on_sheet ? 2.5 : 8;
+      return add_hatched(camera, placing, options.cuts, gap, line);
+    }
     return Done{};
   }
 
@@ -117,20 +128,41 @@ class Figures {
   /// The width of a line of 1 on a sheet.
   static constexpr double kSheetLineMm = 0.35;
 
-  Result<Done> add_map(const Camera& camera, const Placing& placing,
-                       bool on_sheet) {
+  /// The tree, built when it is first asked for; nothing if interrupted.
+  const fast::BspTree* tree() {
     if (!tree_) {
       LongWork work("building the tree");
       fast::DisplayTreeOptions display;
       display.progress = [&work](double share) { return work.report(share); };
-      tree_ = fast::build_display_tree(scene_.scene, display);
-      if (LongWork::interrupted())
-        return Error{ErrorCode::kStopped, "interrupted"};
-      fast::divide_leaves(*tree_, scene_.scene);
+      tree_ = fast::build_display_tree(scene_.scene(), display);
+      if (LongWork::interrupted()) return nullptr;
+      fast::divide_leaves(*tree_, scene_.scene());
     }
-    const Result<fast::VisibleMap> map = fast::visible_map(
-        scene_.scene, *tree_, camera, {cull_, keys_of(scene_, arguments_.by)},
-        {arguments_.most_cells});
+    return &*tree_;
+  }
+
+  Result<fast::VisibleMap> map_of(const Camera& camera,
+                                  const std::vector<std::int32_t>& keys) {
+    const fast::BspTree* made = tree();
+    if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
+    return fast::visible_map(scene_.scene(), *made, camera, {cull_, keys},
+                             {arguments_.most_cells});
+  }
+
+  Result<Done> add_hatched(const Camera& camera, const Placing& placing,
+                           const std::vector<bool>& cuts, double gap,
+                           double width) {
+    const Result<fast::VisibleMap> map =
+        map_of(camera, std::vector<std::int32_t>(cuts.begin(), cuts.end()));
+    if (!map) return map.error();
+    add_hatching(figure_, *map, gap, width, placing);
+    return Done{};
+  }
+
+  Result<Done> add_map(const Camera& camera, const Placing& placing,
+                       bool on_sheet) {
+    const Result<fast::VisibleMap> map =
+        map_of(camera, keys_of(scene_, arguments_.by));
     if (!map) return map.error();
     regions_ += map->regions.size();
     arcs_ += map->arcs.size();
@@ -156,7 +188,7 @@ class Figures {
 
 /// The one view of the options.
 Result<Done> draw_view(const DrawArguments& arguments,
-                       const LoadedFigure& loaded, Figures& figures) {
+                       const FigureScene& loaded, Figures& figures) {
   const Result<ChosenCamera> chosen =
       choose_camera(loaded.file, arguments.view);
   const Size size = arguments.view.size.value_or(kUsualSize);
@@ -175,15 +207,14 @@ Result<Done> draw_view(const DrawArguments& arguments,
 
 /// Several views on a sheet of paper.
 Result<Done> draw_sheet(const DrawArguments& arguments,
-                        const LoadedFigure& loaded, Figures& figures) {
+                        const FigureScene& loaded, Figures& figures) {
   const SheetArguments& sheet = arguments.sheet;
   io::Figure& figure = figures.figure();
   figure.width = sheet.width_mm();
   figure.height = sheet.height_mm();
   figure.unit_mm = 1;
-  if (loaded.scene.scene.polygon_count() == 0) return Done{};
-  const Result<std::vector<SheetView>> views =
-      views_on(sheet, loaded.scene.scene);
+  if (loaded.scene().polygon_count() == 0) return Done{};
+  const Result<std::vector<SheetView>> views = views_on(sheet, loaded.scene());
   if (!views) return views.error();
   for (const SheetView& view : *views) {
     const Result<Done> done = figures.add(view.camera, view.placing, true);
@@ -212,11 +243,13 @@ Status run_draw(DrawArguments arguments) {
   complete(arguments);
   const std::string wrong = complaint_of(arguments);
   if (!wrong.empty()) return fail(wrong);
-  const Result<LoadedFigure> loaded = load_figure(
+  const Result<FigureScene> loaded = load_figure(
       arguments.paths, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.paths[0], loaded.error());
+  // Reading leaves holes that large arrays do not fit.
+  malloc_trim(0);
   const ImageOptions image = choose_options(loaded->file, arguments.view);
-  Figures figures(arguments, loaded->scene, image.cull, image.background);
+  Figures figures(arguments, *loaded, image.cull, image.background);
   const Result<Done> drawn = arguments.sheet.is_used()
                                  ? draw_sheet(arguments, *loaded, figures)
                                  : draw_view(arguments, *loaded, figures);
@@ -230,7 +263,7 @@ Status run_draw(DrawArguments arguments) {
       arguments.output, figures.figure(), {arguments.decimals});
   if (!written) return fail(arguments.output, written.error());
   say("{}: {} polygons; {} regions, {} arcs, {} strokes\n", loaded->name,
-      loaded->scene.scene.polygon_count(), figures.regions(), figures.arcs(),
+      loaded->scene().polygon_count(), figures.regions(), figures.arcs(),
       figures.strokes());
   return Status::kFine;
 }
@@ -253,6 +286,17 @@ void add_line_options(CLI::App& app, DrawArguments& arguments) {
              arguments.crease_deg, parse_crease,
              "Edges where faces turn by more are drawn, though they are no "
              "silhouettes; 20 if not said")
+      ->group(group);
+  const auto parse_cut = [](std::string_view text) {
+    const std::optional<double> at =
+        text.size() > 2 && text[1] == '=' && text[0] >= 'x' && text[0] <= 'z'
+            ? parse_number<double>(text.substr(2))
+            : std::nullopt;
+    return at ? std::optional(CutPlane{text[0] - 'x', *at}) : std::nullopt;
+  };
+  add_parsed(app, "--cut", "AXIS=AT", "x, y or z, =, and a finite number",
+             arguments.cut, parse_cut,
+             "Faces in this plane, where `csg` cut with half(), are hatched")
       ->group(group);
   app.add_option("--line-width", arguments.line_width,
                  "In pixels, or on a sheet times 0.35 mm")
@@ -293,7 +337,7 @@ void add_draw(CLI::App& program, Status& status) {
       ->capture_default_str();
   app->add_option("--most-cells", arguments->most_cells,
                   "Give up where the map needs more cells")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31))
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
       ->capture_default_str();
   add_line_options(*app, *arguments);
   add_sheet_options(*app, arguments->sheet);

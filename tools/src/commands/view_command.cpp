@@ -1,3 +1,7 @@
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <memory>
 #include <optional>
@@ -53,6 +57,25 @@ Result<viewer::State> state_of(const ViewCommandArguments& arguments) {
   return state;
 }
 
+/// Runs this program again: `draw` is a command of its own.
+Result<Done> draw_figure(const std::string& view_file,
+                         const std::string& output) {
+  std::string words[] = {"halfspace", "draw",    view_file, "-o",
+                         output,      "--lines", "edges",   "--quiet"};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawn(&child, "/proc/self/exe", nullptr, nullptr, arguments.data(),
+                  environ) != 0)
+    return Error{ErrorCode::kUnwritable, output + ": the drawing cannot start"};
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || status != 0)
+    return Error{ErrorCode::kUnwritable,
+                 output + ": the drawing failed; `halfspace draw` says why"};
+  return Done{};
+}
+
 Status run_view(const ViewCommandArguments& arguments) {
   const auto state = state_of(arguments);
   if (!state) return fail(state.error().message);
@@ -68,6 +91,7 @@ Status run_view(const ViewCommandArguments& arguments) {
     options.picture_px = {size->width_px, size->height_px};
   else if (state->camera)
     options.picture_px = {state->camera->width_px, state->camera->height_px};
+  options.draw_figure = draw_figure;
   options.scale = arguments.scale.value_or(0);
   options.watch = arguments.watch;
   options.play_file = arguments.play_file;

@@ -35,8 +35,8 @@ void append(io::Mesh& all, const io::Mesh& mesh) {
     all.first_corner.push_back(corners + mesh.first_corner[f]);
 }
 
-Result<LoadedFigure> load_meshes(const std::vector<std::string>& paths,
-                                 const io::ImportOptions& options) {
+Result<FigureScene> load_meshes(const std::vector<std::string>& paths,
+                                const io::ImportOptions& options) {
   io::Mesh all;
   std::vector<std::int32_t> file_of_face;
   for (std::size_t k = 0; k < paths.size(); ++k) {
@@ -49,34 +49,32 @@ Result<LoadedFigure> load_meshes(const std::vector<std::string>& paths,
     append(all, *mesh);
     file_of_face.resize(all.face_count(), static_cast<std::int32_t>(k));
   }
-  LoadedFigure figure;
+  FigureScene figure;
   figure.name = paths[0];
-  const Result<io::Imported> imported = io::import_scene(all, options);
+  Result<io::Imported> imported = io::import_scene(all, options);
   if (!imported && imported.error().code == ErrorCode::kEmpty) return figure;
   if (!imported) return io::error_about(paths[0], imported.error());
-  figure.scene.scene = imported->scene;
+  figure.file.scene = std::move(imported->scene);
   for (const PolygonId face : imported->faces) {
-    figure.scene.files.push_back(file_of_face[static_cast<std::size_t>(face)]);
+    figure.files.push_back(file_of_face[static_cast<std::size_t>(face)]);
   }
-  figure.file.scene = figure.scene.scene;
   return figure;
 }
 
 }  // namespace
 
-Result<LoadedFigure> load_figure(const std::vector<std::string>& paths,
-                                 const io::ImportOptions& options) {
+Result<FigureScene> load_figure(const std::vector<std::string>& paths,
+                                const io::ImportOptions& options) {
   if (paths.size() > 1) return load_meshes(paths, options);
   Result<io::LoadedScene> loaded = load(paths[0], options);
-  LoadedFigure figure;
+  FigureScene figure;
   figure.name = paths[0];
   if (!loaded && loaded.error().code == ErrorCode::kEmpty &&
       !io::is_scene_name(paths[0]))
     return figure;
   if (!loaded) return loaded.error();
   figure.file = std::move(loaded->file);
-  figure.scene.scene = figure.file.scene;
-  figure.scene.files.assign(figure.scene.scene.polygon_count(), 0);
+  figure.files.assign(figure.scene().polygon_count(), 0);
   return figure;
 }
 

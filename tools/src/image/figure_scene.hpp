@@ -8,18 +8,11 @@
 
 namespace halfspace::tools {
 
-/// What a figure shows.
-struct LoadedFigure {
-  SceneFile file;
-  FigureScene scene;
-  std::string name;  ///< of the first file
-};
-
 /// The files as one scene, each exact if a grid holds all.
 ///
 /// A mesh without faces has no polygons.
 /// Errors: those of io::load_scene(); kUnknownFormat: a .scene beside others.
-Result<LoadedFigure> load_figure(const std::vector<std::string>& paths,
-                                 const io::ImportOptions& options);
+Result<FigureScene> load_figure(const std::vector<std::string>& paths,
+                                const io::ImportOptions& options);
 
 }  // namespace halfspace::tools

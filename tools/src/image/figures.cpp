@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <string_view>
@@ -109,7 +110,7 @@ std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
 
 std::vector<std::int32_t> keys_of(const FigureScene& figure,
                                   const std::string& by) {
-  const Scene& scene = figure.scene;
+  const Scene& scene = figure.scene();
   const std::size_t count = scene.polygon_count();
   if (by == "polygon") return {};
   if (by == "all") return std::vector<std::int32_t>(count, 0);
@@ -135,6 +136,7 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
     const bool is_background = region.item == kBackground;
     if (is_background && !background) continue;
     io::FigureRegion drawn = region_of(map, region, placing);
+    drawn.is_background = is_background;
     drawn.title =
         is_background ? "background" : by + " " + std::to_string(region.key);
     if (is_background) {
@@ -143,10 +145,41 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
       drawn.fill =
           kPalette[static_cast<std::size_t>(region.key) % kPalette.size()];
     } else {
-      drawn.fill = scene.scene.color(region.item);
+      drawn.fill = scene.scene().color(region.item);
     }
     figure.regions.push_back(std::move(drawn));
   }
+}
+
+std::vector<bool> cuts_of(const Scene& scene, const CutPlane& plane) {
+  const double unit =
+      std::pow(static_cast<double>(scene.unit().base), scene.unit().exponent);
+  const double at = std::round(plane.at / unit);
+  std::vector<bool> cuts;
+  for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+    const auto corners = scene.corners(static_cast<PolygonId>(p));
+    cuts.push_back(std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
+      const GridPoint& g = scene.point(v);
+      const std::int64_t c[3] = {g.x, g.y, g.z};
+      return static_cast<double>(c[plane.axis]) == at;
+    }));
+  }
+  return cuts;
+}
+
+void add_hatching(io::Figure& figure, const fast::VisibleMap& map, double gap,
+                  double width, const Placing& placing) {
+  io::FigureStrokes strokes;
+  strokes.name = "hatching";
+  strokes.width = width;
+  for (const fast::MapRegion& region : map.regions) {
+    if (region.key != 1) continue;
+    const auto lines = io::hatching(region_of(map, region, placing), gap);
+    strokes.strokes.insert(strokes.strokes.end(), lines.begin(), lines.end());
+  }
+  if (strokes.strokes.empty()) return;
+  io::order_for_pen(strokes.strokes);
+  figure.strokes.push_back(std::move(strokes));
 }
 
 void add_borders(io::Figure& figure, const fast::VisibleMap& map, double width,

@@ -10,14 +10,16 @@
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/io/figure.hpp"
-#include "halfspace/scene.hpp"
+#include "halfspace/scene_file.hpp"
 
 namespace halfspace::tools {
 
 /// A scene of several files, and how its figures show it.
 struct FigureScene {
-  Scene scene;
+  SceneFile file;                   ///< with the camera of a .scene
   std::vector<std::int32_t> files;  ///< by polygon
+  std::string name;                 ///< of the first file
+  const Scene& scene() const { return file.scene; }
 };
 
 /// The keys by which regions are joined (S7.3): `polygon` (none), `face`,
@@ -41,6 +43,20 @@ struct Placing {
 void add_regions(io::Figure& figure, const fast::VisibleMap& map,
                  const FigureScene& scene, const std::string& by,
                  Rgb background_color, bool background, const Placing& placing);
+
+/// A plane across an axis, in the model's units.
+struct CutPlane {
+  int axis = 0;
+  double at = 0;
+};
+
+/// By polygon whether all its corners have the grid's coordinate that is
+/// nearest to the plane's.
+std::vector<bool> cuts_of(const Scene& scene, const CutPlane& plane);
+
+/// Hatches the regions of a map with key 1. Units: those of the figure.
+void add_hatching(io::Figure& figure, const fast::VisibleMap& map, double gap,
+                  double width, const Placing& placing);
 
 /// Adds the borders of a map's regions.
 void add_borders(io::Figure& figure, const fast::VisibleMap& map, double width,

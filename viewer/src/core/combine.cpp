@@ -58,6 +58,8 @@ void append(const ReadPart& from, CombinedMesh& to) {
               to.mesh.vertex_colors.begin() + first);
   }
   to.parts.resize(to.mesh.face_count(), from.index);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    to.faces.push_back(static_cast<PolygonId>(f));
 }
 
 Solid solid_of_part(const Part& part) {
@@ -102,6 +104,7 @@ Result<Done> evaluated(const Solid& solid, const Report& report) {
 constexpr Rgb kPartColors[] = {{0x8f, 0xb8, 0xde}, {0xf2, 0xa6, 0x5a},
                                {0x8c, 0xc0, 0x84}, {0xd9, 0x8b, 0xb0},
                                {0xe3, 0xc5, 0x5b}, {0x9f, 0x9b, 0xd6}};
+constexpr Rgb kCapColor = {0xc9, 0x4f, 0x4f};
 
 }  // namespace
 
@@ -121,37 +124,73 @@ CombinedMesh joined(const std::vector<ReadPart>& parts) {
   return result;
 }
 
-Result<CombinedMesh> combined(const std::vector<ReadPart>& parts,
-                              Combination combination, const Report& report) {
-  std::vector<const Part*> shown;
-  for (const ReadPart& part : parts) shown.push_back(part.part);
-  const Solid solid = expression(shown, combination);
-  const Result<Done> done = evaluated(solid, report);
-  if (!done) return done.error();
+namespace {
+
+/// The solid cut by the planes that are on.
+Solid cut(Solid solid, const State& state) {
+  for (const Section& section : state.sections) {
+    if (!section.is_on) continue;
+    const auto& [x, y, z] = section.normal;
+    solid = solid & Solid::half_space({{x, y, z}, section.offset});
+  }
+  return solid;
+}
+
+/// Adds what is left of a solid of parts.
+Result<Done> add_solid(const Solid& solid, const std::vector<ReadPart>& parts,
+                       CombinedMesh& to) {
   const auto mesh = solid.mesh();
   if (!mesh) return mesh.error();
-  if (mesh->polygon_count() == 0)
-    return Error{ErrorCode::kEmpty, "the boolean of these parts is empty"};
   const auto operands = solid.operands();
   if (!operands) return operands.error();
-  CombinedMesh result;
+  const auto first = static_cast<VertexId>(to.mesh.vertices.size());
   for (const Point& p : mesh->vertices) {
-    result.mesh.vertices.push_back(
+    to.mesh.vertices.push_back(
         {io::number_of(p.x), io::number_of(p.y), io::number_of(p.z)});
   }
-  result.mesh.first_corner = mesh->first_corner;
-  result.mesh.corners.assign(mesh->corners.begin(), mesh->corners.end());
+  const auto corners = static_cast<std::uint32_t>(to.mesh.corners.size());
+  for (const std::int32_t corner : mesh->corners)
+    to.mesh.corners.push_back(first + corner);
   for (std::size_t p = 0; p < mesh->polygon_count(); ++p) {
+    to.mesh.first_corner.push_back(corners + mesh->first_corner[p + 1]);
     // An operand that occurs twice stands for the first of its parts.
-    const std::string name = (*operands)[mesh->origins[p].operand].name();
+    const Origin& origin = mesh->origins[p];
+    const std::string name = (*operands)[origin.operand].name();
     const auto from = std::find_if(
         parts.begin(), parts.end(),
         [&name](const ReadPart& part) { return part.part->path == name; });
-    const ReadPart& part = from == parts.end() ? parts.front() : *from;
-    result.parts.push_back(part.index);
-    result.mesh.face_colors.push_back(part.part->color.value_or(
-        kPartColors[part.index % std::size(kPartColors)]));
+    const bool is_cap = from == parts.end();
+    to.parts.push_back(is_cap ? kCapPart : from->index);
+    to.faces.push_back(origin.polygon);
+    to.mesh.face_colors.push_back(
+        is_cap ? kCapColor
+               : from->part->color.value_or(
+                     kPartColors[from->index % std::size(kPartColors)]));
   }
+  return Done{};
+}
+
+}  // namespace
+
+Result<CombinedMesh> combined(const std::vector<ReadPart>& parts,
+                              const State& state, const Report& report) {
+  // Parts that are not combined are cut one by one.
+  std::vector<std::vector<const Part*>> groups;
+  for (const ReadPart& part : parts) {
+    if (groups.empty() || state.combination == Combination::kNone)
+      groups.emplace_back();
+    groups.back().push_back(part.part);
+  }
+  CombinedMesh result;
+  for (const auto& group : groups) {
+    const Solid solid = cut(expression(group, state.combination), state);
+    const Result<Done> done = evaluated(solid, report);
+    if (!done) return done.error();
+    const Result<Done> added = add_solid(solid, parts, result);
+    if (!added) return added.error();
+  }
+  if (result.mesh.face_count() == 0)
+    return Error{ErrorCode::kEmpty, "nothing is left of these parts"};
   return result;
 }
 
@@ -160,7 +199,7 @@ Solid solid_of(const State& state) {
   for (const Part& part : state.parts) {
     if (part.is_visible) shown.push_back(&part);
   }
-  return expression(shown, state.combination);
+  return cut(expression(shown, state.combination), state);
 }
 
 Result<Done> save_combined(const State& state,

@@ -14,7 +14,8 @@ namespace halfspace::viewer {
 /// Several parts as one mesh.
 struct CombinedMesh {
   io::Mesh mesh;
-  std::vector<std::uint32_t> parts;  ///< of each face
+  std::vector<std::uint32_t> parts;  ///< of each face; kCapPart: none
+  std::vector<PolygonId> faces;      ///< of each face, in its part's file
 };
 
 /// A part of a state and the mesh in its file.
@@ -28,12 +29,12 @@ struct ReadPart {
 /// Exact: yes.
 CombinedMesh joined(const std::vector<ReadPart>& parts);
 
-/// What the boolean makes of the parts, each face in the colour of the part
-/// that it comes from.
+/// What the boolean and the sections make of the parts, each face in the colour
+/// of the part that it comes from, caps in one of their own.
 /// Exact:  rounded to doubles, once.
 /// Errors: those of Solid::mesh(); kEmpty.
 Result<CombinedMesh> combined(const std::vector<ReadPart>& parts,
-                              Combination combination, const Report& report);
+                              const State& state, const Report& report);
 
 /// The solid of a state's visible parts: their boolean, or their union.
 Solid solid_of(const State& state);

@@ -45,7 +45,7 @@ const Part* only_part(const State& state) {
 bool fits_command_line(const State& state) {
   const Part* part = only_part(state);
   if (part == nullptr || !state.camera ||
-      state.combination != Combination::kNone ||
+      state.combination != Combination::kNone || has_sections(state) ||
       part->shift != std::array<double, 3>{})
     return false;
   // A scene has colours and light of its own.

@@ -14,8 +14,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Longer ones come in strips.
 constexpr double kLongFrameMs = 30;
-/// What one strip should take: two thirds of a sixtieth of a second.
-constexpr double kStripMs = 11;
+/// What one strip should take: each walks the tree again, so few are better.
+constexpr double kStripMs = 24;
 
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start)

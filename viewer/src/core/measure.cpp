@@ -46,6 +46,42 @@ double triangle_area(const dvec3& a, const dvec3& b, const dvec3& c) {
   return glm::length(glm::cross(b - a, c - a)) / 2;
 }
 
+namespace {
+
+/// The area of a loop of points in a plane, with a sign, times its normal.
+dvec3 area_vector(const std::vector<Point>& loop) {
+  dvec3 sum(0);
+  const auto at = [&loop](std::size_t i) {
+    const Point& p = loop[i % loop.size()];
+    return dvec3(p.x, p.y, p.z);
+  };
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    sum += glm::cross(at(i) - at(0), at(i + 1) - at(0));
+  return sum / 2.0;
+}
+
+/// The areas of the cuts, a line each.
+Result<std::string> section_lines(const Solid& solid, const State& state) {
+  std::string lines;
+  for (const Section& section : state.sections) {
+    if (!section.is_on) continue;
+    const auto& [x, y, z] = section.normal;
+    const auto regions = solid.section({{x, y, z}, section.offset});
+    if (!regions) return regions.error();
+    double area = 0;
+    for (const Region& region : *regions) {
+      // Holes go round the other way.
+      dvec3 sum = area_vector(region.boundary);
+      for (const auto& hole : region.holes) sum += area_vector(hole);
+      area += glm::length(sum);
+    }
+    lines += fmt::format("\nsection of area {:.12g}", area);
+  }
+  return lines;
+}
+
+}  // namespace
+
 Result<std::string> measures_of(const State& state, const Report& report) {
   const Solid solid = solid_of(state);
   WorkOptions options;
@@ -61,13 +97,15 @@ Result<std::string> measures_of(const State& state, const Report& report) {
   const auto exact_area = solid.exact_area();
   const auto bounds = solid.bounds();
   if (!bounds) return bounds.error();
+  const auto sections = section_lines(solid, state);
+  if (!sections) return sections.error();
   const Point& low = bounds->low;
   const Point& high = bounds->high;
   return fmt::format(
-      "volume {} = {}\narea {}{}\nbox {:.6g} x {:.6g} x {:.6g}",
+      "volume {} = {}\narea {}{}\nbox {:.6g} x {:.6g} x {:.6g}{}",
       *solid.volume(), *volume, *area,
       exact_area && *exact_area ? " = " + **exact_area : std::string(),
-      high.x - low.x, high.y - low.y, high.z - low.z);
+      high.x - low.x, high.y - low.y, high.z - low.z, *sections);
 }
 
 }  // namespace halfspace::viewer

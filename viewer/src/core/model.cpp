@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 #include "core/combine.hpp"
@@ -77,13 +79,12 @@ Result<Model> imported(const io::Mesh& mesh, const io::ImportOptions& options,
   return model;
 }
 
-/// Says which part each polygon belongs to, by its faces' parts.
-void note_parts(Model& model, const std::vector<std::uint32_t>& face_parts,
-                std::size_t part_count) {
-  model.face_counts.assign(part_count, 0);
-  for (const std::uint32_t part : face_parts) ++model.face_counts[part];
-  for (const PolygonId face : model.loaded.polygons)
-    model.parts.push_back(face_parts[static_cast<std::size_t>(face)]);
+/// Says which face of which part each polygon is.
+void note_parts(Model& model, const CombinedMesh& mesh) {
+  for (const PolygonId face : model.loaded.polygons) {
+    model.parts.push_back(mesh.parts[static_cast<std::size_t>(face)]);
+    model.faces.push_back(mesh.faces[static_cast<std::size_t>(face)]);
+  }
 }
 
 Result<Model> scene_of_one(const ReadPart& part, const Looks& looks) {
@@ -120,6 +121,36 @@ Result<std::shared_ptr<const io::Mesh>> MeshCache::mesh_of(
   return result;
 }
 
+namespace {
+
+/// The box round the points of parts, as they are moved.
+void note_box(Model& model, const std::vector<ReadPart>& parts) {
+  model.low.fill(std::numeric_limits<double>::infinity());
+  model.high.fill(-std::numeric_limits<double>::infinity());
+  for (const ReadPart& part : parts) {
+    for (const auto& point : part.mesh->vertices) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double at = io::to_double(point[axis]) + part.part->shift[axis];
+        model.low[axis] = std::min(model.low[axis], at);
+        model.high[axis] = std::max(model.high[axis], at);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::array<double, 2> Model::extent_along(const glm::dvec3& axis) const {
+  std::array<double, 2> result = {0, 0};
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double a = axis[i] * low[k], b = axis[i] * high[k];
+    result[0] += std::min(a, b);
+    result[1] += std::max(a, b);
+  }
+  return result;
+}
+
 Result<Model> make_scene_of(const State& state, MeshCache& cache,
                             const Report& report) {
   const Result<std::vector<ReadPart>> parts = read_parts(state, cache, report);
@@ -129,23 +160,23 @@ Result<Model> make_scene_of(const State& state, MeshCache& cache,
   const bool is_alone =
       parts->size() == 1 && first.part->shift == std::array<double, 3>{};
   Result<Model> model = Error{ErrorCode::kEmpty, ""};
-  if (state.combination != Combination::kNone) {
-    const Result<CombinedMesh> all =
-        combined(*parts, state.combination, report);
+  if (state.combination != Combination::kNone || has_sections(state)) {
+    const Result<CombinedMesh> all = combined(*parts, state, report);
     if (!all) return all.error();
     model = imported(all->mesh, import_options(state.looks), "");
-    if (model) note_parts(*model, all->parts, state.parts.size());
+    if (model) note_parts(*model, *all);
   } else if (is_alone) {
     model = scene_of_one(first, state.looks);
     if (model) {
-      note_parts(*model, std::vector(first.mesh->face_count(), first.index),
-                 state.parts.size());
+      model->parts.assign(model->loaded.polygons.size(), first.index);
+      model->faces = model->loaded.polygons;
     }
   } else {
     const CombinedMesh all = joined(*parts);
     model = imported(all.mesh, import_options(state.looks), "");
-    if (model) note_parts(*model, all.parts, state.parts.size());
+    if (model) note_parts(*model, all);
   }
+  if (model) note_box(*model, *parts);
   if (model && model->loaded.file.scene.polygon_count() == 0) {
     return Error{ErrorCode::kEmpty,
                  first.part->path + ": there are no polygons to see"};

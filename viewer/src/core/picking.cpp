@@ -7,65 +7,31 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "halfspace/fast/render.hpp"
+#include "halfspace/fast/ray.hpp"
 #include "halfspace/io/number.hpp"
+#include "halfspace/io/ray.hpp"
 
 namespace halfspace::viewer {
 namespace {
 
 using glm::dvec3;
 
-/// Lattice steps in a grid step.
-constexpr double kLatticePerGrid = 1 << kLatticeBits;
-
 double step_of(const Unit& unit) {
   return io::to_double({1, unit.exponent, unit.base == 10 ? unit.exponent : 0});
 }
 
-dvec3 vector_of(const LatticeVector& v) {
-  return dvec3(static_cast<double>(v.x), static_cast<double>(v.y),
-               static_cast<double>(v.z)) /
-         kLatticePerGrid;
-}
-
 dvec3 vector_of(const GridPoint& p) { return dvec3(p.x, p.y, p.z); }
 
-/// The ray through a pixel's centre. Units: grid steps.
-struct Ray {
-  dvec3 origin;
-  dvec3 direction;
-};
-
-Ray ray_of(const Camera& camera, double x, double y) {
-  const CameraData& data = camera.data();
-  const dvec3 s =
-      vector_of(data.s0) + x * vector_of(data.sx) + y * vector_of(data.sy);
-  const dvec3 eye = vector_of(data.eye);
-  if (data.perspective) return {eye, s - eye};
-  return {s, -eye};
-}
-
-PolygonId polygon_at(const Model& model, const Camera& camera,
-                     const ImageOptions& options, std::int32_t x,
-                     std::int32_t y) {
-  fast::RenderOptions how;
-  how.rectangle = {x, y, x + 1, y + 1};
-  how.colors = false;
-  return fast::render(model.loaded.file.scene, *model.tree, camera, options,
-                      how)
-      .items.pixels.front();
-}
-
-/// The normal of a polygon by its corners, of any length.
+/// The normal of a polygon by its corners.
 dvec3 normal_of(const Scene& scene, PolygonId polygon) {
   const auto corners = scene.corners(polygon);
-  dvec3 sum(0);
   const dvec3 first = vector_of(scene.point(corners[0]));
+  dvec3 sum(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     sum += glm::cross(vector_of(scene.point(corners[i])) - first,
                       vector_of(scene.point(corners[i + 1])) - first);
   }
-  return sum;
+  return glm::normalize(sum);
 }
 
 }  // namespace
@@ -95,29 +61,19 @@ std::optional<PickedPoint> picked(const Model& model, const Camera& camera,
                                   std::int32_t y) {
   if (x < 0 || y < 0 || x >= camera->width_px || y >= camera->height_px)
     return std::nullopt;
-  const PolygonId polygon = polygon_at(model, camera, options, x, y);
-  if (polygon == kBackground) return std::nullopt;
   const Scene& scene = model.loaded.file.scene;
+  const PolygonId polygon =
+      fast::pick(scene, *model.tree, camera, options, x, y);
+  if (polygon == kBackground) return std::nullopt;
   PickedPoint result;
   result.polygon = polygon;
   const auto p = static_cast<std::size_t>(polygon);
   result.part = model.parts[p];
-  result.face = model.loaded.polygons[p];
-  for (std::uint32_t i = 0; i < result.part; ++i) {
-    if (model.face_counts[i] > 0)
-      result.face -= static_cast<std::int32_t>(model.face_counts[i]);
-  }
-  const Ray ray = ray_of(camera, x + 0.5, y + 0.5);
-  const dvec3 normal = normal_of(scene, polygon);
-  const dvec3 base = vector_of(scene.point(scene.corners(polygon)[0]));
-  const double steep = glm::dot(normal, ray.direction);
+  result.face = model.faces[p];
+  result.point = io::pixel_point(scene, camera, polygon, x, y).point;
   const double step = step_of(scene.unit());
-  dvec3 at = base;
-  if (steep != 0) {
-    at = ray.origin +
-         glm::dot(normal, base - ray.origin) / steep * ray.direction;
-  }
-  result.point = step * at;
+  const dvec3 at = result.point / step;
+  result.normal = normal_of(scene, polygon);
   double least = std::numeric_limits<double>::infinity();
   for (const VertexId corner : scene.corners(polygon)) {
     const GridPoint& point = scene.point(corner);

@@ -34,6 +34,7 @@ Session::Session(State state, FirstView first_view, std::function<void()> wake)
       first_view_(std::move(first_view)),
       wants_first_view_(!state_.camera),
       frames_(wake),
+      edges_(wake),
       loader_(wake) {
   if (!state_.parts.empty()) load();
 }
@@ -146,12 +147,14 @@ bool Session::is_settled() const {
   return !loader_.is_busy() && frames_.is_done();
 }
 
-void Session::change(const std::function<void(State&)>& edit) {
+void Session::change(const std::function<void(State&)>& edit,
+                     unsigned gesture) {
   State next = state_;
   edit(next);
   const bool same_scene = have_same_scene(next, state_);
   if (same_scene && next.looks == state_.looks) return;
-  undone_from_.push_back(state_);
+  if (gesture == 0 || gesture != gesture_) undone_from_.push_back(state_);
+  gesture_ = gesture;
   if (undone_from_.size() > kMostUndone)
     undone_from_.erase(undone_from_.begin());
   redone_from_.clear();
@@ -243,6 +246,13 @@ std::optional<PickedPoint> Session::pick(std::int32_t x, std::int32_t y) const {
 
 std::optional<ColorImage> Session::finished_picture() {
   return camera_ ? frames_.finished() : std::nullopt;
+}
+
+const std::vector<fast::Stroke>* Session::edge_lines() {
+  // Not while the camera moves: they take longer than pictures.
+  if (!model_ || !camera_ || !is_settled()) return nullptr;
+  edges_.request(frame_number_, model_, *camera_, state_.looks.cull);
+  return edges_.lines_of(frame_number_);
 }
 
 ItemImage Session::items() const {

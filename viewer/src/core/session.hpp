@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/edge_lines.hpp"
 #include "core/frame_maker.hpp"
 #include "core/loader.hpp"
 #include "halfspace/viewer/model.hpp"
@@ -19,9 +20,10 @@ namespace halfspace::viewer {
 /// What is seen at a pixel.
 struct PickedPoint {
   PolygonId polygon = 0;
-  std::uint32_t part = 0;
-  std::int32_t face = 0;  ///< of the part's file, counted from 0
-  glm::dvec3 point{};     ///< where the ray through the pixel meets it
+  std::uint32_t part = 0;  ///< kCapPart: a cap
+  std::int32_t face = 0;   ///< of the part's file, counted from 0
+  glm::dvec3 point{};      ///< where the ray through the pixel meets it
+  glm::dvec3 normal{};     ///< of the polygon, of length 1
   /// The corner of the polygon that is nearest to it in the picture, exactly.
   glm::dvec3 corner{};
   std::array<std::string, 3> exact_corner;
@@ -65,7 +67,9 @@ class Session {
   void reset_camera();
 
   /// Changes parts or looks, which undo() takes back; the model follows.
-  void change(const std::function<void(State&)>& edit);
+  /// Changes one after another with the same `gesture`, if that is not 0, are
+  /// taken back as one.
+  void change(const std::function<void(State&)>& edit, unsigned gesture = 0);
   bool can_undo() const { return !undone_from_.empty(); }
   bool can_redo() const { return !redone_from_.empty(); }
   void undo();
@@ -84,6 +88,13 @@ class Session {
 
   /// Waits for the picture of the state.
   std::optional<ColorImage> finished_picture();
+  /// The visible lines of the picture; null while they are not known. Asks for
+  /// them.
+  const std::vector<fast::Stroke>* edge_lines();
+  bool is_drawing_edges() const { return edges_.is_busy(); }
+
+  /// The number of the picture that was asked for last.
+  std::uint64_t frame_number() const { return frame_number_; }
   /// The polygon at each pixel of it. Requires: model() and camera().
   ItemImage items() const;
 
@@ -103,10 +114,12 @@ class Session {
   std::optional<Camera> camera_;
   std::int32_t width_px_ = 640, height_px_ = 480;
   std::string message_;
+  unsigned gesture_ = 0;
   bool wants_first_view_ = true;
   std::uint64_t frame_number_ = 0;
   std::string file_times_;
   FrameMaker frames_;
+  EdgeLines edges_;
   Loader loader_;
 };
 

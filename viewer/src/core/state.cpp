@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -25,9 +26,6 @@ constexpr Name<Combination> kCombinations[] = {
     {"difference", Combination::kDifference},
     {"intersection", Combination::kIntersection},
     {"symmetric-difference", Combination::kSymmetricDifference}};
-constexpr Name<Edges> kEdges[] = {{"none", Edges::kNone},
-                                  {"feature", Edges::kFeature},
-                                  {"polygon", Edges::kPolygon}};
 
 template <class T, std::size_t N>
 const char* name_of(const Name<T> (&names)[N], T value) {
@@ -185,6 +183,24 @@ io::ViewOptions parse_camera(const json& object, std::string& fault) {
   return camera;
 }
 
+void parse_sections(const json& list, State& state, std::string& fault) {
+  if (!list.is_array() || list.size() > kMostSections) {
+    if (fault.empty()) fault = "view.sections must be a list of at most three";
+    return;
+  }
+  for (const json& entry : list) {
+    const Reader reader(
+        entry, fmt::format("sections[{}]", state.sections.size()), fault);
+    Section section;
+    section.normal = reader.vector("normal");
+    if (to_glm(section.normal) == glm::dvec3(0))
+      reader.fail("normal", "must not be zero");
+    if (reader.has("offset")) section.offset = reader.number("offset");
+    section.is_on = reader.flag("on", true);
+    state.sections.push_back(section);
+  }
+}
+
 State parse_all(const json& object, const std::filesystem::path& folder,
                 std::string& fault) {
   const Reader reader(object, "view", fault);
@@ -201,7 +217,6 @@ State parse_all(const json& object, const std::filesystem::path& folder,
       reader.choice("combination", kCombinations, Combination::kNone);
   state.looks.is_smooth = reader.flag("smooth", false);
   state.looks.cull = reader.flag("cull", false);
-  state.looks.edges = reader.choice("edges", kEdges, Edges::kNone);
   if (reader.has("background"))
     state.looks.background = reader.color("background");
   if (reader.has("light")) {
@@ -209,6 +224,7 @@ State parse_all(const json& object, const std::filesystem::path& folder,
     if (to_glm(*state.looks.light) == glm::dvec3(0))
       reader.fail("light", "must not be zero");
   }
+  if (reader.has("sections")) parse_sections(object["sections"], state, fault);
   if (reader.has("camera"))
     state.camera = parse_camera(object["camera"], fault);
   return state;
@@ -225,8 +241,13 @@ bool is_same(const io::ViewOptions& a, const io::ViewOptions& b) {
 
 bool have_same_scene(const State& a, const State& b) {
   return a.parts == b.parts && a.combination == b.combination &&
-         a.looks.is_smooth == b.looks.is_smooth &&
+         a.sections == b.sections && a.looks.is_smooth == b.looks.is_smooth &&
          a.looks.light == b.looks.light;
+}
+
+bool has_sections(const State& state) {
+  return std::any_of(state.sections.begin(), state.sections.end(),
+                     [](const Section& section) { return section.is_on; });
 }
 
 std::string to_text(const State& state) {
@@ -244,8 +265,11 @@ std::string to_text(const State& state) {
     result["combination"] = name_of(kCombinations, state.combination);
   if (state.looks.is_smooth) result["smooth"] = true;
   if (state.looks.cull) result["cull"] = true;
-  if (state.looks.edges != Edges::kNone)
-    result["edges"] = name_of(kEdges, state.looks.edges);
+  for (const Section& section : state.sections) {
+    result["sections"].push_back({{"normal", section.normal},
+                                  {"offset", section.offset},
+                                  {"on", section.is_on}});
+  }
   if (state.looks.light) result["light"] = *state.looks.light;
   if (state.camera) result["camera"] = to_json(*state.camera);
   return result.dump(2) + '\n';

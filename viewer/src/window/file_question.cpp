@@ -9,6 +9,7 @@
 
 #include "core/combine.hpp"
 #include "core/saving.hpp"
+#include "halfspace/io/figure.hpp"
 #include "window/ui.hpp"
 
 namespace halfspace::viewer {
@@ -93,7 +94,7 @@ const char* title_of(FileQuestion question) {
 const char* hint_of(FileQuestion question) {
   switch (question) {
     case FileQuestion::kSavePicture:
-      return ".png the picture, .npy the polygon at each pixel, .scene";
+      return ".png; .svg, .pdf, .eps drawn; .npy polygon ids; .scene";
     case FileQuestion::kSaveView:
       return ".view: files, looks and camera";
     case FileQuestion::kExport:
@@ -111,6 +112,24 @@ std::string first_name(FileQuestion question, const State& state) {
   return stem + "-result.stl";
 }
 
+/// Draws a figure beside the pictures, by way of a `.view` file.
+Result<Done> begin_figure(Session& session, Background& background,
+                          const Ui& ui, const std::string& path) {
+  const std::string view_file = path + ".view";
+  const auto written = write_state(view_file, session.state());
+  if (!written) return written;
+  background.start([draw = ui.draw_figure, view_file,
+                    path](const Report& report) -> Result<std::string> {
+    report("drawing", 0);
+    const auto drawn = draw(view_file, path);
+    std::error_code ignored;
+    fs::remove(view_file, ignored);
+    if (!drawn) return drawn.error();
+    return "Saved " + path;
+  });
+  return Done{};
+}
+
 void answer(Session& session, Background& background, Ui& ui, Browser& b) {
   const std::string path = (b.folder / b.name).string();
   std::error_code code;
@@ -121,6 +140,16 @@ void answer(Session& session, Background& background, Ui& ui, Browser& b) {
   }
   if (b.question == FileQuestion::kOpen) session.open({path});
   if (b.question == FileQuestion::kAdd) session.add({path});
+  if (b.question == FileQuestion::kSavePicture && io::is_figure_name(path) &&
+      ui.draw_figure) {
+    const auto begun = begin_figure(session, background, ui, path);
+    if (!begun) {
+      b.fault = begun.error().message;
+      return;
+    }
+    ui.question = FileQuestion::kNone;
+    return;
+  }
   if (b.question == FileQuestion::kSavePicture ||
       b.question == FileQuestion::kSaveView) {
     const auto saved = save_shown(session, path);

@@ -30,6 +30,7 @@ class ImguiBackend {
  private:
   void make_font_texture();
   void draw(const ImDrawData& data);
+  void draw(const ImDrawList& list, const ImDrawCmd& command);
   void show_cursor();
 
   SDL_Window* window_;

@@ -85,6 +85,29 @@ void show_all_parts(Session& session, Ui&) {
   });
 }
 
+void toggle_section(Session& session, Ui&) {
+  if (!session.model()) return;
+  const auto [low, high] = session.model()->extent_along({1, 0, 0});
+  session.change([low = low, high = high](State& state) {
+    if (state.sections.empty())
+      state.sections.push_back({{1, 0, 0}, (low + high) / 2, true});
+    else
+      state.sections[0].is_on = !state.sections[0].is_on;
+  });
+}
+
+/// Moves the first plane by a thirtieth of what it cuts.
+template <int steps>
+void move_section(Session& session, Ui&) {
+  if (!session.model() || session.state().sections.empty()) return;
+  const Section& section = session.state().sections[0];
+  const auto& [x, y, z] = section.normal;
+  const auto [low, high] = session.model()->extent_along({x, y, z});
+  const double by = (high - low) / 30;
+  session.change([by](State& state) { state.sections[0].offset += steps * by; },
+                 1);
+}
+
 void reset(Session& session, Ui& ui) {
   ui.flight.reset();
   session.reset_camera();
@@ -160,6 +183,10 @@ std::vector<KeyAction> made_actions() {
          session.change(
              [](State& state) { state.looks.cull = !state.looks.cull; });
        }},
+      {"E", "Edges", SDLK_e, kPlain, toggle<&Ui::has_edges>},
+      {"V", "Cut by a plane, or not", SDLK_v, kPlain, toggle_section},
+      {"B", "Move the cut back", SDLK_b, kPlain, move_section<-1>},
+      {"M", "Move the cut on", SDLK_m, kPlain, move_section<1>},
       {"Tab", "Measure: click on points", SDLK_TAB, kPlain,
        toggle<&Ui::measures>},
       {"O", "Turntable or free turning", SDLK_o, kPlain,

@@ -74,6 +74,25 @@ void draw_axes(ImDrawList& list, const Session& session, const Ui& ui) {
   list.AddCircleFilled(middle, width, kInk, 12);
 }
 
+/// The visible lines of the picture, once it is at rest.
+void draw_edges(ImDrawList& list, Session& session, const Ui& ui) {
+  const auto* strokes = session.edge_lines();
+  if (strokes == nullptr) return;
+  const auto x = static_cast<float>(ui.view.x);
+  const auto y = static_cast<float>(ui.view.y);
+  const auto width = static_cast<float>(1.2 * ui.scale);
+  const Rgb paper = session.state().looks.background;
+  const bool is_dark = paper.r + paper.g + paper.b < 3 * 90;
+  const ImU32 ink = is_dark ? IM_COL32(235, 238, 242, 230) : kInk;
+  for (const fast::Stroke& stroke : *strokes) {
+    list.AddLine({x + static_cast<float>(stroke.from.x),
+                  y + static_cast<float>(stroke.from.y)},
+                 {x + static_cast<float>(stroke.to.x),
+                  y + static_cast<float>(stroke.to.y)},
+                 ink, width);
+  }
+}
+
 /// Marks the points that were clicked, with their distances.
 void draw_points(ImDrawList& list, const Session& session, const Ui& ui) {
   const ImVec2 origin = {static_cast<float>(ui.view.x),
@@ -249,6 +268,7 @@ void draw_overlay(Session& session, Background& background, Ui& ui) {
   list.PushClipRect(low, low + ImVec2(static_cast<float>(ui.view.width),
                                       static_cast<float>(ui.view.height)));
   if (session.camera() && session.model()) {
+    if (ui.has_edges) draw_edges(list, session, ui);
     draw_points(list, session, ui);
     if (ui.has_axes) draw_axes(list, session, ui);
     draw_corner_texts(list, session, ui);

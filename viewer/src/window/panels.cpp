@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -15,6 +16,11 @@ namespace halfspace::viewer {
 namespace {
 
 using Edit = std::function<void(State&)>;
+
+/// Changes the state; what one drag of a widget does is undone as one.
+void change(Session& session, const Edit& edit) {
+  session.change(edit, ImGui::GetActiveID());
+}
 
 std::array<float, 3> to_floats(const Rgb& color) {
   return {static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
@@ -80,7 +86,7 @@ void draw_files(Session& session, Ui& ui) {
     }
     ImGui::PopID();
   }
-  if (edit) session.change(edit);
+  if (edit) change(session, edit);
 }
 
 void draw_view(Session& session, Ui& ui) {
@@ -133,14 +139,16 @@ void draw_light(Session& session, Looks& looks) {
     ImGui::SetTooltip("The light comes from where the eye is now");
 }
 
-void draw_looks(Session& session) {
+void draw_looks(Session& session, Ui& ui) {
   Looks looks = session.state().looks;
   int is_smooth = looks.is_smooth ? 1 : 0;
   ImGui::RadioButton("Flat", &is_smooth, 0);
   ImGui::SameLine();
   ImGui::RadioButton("Smooth", &is_smooth, 1);
   looks.is_smooth = is_smooth == 1;
-  ImGui::Checkbox("Leave out back sides", &looks.cull);
+  ImGui::Checkbox("Edges", &ui.has_edges);
+  ImGui::SameLine();
+  ImGui::Checkbox("No back sides", &looks.cull);
   draw_light(session, looks);
   choose_color("Background", looks.background);
   for (const Rgb& color : {Rgb{255, 255, 255}, Rgb{232, 236, 241},
@@ -153,7 +161,13 @@ void draw_looks(Session& session) {
     ImGui::PopID();
   }
   if (looks != session.state().looks)
-    session.change([&looks](State& state) { state.looks = looks; });
+    change(session, [&looks](State& state) { state.looks = looks; });
+}
+
+std::string face_text(const State& state, const PickedPoint& point) {
+  if (point.part >= state.parts.size()) return "The cap of a section";
+  const std::filesystem::path path = state.parts[point.part].path;
+  return fmt::format("Face {} of {}", point.face, path.filename().string());
 }
 
 void draw_point(const PickedPoint& point) {
@@ -192,13 +206,7 @@ void draw_measures(Session& session, Background& background, Ui& ui) {
     ImGui::TextDisabled("in exact numbers");
   } else {
     const PickedPoint& point = ui.points.back();
-    const std::string name =
-        point.part < session.state().parts.size()
-            ? std::filesystem::path(session.state().parts[point.part].path)
-                  .filename()
-                  .string()
-            : std::string();
-    ImGui::Text("Face %d of %s", point.face, name.c_str());
+    ImGui::TextUnformatted(face_text(session.state(), point).c_str());
     draw_point(point);
     draw_distances(ui.points);
     if (ImGui::SmallButton("Forget points")) ui.points.clear();
@@ -227,7 +235,7 @@ void draw_shift(Session& session, std::size_t index) {
           ? static_cast<float>(height_at_target(*session.camera()) / 500)
           : 0.01f;
   if (ImGui::DragFloat3("##shift", shift, speed, 0, 0, "%.6g")) {
-    session.change([&](State& state) {
+    change(session, [&](State& state) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         // As many digits as are shown.
         state.parts[index].shift[axis] =
@@ -273,6 +281,76 @@ void draw_saving(Session& session, Ui& ui) {
   if (wide_button("Copy as command line", 1)) copy_command(session, ui);
 }
 
+/// The extent of what is shown along a direction of length 1.
+std::array<double, 2> extent_along(const Session& session,
+                                   const glm::dvec3& axis) {
+  return session.model() ? session.model()->extent_along(axis)
+                         : std::array<double, 2>{-1, 1};
+}
+
+/// A plane across a direction, in the middle of what is shown.
+Section section_across(const Session& session, const glm::dvec3& axis) {
+  const auto [low, high] = extent_along(session, axis);
+  const double middle = std::stod(fmt::format("{:.6g}", (low + high) / 2));
+  return {{axis.x, axis.y, axis.z}, middle, true};
+}
+
+void draw_section(Session& session, const Ui& ui, std::size_t index) {
+  Section section = session.state().sections[index];
+  ImGui::PushID(static_cast<int>(index));
+  ImGui::Checkbox("##on", &section.is_on);
+  const struct {
+    const char* name;
+    glm::dvec3 axis;
+  } kAxes[] = {{"X", {1, 0, 0}}, {"Y", {0, 1, 0}}, {"Z", {0, 0, 1}}};
+  for (const auto& [name, axis] : kAxes) {
+    ImGui::SameLine();
+    if (ImGui::Button(name)) section = section_across(session, axis);
+  }
+  ImGui::SameLine();
+  ImGui::BeginDisabled(ui.points.empty());
+  if (ImGui::Button("Face")) {
+    const glm::dvec3& n = ui.points.back().normal;
+    section.normal = {n.x, n.y, n.z};
+    section.offset = glm::dot(n, ui.points.back().corner);
+  }
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (ImGui::Button("Flip")) {
+    for (double& value : section.normal) value = 0 - value;
+    section.offset = 0 - section.offset;
+  }
+  ImGui::SameLine();
+  const bool is_removed = ImGui::Button("x");
+  const glm::dvec3 axis(section.normal[0], section.normal[1],
+                        section.normal[2]);
+  const auto [low, high] = extent_along(session, axis);
+  auto offset = static_cast<float>(section.offset);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderFloat("##offset", &offset, static_cast<float>(low),
+                         static_cast<float>(high), "%.6g"))
+    section.offset = std::stod(fmt::format("{:.6g}", offset));
+  ImGui::PopID();
+  if (is_removed) {
+    change(session, [index](State& state) {
+      state.sections.erase(state.sections.begin() +
+                           static_cast<std::ptrdiff_t>(index));
+    });
+  } else if (section != session.state().sections[index]) {
+    change(session, [&](State& state) { state.sections[index] = section; });
+  }
+}
+
+void draw_sections(Session& session, const Ui& ui) {
+  for (std::size_t i = 0; i < session.state().sections.size(); ++i)
+    draw_section(session, ui, i);
+  if (session.state().sections.size() < kMostSections && session.model() &&
+      wide_button("Cut by a plane", 1)) {
+    const Section section = section_across(session, {1, 0, 0});
+    change(session, [&](State& state) { state.sections.push_back(section); });
+  }
+}
+
 bool begin_section(const char* name, bool is_open = true) {
   return ImGui::CollapsingHeader(
       name, is_open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
@@ -302,7 +380,9 @@ void draw_side_panel(Session& session, Background& background, Ui& ui) {
   draw_undo(session, ui);
   if (begin_section("Files")) draw_files(session, ui);
   if (begin_section("View")) draw_view(session, ui);
-  if (begin_section("Look")) draw_looks(session);
+  if (begin_section("Look")) draw_looks(session, ui);
+  if (begin_section("Section", session.model() != nullptr))
+    draw_sections(session, ui);
   if (begin_section("Measure")) draw_measures(session, background, ui);
   if (begin_section("Combine", session.state().parts.size() > 1))
     draw_booleans(session, ui);

@@ -43,7 +43,9 @@ Result<Done> Window::play() {
                      event.kind == Kind::kShot;
   if (waits) {
     update();
-    if (!session_.is_settled() || background_.is_busy()) return Done{};
+    if (!session_.is_settled() || background_.is_busy() ||
+        (ui_.has_edges && session_.is_drawing_edges()))
+      return Done{};
   }
   // A picture of the window is taken when panels have settled.
   if (event.kind == Kind::kShot && redraws_ > 0) return Done{};

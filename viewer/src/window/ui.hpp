@@ -3,6 +3,7 @@
 #include <SDL.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ struct Ui {
   bool has_panel = true;
   bool has_help = false;
   bool has_axes = true;
+  bool has_edges = false;
   bool has_frame_rate = false;
   bool has_name = false;
   bool is_fullscreen = false;
@@ -61,6 +63,10 @@ struct Ui {
   FileQuestion question = FileQuestion::kNone;
   std::string note;  ///< of what was done last, for the status line
   std::vector<std::string> recent;
+  /// Draws a figure of a `.view` file, as `halfspace draw` does.
+  std::function<Result<Done>(const std::string& view_file,
+                             const std::string& output)>
+      draw_figure;
   std::string measures_text;  ///< of the solid, a line each
 };
 

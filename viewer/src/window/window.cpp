@@ -60,6 +60,7 @@ Window::Window(const WindowOptions& options, SDL_Window* window,
       player_(player) {
   ui_.scale = scale;
   ui_.animates = player == nullptr;
+  ui_.draw_figure = options.draw_figure;
   lay_out();
 }
 

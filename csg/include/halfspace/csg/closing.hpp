@@ -22,4 +22,7 @@ struct ClosedScene {
 ///        any.
 ClosedScene closed_on_lines(Scene scene);
 
+/// The same whether that closes the scene or not.
+ClosedScene split_on_lines(Scene scene);
+
 }  // namespace halfspace::csg

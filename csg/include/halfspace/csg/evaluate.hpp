@@ -15,7 +15,8 @@ namespace halfspace::csg {
 /// Carries out a plan with one library's solids.
 ///
 /// `Algebra` has a type Value, the solid; leaf(id) and plane(id), which give a
-/// Result<Value>; complement(Value); and combine(NodeKind, Value, Value) for
+/// Result<Value>; complement(Value); component(Value,
+/// point), a Result<Value>; and combine(NodeKind, Value, Value) for
 /// the four booleans.
 ///
 /// Long unions, intersections and symmetric differences are balanced: each
@@ -161,6 +162,14 @@ class Evaluator {
   Value value_of(const Step& step) {
     if (step.kind == NodeKind::kComplement)
       return algebra_.complement(take(step.terms.front()));
+    if (step.kind == NodeKind::kComponent) {
+      Value whole = take(step.terms.front());
+      if (!goes_on()) return {};
+      Result<Value> part = algebra_.component(
+          std::move(whole), plan_.points[static_cast<std::size_t>(step.item)]);
+      if (!part) error_ = part.error();
+      return part ? *std::move(part) : Value{};
+    }
     const std::span<const std::int32_t> terms(step.terms);
     const auto halves = terms.last(step.halves);
     auto solids = terms.first(terms.size() - step.halves);

@@ -14,9 +14,9 @@ bool is_openscad(std::string_view text);
 
 /// The solid of such a tree: cube, sphere, cylinder, polyhedron, import;
 /// linear_extrude, without twist and scale, of square, circle and polygon;
-/// group, union, difference, intersection, multmatrix, color and render.
-/// Circles and balls have the corners that OpenSCAD gives them, rounded to
-/// seven digits. No recursion.
+/// hull of shapes and unions of them; group, union, difference, intersection,
+/// multmatrix, color and render. Circles and balls have the corners that
+/// OpenSCAD gives them, rounded to seven digits. No recursion.
 ///
 /// Errors: kEmpty (there is nothing solid); kUnknownFormat (another shape,
 /// which

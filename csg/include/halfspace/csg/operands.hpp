@@ -27,6 +27,8 @@ struct OperandOptions {
   bool repair = false;
   /// The word by which a user asks for `repair`, for messages.
   std::string repair_word = "repair";
+  /// What mends other faults, for messages; empty: nothing is said of it.
+  std::string mending_word = {};
   /// Whether it is an error if no grid holds the solids exactly. Free sources
   /// are rounded all the same. So are, if need be, those moved by a map that is
   /// not made of mirrors, quarter turns, powers of 2 and 5, and shifts by short

@@ -40,8 +40,8 @@ struct EvaluateOptions {
   /// move its surface. The fast library's.
   fast::FileNumber number = fast::FileNumber::kDouble;
   std::optional<double> max_move = std::nullopt;
-  BuildOptions build;                    ///< the trees of the reference
-  int threads = 1;                       ///< the fast library's
+  BuildOptions build;  ///< the trees of the reference
+  int threads = 1;     ///< the fast library's
   /// Replaces fast::boolean() where neither solid is a half-space, for instance
   /// to check its results. Long unions and intersections then go through it
   /// too, two solids at a time.

@@ -32,7 +32,7 @@ struct Plane {
 /// A solid on the way to the result.
 struct Step {
   NodeKind kind = NodeKind::kFile;  ///< not kTransform
-  std::int32_t item = -1;           ///< of the plan's leaves or planes
+  std::int32_t item = -1;           ///< of the plan's leaves, planes or points
   /// What it is made of, steps before it. A difference is its first term less
   /// all others. Half-spaces come last.
   std::vector<std::int32_t> terms;
@@ -52,7 +52,8 @@ struct Plan {
   std::vector<Leaf> leaves;
   std::vector<Plane> planes;
   std::vector<Matrix> matrices;
-  std::size_t booleans = 0;  ///< of two solids each
+  std::vector<Numbers3> points;  ///< of components, moved
+  std::size_t booleans = 0;      ///< of two solids each
 };
 
 /// How many steps a plan may have before long ones are joined: each transform

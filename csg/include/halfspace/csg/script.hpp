@@ -25,6 +25,7 @@ enum class NodeKind : std::uint8_t {
   kSymmetricDifference,  ///< a ^ b
   kComplement,           ///< ~a
   kTransform,            ///< a, moved
+  kComponent,            ///< the connected part of a that has a point inside
 };
 
 /// A part of a script: its operands are nodes before it.
@@ -32,8 +33,9 @@ struct Node {
   NodeKind kind = NodeKind::kFile;
   std::int32_t left = -1;   ///< the first operand, or the only one
   std::int32_t right = -1;  ///< the second
-  std::int32_t item = -1;   ///< of the script's files, halves or transforms
-  Place place;              ///< of the operator, the file or the function
+  /// Of the script's files, halves, transforms or points.
+  std::int32_t item = -1;
+  Place place;  ///< of the operator, the file or the function
 };
 
 /// A file that a script names.
@@ -56,6 +58,7 @@ struct Script {
   std::vector<File> files;
   std::vector<HalfSpace> halves;
   std::vector<Matrix> transforms;
+  std::vector<Numbers3> points;  ///< of components; no script has words for it
   std::int32_t result = -1;
 };
 

@@ -73,7 +73,7 @@ struct VisibleMap {
 
 /// Limits of a map, so that a map that is too large is an error in time.
 struct MapLimits {
-  std::size_t most_cells = 50'000'000;
+  std::size_t most_cells = 50'000'000;  ///< at most 2^28
 };
 
 /// The visible map of a scene whose tree is `tree` (S7.4).

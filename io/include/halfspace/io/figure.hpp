@@ -23,6 +23,7 @@ struct FigureRegion {
   Rgb fill;
   std::string id;     ///< where the format has names; empty: none
   std::string title;  ///< what a viewer shows beside the pointer; empty: none
+  bool is_background = false;  ///< nothing of the scene is seen in it
 };
 
 /// A straight stroke.
@@ -74,9 +75,10 @@ bool is_plotter_format(std::string_view ending);
 /// Writes a figure as SVG, PDF, EPS, PGF/TikZ, DXF or HPGL, by the ending of
 /// the name. DXF and HPGL hold the strokes alone.
 ///
-/// No seams: every region is drawn with a stroke in its own colour first, then
-/// all of them again without, so that along a common border only the colours
-/// of its two sides are mixed.
+/// No seams: every region is drawn with a stroke in its own colour first, the
+/// background before the others, then all of them again without, the background
+/// after the others. So along a common border only the colours of its two sides
+/// are mixed, and background only where it has a share of the pixel.
 /// The same bytes for the same figure.
 /// Errors: kUnknownFormat, kUnwritable.
 Result<Done> write_figure(const std::filesystem::path& path,

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,16 +18,24 @@
 
 namespace halfspace::viewer {
 
+/// The part of faces that close a cut.
+constexpr std::uint32_t kCapPart = 0xffffffff;
+
 /// A state's scene with its tree: never changed once it is made, so that any
 /// thread may look at it.
 struct Model {
   io::LoadedScene loaded;
-  /// Of each polygon of the scene the part that it belongs to.
+  /// Of each polygon of the scene the part that it belongs to, and the face of
+  /// that part's file that it is, or is a part of.
   std::vector<std::uint32_t> parts;
-  /// Of each part how many of its faces are shown.
-  std::vector<std::size_t> face_counts;
+  std::vector<PolygonId> faces;
   std::uint64_t fingerprint = 0;  ///< of the scene, without its colours
   std::shared_ptr<const fast::BspTree> tree;
+  /// The box round the files' points, before any cut. Units: model units.
+  std::array<double, 3> low{}, high{};
+
+  /// The least and the greatest value of axis . p in the box.
+  std::array<double, 2> extent_along(const glm::dvec3& axis) const;
 };
 
 /// Receives what is being done and the share of it that is done, from 0 to 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -22,8 +23,12 @@ struct WindowOptions {
   std::optional<std::array<std::int32_t, 2>> picture_px;
   double scale = 0;    ///< of letters and panels; 0: as the display says
   bool watch = false;  ///< reads files that change again
-  std::optional<std::string> play_file;    ///< events to play, then to end
-  std::optional<std::string> dump_name;    ///< with %d: pictures of `dump`
+  std::optional<std::string> play_file;  ///< events to play, then to end
+  std::optional<std::string> dump_name;  ///< with %d: pictures of `dump`
+  /// Draws a figure of a `.view` file, such as SVG or PDF.
+  std::function<Result<Done>(const std::string& view_file,
+                             const std::string& output)>
+      draw_figure;
   std::optional<std::string> record_file;  ///< where events are written to
 };
 

@@ -32,18 +32,22 @@ enum class Combination : std::uint8_t {
   kSymmetricDifference,
 };
 
-/// Which lines are drawn where two polygons meet in the picture.
-enum class Edges : std::uint8_t {
-  kNone,
-  kFeature,  ///< where the surface turns by more than 30 degrees, or ends
-  kPolygon,  ///< round every polygon
+/// A plane that cuts the parts: what has normal . p > offset is not there, and
+/// the cut is closed by a cap.
+struct Section {
+  std::array<double, 3> normal = {1, 0, 0};
+  double offset = 0;
+  bool is_on = true;
+  friend bool operator==(const Section&, const Section&) = default;
 };
+
+/// As many planes as cut at once.
+constexpr std::size_t kMostSections = 3;
 
 /// How the parts look.
 struct Looks {
   bool is_smooth = false;  ///< Gouraud shading
   bool cull = false;       ///< polygons seen from behind are not there
-  Edges edges = Edges::kNone;
   Rgb background = {255, 255, 255};
   std::optional<std::array<double, 3>> light;  ///< nothing: the usual one
   friend bool operator==(const Looks&, const Looks&) = default;
@@ -53,6 +57,7 @@ struct Looks {
 struct State {
   std::vector<Part> parts;
   Combination combination = Combination::kNone;
+  std::vector<Section> sections;  ///< at most kMostSections
   Looks looks;
   /// Nothing: from above and to one side, so that all is seen.
   std::optional<io::ViewOptions> camera;
@@ -63,6 +68,9 @@ bool is_same(const io::ViewOptions& a, const io::ViewOptions& b);
 
 /// Whether the pictures of two states need the same scene.
 bool have_same_scene(const State& a, const State& b);
+
+/// Whether any plane cuts the parts.
+bool has_sections(const State& state);
 
 /// The text of a `.view` file: parse_state(to_text(s)) is s.
 std::string to_text(const State& state);

@@ -1,8 +1,7 @@
 #include "halfspace/csg/volume.hpp"
 
-#include <algorithm>
-
-#include "halfspace/io/number.hpp"
+#include "halfspace/csg/exact_measure.hpp"
+#include "halfspace/csg/interval.hpp"
 
 namespace halfspace::csg {
 namespace {
@@ -32,18 +31,6 @@ boost::multiprecision::int256_t volume6(const Scene& scene) {
   return total;
 }
 
-Integer integer_power(int base, std::int32_t exponent) {
-  return pow(Integer(base), static_cast<unsigned>(std::max(exponent, 0)));
-}
-
-/// digits / 10^places as a decimal.
-std::string decimal(const Integer& digits, std::size_t places) {
-  std::string text = Integer(abs(digits)).str();
-  if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
-  if (places > 0) text.insert(text.size() - places, ".");
-  return (digits < 0 ? "-" : "") + text;
-}
-
 }  // namespace
 
 double about_volume(const std::vector<std::array<double, 3>>& vertices,
@@ -71,23 +58,9 @@ double about_volume(const std::vector<std::array<double, 3>>& vertices,
 }
 
 std::string exact_volume(const Scene& scene) {
-  Integer total(volume6(scene));
-  const bool has_third = total % 3 != 0;
-  if (!has_third) total /= 3;
-  const Unit unit = scene.unit();
-  const io::Number volume = io::normalised(
-      total, 3 * unit.exponent - 1, unit.base == 10 ? 3 * unit.exponent : 0);
-  const Integer above = volume.mantissa * integer_power(2, volume.two) *
-                        integer_power(5, volume.five);
-  if (has_third) {
-    const Integer below =
-        3 * integer_power(2, -volume.two) * integer_power(5, -volume.five);
-    return above.str() + "/" + below.str();
-  }
-  const std::int32_t places = std::max({0, -volume.two, -volume.five});
-  return decimal(above * integer_power(2, places + std::min(volume.two, 0)) *
-                     integer_power(5, places + std::min(volume.five, 0)),
-                 static_cast<std::size_t>(places));
+  const Scale scale = scale_of(scene.unit(), 3);
+  return text_of(Integer(volume6(scene)) * scale.numerator,
+                 6 * scale.denominator);
 }
 
 }  // namespace halfspace::csg

@@ -1,10 +1,10 @@
-#include "interval.hpp"
+#include "halfspace/csg/interval.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 
 double nearest_double(const Integer& numerator, const Integer& denominator) {
   if (numerator == 0) return 0;
@@ -80,4 +80,4 @@ Scale scale_of(const Unit& unit, int power) {
   return {1, size};
 }
 
-}  // namespace halfspace::detail
+}  // namespace halfspace::csg

@@ -1,13 +1,13 @@
-#include "measure.hpp"
+#include "halfspace/csg/exact_measure.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "interval.hpp"
-#include "surface.hpp"
+#include "halfspace/csg/interval.hpp"
+#include "halfspace/csg/surface.hpp"
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 namespace {
 
 /// A fraction that is not reduced while sums are made.
@@ -233,6 +233,16 @@ std::optional<Moments> moments_with(unsigned bits, ExactSurface& surface,
 
 }  // namespace
 
+std::string text_of(const Integer& numerator, const Integer& denominator) {
+  return text_of(Fraction{numerator, denominator});
+}
+
+int compare_volumes(const fast::Solid& a, const fast::Solid& b) {
+  const Fraction u = exact_volume6(a), v = exact_volume6(b);
+  return Integer(u.numerator * v.denominator - v.numerator * u.denominator)
+      .sign();
+}
+
 double volume_of(const fast::Solid& solid) {
   const Scale scale = scale_of(solid.unit, 3);
   ExactSurface surface(solid);
@@ -318,7 +328,7 @@ Moments moments_of(const fast::Solid& solid) {
   return moments_with(2048, surface, true).value_or(Moments{});
 }
 
-Bounds bounds_of(const fast::Solid& solid) {
+std::array<std::array<double, 3>, 2> bounds_of(const fast::Solid& solid) {
   ExactSurface surface(solid);
   std::array<ExactPoint, 3> low, high;
   bool any = false;
@@ -339,8 +349,8 @@ Bounds bounds_of(const fast::Solid& solid) {
     return nearest_double(at[i].at[i] * scale.numerator,
                           at[i].below * scale.denominator);
   };
-  return {{value(low, 0), value(low, 1), value(low, 2)},
-          {value(high, 0), value(high, 1), value(high, 2)}};
+  return {{{value(low, 0), value(low, 1), value(low, 2)},
+           {value(high, 0), value(high, 1), value(high, 2)}}};
 }
 
-}  // namespace halfspace::detail
+}  // namespace halfspace::csg

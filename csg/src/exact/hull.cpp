@@ -1,4 +1,4 @@
-#include "hull.hpp"
+#include "halfspace/csg/hull.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "number.hpp"
-
-namespace halfspace::detail {
+namespace halfspace::csg {
 namespace {
 
 using io::Integer;
@@ -32,11 +30,14 @@ bool is_zero(const Vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
 class Hull {
  public:
-  explicit Hull(std::span<const Point> points)
-      : rounded_(points), exact_(exact_points(points)) {
-    for (const Point& p : points) {
-      largest_ =
-          std::max({largest_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  Hull(std::vector<Numbers3> points, bool decimal)
+      : points_(std::move(points)), decimal_(decimal) {
+    for (const Numbers3& p : points_) {
+      std::array<double, 3>& at = rounded_.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        at[i] = io::to_double(p[i]);
+        largest_ = std::max(largest_, std::abs(at[i]));
+      }
     }
     scale();
   }
@@ -55,8 +56,9 @@ class Hull {
   bool begin();
   void add(std::size_t point);
 
-  std::span<const Point> rounded_;
-  ExactPoints exact_;
+  std::vector<Numbers3> points_;
+  bool decimal_;
+  std::vector<std::array<double, 3>> rounded_;
   std::vector<Vector> scaled_;
   double largest_ = 0;
   std::array<std::size_t, 4> first_{};
@@ -65,13 +67,13 @@ class Hull {
 
 void Hull::scale() {
   std::int32_t two = 0, five = 0;
-  for (const csg::Numbers3& p : exact_.points) {
+  for (const Numbers3& p : points_) {
     for (const io::Number& c : p) {
       two = std::min(two, c.two);
       five = std::min(five, c.five);
     }
   }
-  for (const csg::Numbers3& p : exact_.points) {
+  for (const Numbers3& p : points_) {
     Vector v;
     for (std::size_t i = 0; i < 3; ++i) {
       v[i] = p[i].mantissa *
@@ -92,8 +94,8 @@ void Hull::scale() {
 int Hull::orientation(std::size_t a, std::size_t b, std::size_t c,
                       std::size_t d) const {
   const auto less = [&](std::size_t p) {
-    const Point &u = rounded_[p], &v = rounded_[a];
-    return std::array{u.x - v.x, u.y - v.y, u.z - v.z};
+    const auto &u = rounded_[p], &v = rounded_[a];
+    return std::array{u[0] - v[0], u[1] - v[1], u[2] - v[2]};
   };
   const auto u = less(b), v = less(c), w = less(d);
   const double value = w[0] * (u[1] * v[2] - u[2] * v[1]) +
@@ -157,8 +159,8 @@ Result<io::Mesh> Hull::mesh() {
     if (std::find(first_.begin(), first_.end(), p) == first_.end()) add(p);
   }
   io::Mesh result;
-  result.vertices = exact_.points;
-  result.decimal = exact_.decimal;
+  result.vertices = points_;
+  result.decimal = decimal_;
   for (const Triangle& t : triangles_) {
     for (const std::size_t corner : t.corners)
       result.corners.push_back(static_cast<VertexId>(corner));
@@ -170,8 +172,8 @@ Result<io::Mesh> Hull::mesh() {
 
 }  // namespace
 
-Result<io::Mesh> hull_of(std::span<const Point> points) {
-  return Hull(points).mesh();
+Result<io::Mesh> hull_of(std::vector<Numbers3> points, bool decimal) {
+  return Hull(std::move(points), decimal).mesh();
 }
 
-}  // namespace halfspace::detail
+}  // namespace halfspace::csg

@@ -5,7 +5,7 @@
 #include "halfspace/io/number.hpp"
 #include "halfspace/scene.hpp"
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 
 using io::Integer;
 
@@ -56,4 +56,4 @@ struct Scale {
 };
 Scale scale_of(const Unit& unit, int power);
 
-}  // namespace halfspace::detail
+}  // namespace halfspace::csg

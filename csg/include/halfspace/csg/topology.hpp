@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/fast/to_mesh.hpp"
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 
 /// What a surface is like as a whole: its connected parts, and the handles of
 /// all of them.
@@ -21,4 +23,10 @@ struct Topology {
 ///         edge structure.
 Topology topology_of(const fast::Solid& solid);
 
-}  // namespace halfspace::detail
+/// The connected part of the surface that each triangle of its mesh is in, in
+/// the same sense, numbered by their first triangles.
+/// Requires: `triangles` is that mesh, all triangles.
+std::vector<std::size_t> shells_of(const fast::Solid& solid,
+                                   const fast::ExportedMesh& triangles);
+
+}  // namespace halfspace::csg

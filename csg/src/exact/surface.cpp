@@ -1,8 +1,8 @@
-#include "surface.hpp"
+#include "halfspace/csg/surface.hpp"
 
 #include <algorithm>
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 namespace {
 
 /// Requires: not the least of all, which no normal has.
@@ -88,7 +88,7 @@ int side_of(const ExactSurface& surface, const fast::Face& face,
       .sign();
 }
 
-ExactPoint in_steps(const csg::Numbers3& at, const Unit& unit) {
+ExactPoint in_steps(const Numbers3& at, const Unit& unit) {
   std::int32_t two = 0, five = 0;
   std::array<io::Number, 3> scaled = at;
   for (io::Number& c : scaled) {
@@ -175,4 +175,4 @@ bool is_in_face(ExactSurface& surface, const fast::Face& face,
   return on_edge || turns_round(surface, face, point, axis) != 0;
 }
 
-}  // namespace halfspace::detail
+}  // namespace halfspace::csg

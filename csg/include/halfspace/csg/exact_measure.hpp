@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "halfspace/csg/interval.hpp"
 #include "halfspace/fast/solid.hpp"
-#include "halfspace/solid.hpp"
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 
 /// The volume and the area of a bounded solid, to the nearest double. Units:
 /// model units.
@@ -26,7 +26,17 @@ struct Moments {
 };
 Moments moments_of(const fast::Solid& solid);
 
-/// The box of the vertices, to the nearest doubles. Requires: not empty.
-Bounds bounds_of(const fast::Solid& solid);
+/// The least and the greatest corner of the box of the vertices, to the nearest
+/// doubles. Requires: not empty.
+std::array<std::array<double, 3>, 2> bounds_of(const fast::Solid& solid);
 
-}  // namespace halfspace::detail
+/// -1, 0, 1: whether the volume of one is less than that of the other, as their
+/// surfaces go round it: below 0 of a surface that faces inwards. Exact.
+/// Requires: they are in one unit.
+int compare_volumes(const fast::Solid& a, const fast::Solid& b);
+
+/// The number: a decimal, or a fraction such as `1/3` where no decimal is it.
+/// Requires: denominator > 0.
+std::string text_of(const Integer& numerator, const Integer& denominator);
+
+}  // namespace halfspace::csg

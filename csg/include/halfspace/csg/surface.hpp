@@ -8,7 +8,7 @@
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/io/number.hpp"
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 
 using io::Integer;
 using Integers3 = std::array<Integer, 3>;
@@ -43,7 +43,7 @@ int side_of(const ExactSurface& surface, const fast::Face& face,
             const ExactPoint& point);
 
 /// A point in model units, on the grid of a unit.
-ExactPoint in_steps(const csg::Numbers3& at, const Unit& unit);
+ExactPoint in_steps(const Numbers3& at, const Unit& unit);
 
 /// Twice the area of three points as seen along an axis, counterclockwise from
 /// where that points, times the product of their denominators.
@@ -75,4 +75,4 @@ void for_edges(const fast::Solid& solid, const fast::Face& face,
     visit(solid.edges[face.first_edge + i]);
 }
 
-}  // namespace halfspace::detail
+}  // namespace halfspace::csg

@@ -1,16 +1,14 @@
-#include "locate.hpp"
+#include "halfspace/csg/locate.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "interval.hpp"
-#include "number.hpp"
-#include "surface.hpp"
+#include "halfspace/csg/interval.hpp"
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 
-Location location_of(const fast::Solid& solid, const Point& point) {
-  const ExactPoint p = in_steps(numbers_of(point), solid.unit);
+int location_of(const fast::Solid& solid, const ExactPoint& p) {
   // In floats, rounded outwards, as the faces' boxes.
   std::array<double, 3> low{}, high{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -31,14 +29,14 @@ Location location_of(const fast::Solid& solid, const Point& point) {
       continue;
     const int side = side_of(surface, face, p);
     if (side == 0) {
-      if (is_in_face(surface, face, p)) return Location::kOn;
+      if (is_in_face(surface, face, p)) return 0;
       continue;
     }
     const int up = surface.normal(face)[2].sign();
     if (up != 0 && side != up) winding += turns_round(surface, face, p, 2);
   }
   const int far = solid.unbounded ? 1 : 0;
-  return winding + far > 0 ? Location::kInside : Location::kOutside;
+  return winding + far > 0 ? -1 : 1;
 }
 
-}  // namespace halfspace::detail
+}  // namespace halfspace::csg

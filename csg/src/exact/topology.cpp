@@ -1,14 +1,15 @@
-#include "topology.hpp"
+#include "halfspace/csg/topology.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <vector>
 
+#include "halfspace/csg/surface.hpp"
 #include "halfspace/fast/to_mesh.hpp"
-#include "surface.hpp"
 
-namespace halfspace::detail {
+namespace halfspace::csg {
 namespace {
 
 class DisjointSets {
@@ -48,8 +49,10 @@ class Surface {
         parts_(mesh.faces.size()),
         fans_(mesh.corners.size()) {}
   Topology topology();
+  std::vector<std::size_t> shells();
 
  private:
+  std::vector<Use> join_all();
   static std::size_t next(std::size_t corner) {
     return corner % 3 == 2 ? corner - 2 : corner + 1;
   }
@@ -110,7 +113,8 @@ void Surface::join_around(std::vector<Use> uses) {
   }
 }
 
-Topology Surface::topology() {
+/// Joins all that goes on into each other; the uses of edges in order.
+std::vector<Use> Surface::join_all() {
   std::vector<Use> uses;
   for (std::size_t c = 0; c < mesh_.corners.size(); ++c) {
     const std::int32_t from = mesh_.corners[c], to = mesh_.corners[next(c)];
@@ -127,6 +131,22 @@ Topology Surface::topology() {
     join_around({i, end});
     i = end;
   }
+  return uses;
+}
+
+std::vector<std::size_t> Surface::shells() {
+  join_all();
+  std::map<std::size_t, std::size_t> numbers;
+  std::vector<std::size_t> result(mesh_.faces.size());
+  for (std::size_t t = 0; t < result.size(); ++t) {
+    const auto number = numbers.try_emplace(parts_.find(t), numbers.size());
+    result[t] = number.first->second;
+  }
+  return result;
+}
+
+Topology Surface::topology() {
+  const std::vector<Use> uses = join_all();
   Topology result;
   result.shells = parts_.count();
   const auto edges = static_cast<std::int64_t>(uses.size() / 2);
@@ -144,4 +164,9 @@ Topology topology_of(const fast::Solid& solid) {
   return Surface(solid, mesh).topology();
 }
 
-}  // namespace halfspace::detail
+std::vector<std::size_t> shells_of(const fast::Solid& solid,
+                                   const fast::ExportedMesh& triangles) {
+  return Surface(solid, triangles).shells();
+}
+
+}  // namespace halfspace::csg

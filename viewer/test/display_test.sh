@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# The window on a display of its own (Xvfb), moved by a hand that xdotool is:
+# drags, the wheel, another size, keys, and that it sleeps when nothing happens.
+. "$(dirname "$0")/../../tools/test/expect.sh"
+unset SDL_VIDEODRIVER SDL_RENDER_DRIVER WAYLAND_DISPLAY
+
+for needed in Xvfb xdotool; do
+  command -v $needed >/dev/null || {
+    echo "WRONG: this test takes $needed (test.sh installs it)"
+    exit 1
+  }
+done
+exec 3<>display
+Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 2>xvfb.log &
+screen=$!
+viewer=
+trap 'kill $viewer $screen 2>/dev/null' EXIT
+for ((i = 0; i < 300 && $(wc -c <display) == 0; ++i)); do sleep 0.1; done
+DISPLAY=:$(cat display)
+export DISPLAY
+
+box 0 0 0 2 2 2 >box.off
+"$program" view box.off --size 600x400 --record recorded 2>stderr &
+viewer=$!
+window=
+for ((i = 0; i < 300; ++i)); do
+  window=$(xdotool search --name 'box.off - Halfspace' 2>/dev/null | tail -1)
+  [ -n "$window" ] && break
+  sleep 0.1
+done
+[ -n "$window" ] || wrong 'no window with the name of the file'
+hand() {
+  xdotool "$@" || wrong "xdotool $*"
+  sleep 0.5
+}
+hand mousemove --window "$window" 200 200
+hand mousedown 1
+hand mousemove --window "$window" 260 220
+hand mousemove --window "$window" 300 230
+hand mouseup 1
+hand click 4
+hand windowsize "$window" 1000 600
+hand key 7
+
+# Ticks of the processor, of all threads.
+ticks() { awk '{ print $14 + $15 }' /proc/$viewer/stat; }
+sleep 2
+before=$(ticks)
+sleep 3
+[ $(($(ticks) - before)) -le 1 ] || wrong 'an idle window works'
+
+hand key ctrl+q
+for ((i = 0; i < 100; ++i)); do
+  kill -0 $viewer 2>/dev/null || break
+  sleep 0.1
+done
+kill -0 $viewer 2>/dev/null && wrong 'Ctrl+Q does not end the window'
+wait $viewer || wrong "it ended with $?"
+[ -s stderr ] && grep -v XDG_RUNTIME_DIR stderr | grep -q . &&
+  wrong "it complained: $(cat stderr)"
+for line in 'press left' 'release left' 'wheel 1' 'size 1000 600' 'key 7' \
+  'key Ctrl+Q'; do
+  grep -qx "$line" recorded || wrong "nothing was recorded of '$line'"
+done
+
+# What a hand has done is played again.
+(cat recorded && echo dump) | sed '/Ctrl+Q/d' >events
+SDL_VIDEODRIVER=dummy "$program" view box.off --size 600x400 --play events \
+  --dump played-%d.png >/dev/null || wrong 'the recorded events are not played'
+"$program" render played-0.view -o again.png -q
+same played-0.png again.png
+finish
