@@ -5,11 +5,19 @@ include(CMakePackageConfigHelpers)
 
 set(HALFSPACE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/halfspace)
 
-install(TARGETS halfspace_spec halfspace_ref halfspace_fast halfspace_io
-                halfspace_shadow halfspace_csg halfspace_face
-        EXPORT halfspaceTargets
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# Each target is a component, in a file of its own, so that nobody needs what a
+# component that he does not use needs.
+foreach(target spec ref fast io shadow csg face)
+  get_target_property(component halfspace_${target} EXPORT_NAME)
+  install(TARGETS halfspace_${target}
+          EXPORT halfspace_${target}_targets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT halfspace_${target}_targets
+          NAMESPACE halfspace::
+          FILE halfspace_${component}.cmake
+          DESTINATION ${HALFSPACE_PACKAGE_DIR})
+endforeach()
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/spec/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/ref/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/fast/include/
@@ -18,9 +26,6 @@ install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/spec/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/csg/include/
                   ${CMAKE_CURRENT_SOURCE_DIR}/face/include/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT halfspaceTargets
-        NAMESPACE halfspace::
-        DESTINATION ${HALFSPACE_PACKAGE_DIR})
 
 # For users without CMake: what a static library needs goes with it. Paths are
 # from the file itself, wherever the package is put.

@@ -176,6 +176,16 @@ TEST(Repair, LeavesWhatCrossesItselfToBeResolved) {
   EXPECT_EQ(result->report.crossing.find("the surface crosses itself: "), 0u);
 }
 
+TEST(Repair, ASheetHasNothingWithin) {
+  Pieces sheet;
+  sheet.points = {{"0", "0", "0"}, {"4", "0", "0"}, {"4", "2", "0"}};
+  sheet.polygons = {{0, 1, 2}};
+  const Result<Repaired> result = mended(sheet, {.close_all = true});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kEmpty);
+  EXPECT_NE(result.error().message.find("--thicken"), std::string::npos);
+}
+
 TEST(Repair, RefusesWhatHasNoSurface) {
   Pieces pieces;
   pieces.points = {{"0", "0", "0"}, {"1", "0", "0"}, {"2", "0", "0"}};

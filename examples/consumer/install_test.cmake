@@ -20,6 +20,17 @@ run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
 run(${WORK_DIR}/build/library)
 
+# A component needs no package that only others use.
+set(absent "")
+foreach(package Boost ZLIB PNG glm)
+  list(APPEND absent -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/fast -G ${GENERATOR}
+    -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix -D COMPONENT=fast ${absent}
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS})
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/fast)
+run(${WORK_DIR}/fast/library)
+
 # The same without CMake.
 find_program(PKG_CONFIG pkg-config)
 if(PKG_CONFIG AND NOT FLAGS)

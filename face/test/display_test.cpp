@@ -167,5 +167,24 @@ TEST(FaceDisplay, PicksTellWhere) {
   EXPECT_NEAR(pick->distance, 7, 1e-6);
 }
 
+TEST(FaceDisplay, DrawsVisibleAndHiddenEdges) {
+  const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
+  View view;
+  view.eye = Point{9, -7, 6};
+  const auto drawing = *display.draw(view);
+  ASSERT_EQ(drawing.lines.size(), 12u);
+  int hidden = 0;
+  int outlines = 0;
+  for (const DrawnLine& line : drawing.lines) {
+    hidden += line.layers > 0 ? 1 : 0;
+    outlines += line.edge_class == EdgeClass::kSilhouette ? 1 : 0;
+  }
+  EXPECT_EQ(hidden, 3);
+  EXPECT_EQ(outlines, 6);
+  EXPECT_TRUE(drawing.save("drawn.svg", true).has_value());
+  EXPECT_EQ(drawing.save("drawn.bmp").error().code, ErrorCode::kUnknownFormat);
+  EXPECT_EQ(display.draw(view, 181).error().code, ErrorCode::kOutOfRange);
+}
+
 }  // namespace
 }  // namespace halfspace

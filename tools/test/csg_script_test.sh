@@ -387,7 +387,7 @@ printf 'group() {\n difference() {\n  cube(size = [3, 3, 3], center = false);\n'
   >scad.csg
 printf '  import(file = "m1.off", layer = "");\n }\n}\n' >>scad.csg
 expect 0 'volume 26,' csg --script scad.csg -o out.off
-printf 'group() { hull() { cube(size = 1); } }\n' >hull.csg
-expect 2 'hull.csg: line 1, column 11: hull is not read' csg --script hull.csg \
-  -o out.off
+printf 'group() { minkowski() { cube(size = 1); } }\n' >minkowski.csg
+expect 2 'minkowski.csg: line 1, column 11: minkowski is not read' \
+  csg --script minkowski.csg -o out.off
 finish

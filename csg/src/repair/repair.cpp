@@ -99,6 +99,7 @@ double Mender::weld_distance() const {
 }
 
 Result<Done> Mender::mend_polygons() {
+  split_lines();
   // In a closed surface each counts as often as it is there (S6.7).
   if (!is_open()) return Done{};
   report_.duplicates = drop_duplicates(soup_);
@@ -163,6 +164,13 @@ Result<Done> Mender::close() {
   if (filled.polygons > 0) {
     // What fills a hole may be there already, the other way round.
     drop_duplicates(soup_);
+    if (soup_.polygons.empty()) {
+      return io::error_about(
+          path_, {ErrorCode::kEmpty,
+                  "what fills its holes covers its polygons, so nothing is "
+                  "within; --thicken THICKNESS makes the surface a shell",
+                  -1});
+    }
     if (const auto done = import_soup(); !done) return done;
     split_lines();
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "halfspace/api.hpp"
+#include "halfspace/drawing.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/mesh.hpp"
 #include "halfspace/result.hpp"
@@ -58,6 +59,27 @@ struct HALFSPACE_API Picture {
 
   /// Writes the colours as PNG. Error: kUnwritable.
   Result<Done> save(const std::filesystem::path& path) const;
+};
+
+/// A straight line of a drawing (S9.6). Units: pixels; nearest doubles.
+struct DrawnLine {
+  Point2 from;
+  Point2 to;
+  EdgeClass edge_class = EdgeClass::kCrease;
+  std::int32_t layers = 0;  ///< how many polygons hide it; 0: it is visible
+};
+
+/// The lines of what is displayed: visible and hidden, none twice.
+struct HALFSPACE_API LineDrawing {
+  std::int32_t width_px = 0;
+  std::int32_t height_px = 0;
+  std::vector<DrawnLine> lines;
+
+  /// Writes the visible lines, and the hidden ones dashed if asked for: as SVG,
+  /// PDF, EPS, PGF, DXF or HPGL, by the ending of the name.
+  /// Errors: kUnknownFormat, kUnwritable.
+  Result<Done> save(const std::filesystem::path& path,
+                    bool with_hidden = false) const;
 };
 
 /// A run of pixels of one line: `first` to `last`, both in it.
@@ -160,6 +182,10 @@ class HALFSPACE_API Display {
   /// here and below: kBadCamera, kNotFinite, kOutOfRange, kStopped (by
   /// view.progress).
   Result<Picture> render(const View& view = {}) const;
+  /// The edges that the view shows (S9): silhouettes, borders, intersections,
+  /// and creases where faces turn by more than an angle. Exact.
+  /// Errors: also kOutOfRange, where there are too many.
+  Result<LineDrawing> draw(const View& view = {}, double crease_deg = 20) const;
   /// What is seen at a pixel; nothing at the background, and off the image.
   Result<std::optional<Pick>> pick(const View& view, std::int32_t x,
                                    std::int32_t y) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -40,6 +41,10 @@ double angle_deg(const dvec3& a, const dvec3& apex, const dvec3& b) {
   return sine == 0 && cosine == 0
              ? 0
              : std::atan2(sine, cosine) * 180 / std::numbers::pi;
+}
+
+double six_digits(double value) {
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
 
 double triangle_area(const dvec3& a, const dvec3& b, const dvec3& c) {

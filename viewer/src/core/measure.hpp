@@ -24,6 +24,10 @@ double angle_deg(const glm::dvec3& a, const glm::dvec3& apex,
 double triangle_area(const glm::dvec3& a, const glm::dvec3& b,
                      const glm::dvec3& c);
 
+/// The number with six digits: planes of short numbers fit the grids of all
+/// files, and people read them.
+double six_digits(double value);
+
 /// The volume and the area, in full where they are rational, and the box of
 /// what the state's visible parts are together, or of what the boolean makes of
 /// them: a line each.

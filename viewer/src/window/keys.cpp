@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/command_line.hpp"
+#include "core/measure.hpp"
 #include "core/moves.hpp"
 #include "window/ui.hpp"
 
@@ -90,7 +91,7 @@ void toggle_section(Session& session, Ui&) {
   const auto [low, high] = session.model()->extent_along({1, 0, 0});
   session.change([low = low, high = high](State& state) {
     if (state.sections.empty())
-      state.sections.push_back({{1, 0, 0}, (low + high) / 2, true});
+      state.sections.push_back({{1, 0, 0}, six_digits((low + high) / 2), true});
     else
       state.sections[0].is_on = !state.sections[0].is_on;
   });
@@ -104,8 +105,12 @@ void move_section(Session& session, Ui&) {
   const auto& [x, y, z] = section.normal;
   const auto [low, high] = session.model()->extent_along({x, y, z});
   const double by = (high - low) / 30;
-  session.change([by](State& state) { state.sections[0].offset += steps * by; },
-                 1);
+  session.change(
+      [by](State& state) {
+        double& offset = state.sections[0].offset;
+        offset = six_digits(offset + steps * by);
+      },
+      1);
 }
 
 void reset(Session& session, Ui& ui) {

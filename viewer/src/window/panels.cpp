@@ -238,8 +238,7 @@ void draw_shift(Session& session, std::size_t index) {
     change(session, [&](State& state) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         // As many digits as are shown.
-        state.parts[index].shift[axis] =
-            std::stod(fmt::format("{:.6g}", shift[axis]));
+        state.parts[index].shift[axis] = six_digits(shift[axis]);
       }
     });
   }
@@ -291,7 +290,7 @@ std::array<double, 2> extent_along(const Session& session,
 /// A plane across a direction, in the middle of what is shown.
 Section section_across(const Session& session, const glm::dvec3& axis) {
   const auto [low, high] = extent_along(session, axis);
-  const double middle = std::stod(fmt::format("{:.6g}", (low + high) / 2));
+  const double middle = six_digits((low + high) / 2);
   return {{axis.x, axis.y, axis.z}, middle, true};
 }
 
@@ -311,8 +310,8 @@ void draw_section(Session& session, const Ui& ui, std::size_t index) {
   ImGui::BeginDisabled(ui.points.empty());
   if (ImGui::Button("Face")) {
     const glm::dvec3& n = ui.points.back().normal;
-    section.normal = {n.x, n.y, n.z};
-    section.offset = glm::dot(n, ui.points.back().corner);
+    section.normal = {six_digits(n.x), six_digits(n.y), six_digits(n.z)};
+    section.offset = six_digits(glm::dot(n, ui.points.back().corner));
   }
   ImGui::EndDisabled();
   ImGui::SameLine();
@@ -329,7 +328,7 @@ void draw_section(Session& session, const Ui& ui, std::size_t index) {
   ImGui::SetNextItemWidth(-1);
   if (ImGui::SliderFloat("##offset", &offset, static_cast<float>(low),
                          static_cast<float>(high), "%.6g"))
-    section.offset = std::stod(fmt::format("{:.6g}", offset));
+    section.offset = six_digits(offset);
   ImGui::PopID();
   if (is_removed) {
     change(session, [index](State& state) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/moves.hpp"
+#include "core/recent.hpp"
 
 namespace halfspace::viewer {
 namespace {
@@ -61,6 +62,7 @@ Window::Window(const WindowOptions& options, SDL_Window* window,
   ui_.scale = scale;
   ui_.animates = player == nullptr;
   ui_.draw_figure = options.draw_figure;
+  if (player == nullptr) ui_.recent = read_recent(recent_file());
   lay_out();
 }
 
@@ -136,6 +138,7 @@ void Window::update() {
   if (session_.update()) {
     redraws_ = std::max(redraws_, 2);
     lay_out();
+    note_opened();
   }
   if (auto result = background_.take()) {
     if (!*result) {
@@ -161,6 +164,15 @@ void Window::update() {
   }
   lay_out();
   show_title();
+}
+
+void Window::note_opened() {
+  // What scripts open nobody looks for later.
+  if (player_ != nullptr || !session_.message().empty()) return;
+  const auto& parts = session_.state().parts;
+  if (parts.empty() || parts.back().path == last_opened_) return;
+  last_opened_ = parts.back().path;
+  note_recent(recent_file(), last_opened_);
 }
 
 void Window::fly() {

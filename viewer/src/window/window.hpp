@@ -56,6 +56,7 @@ class Window {
   void lay_out();
   void update();
   void fly();
+  void note_opened();
   void draw();
   void draw_view();
   void show_title();
@@ -91,6 +92,7 @@ class Window {
   std::vector<std::string> dropped_;
   bool is_fullscreen_ = false;
   std::string title_;
+  std::string last_opened_;
   std::string recorded_;
   std::int64_t dump_count_ = 0;
   std::size_t event_count_ = 0;
