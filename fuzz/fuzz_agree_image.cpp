@@ -1,5 +1,6 @@
 #include "definition/definition.hpp"
 #include "fuzz.hpp"
+#include "halfspace/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
@@ -62,6 +63,36 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                                view.options, samples, portable);
   HALFSPACE_FUZZ_EXPECT(means.items == fast_means.items, text);
   HALFSPACE_FUZZ_EXPECT(means.colors == fast_means.colors, text);
+  // The same with clip planes, in planes of polygons and through corners.
+  SceneFile cut = view;
+  for (std::size_t k = 0;
+       k <= options.seed % 3 && !view.scene.data().vertices.empty(); ++k) {
+    const auto number = options.seed * 7 + k * 5 + size;
+    const auto& vertices = view.scene.data().vertices;
+    const GridPoint& p = vertices[number % vertices.size()];
+    const Int128 normal[] = {static_cast<Int128>(number % 3) - 1,
+                             static_cast<Int128>(number / 3 % 5) - 2,
+                             static_cast<Int128>(number / 15 % 3) + (k % 2)};
+    cut.options.clips.push_back(
+        {normal[0], normal[1], normal[2] + 1,
+         -(normal[0] * p.x + normal[1] * p.y + (normal[2] + 1) * p.z)});
+  }
+  cut.options.clips = *make_clips(cut.options.clips, view.scene.grid_bits());
+  if (bad_edges(cut.scene).empty()) cut.options.caps = CapStyle{};
+  const std::string cut_text = write_scene(cut);
+  const auto section = ref::zbuffer(cut.scene, *cut.camera, cut.options);
+  const auto expect_section = [&](const auto& rendering) {
+    HALFSPACE_FUZZ_EXPECT(rendering.items == section.items, cut_text);
+    HALFSPACE_FUZZ_EXPECT(rendering.colors == section.colors, cut_text);
+  };
+  expect_section(ref::render(cut.scene, tree, *cut.camera, cut.options));
+  expect_section(fast::render(cut.scene, other, *cut.camera, cut.options));
+  expect_section(fast::paint(cut.scene, other, *cut.camera, cut.options));
+  expect_section(fast::render(cut.scene,
+                              fast::build_display_tree(cut.scene, display),
+                              *cut.camera, cut.options, portable));
+  const auto cut_read = read_scene(cut_text);
+  HALFSPACE_FUZZ_EXPECT(cut_read.has_value() && *cut_read == cut, cut_text);
   // The scene file says it all: what it holds gives the image again.
   const auto read = read_scene(text);
   HALFSPACE_FUZZ_EXPECT(read.has_value() && *read == view, text);

@@ -14,9 +14,9 @@ import pathlib
 import re
 import sys
 
-LAW = re.compile(r"^\*\*S(\d)\.L(\d+)\*\*\s+(\S.*)$", re.MULTILINE)
+LAW = re.compile(r"^\*\*S(\d+)\.L(\d+)\*\*\s+(\S.*)$", re.MULTILINE)
 TEST = re.compile(
-    r"^\s*(?:TYPED_TEST|TEST|TEST_F|TEST_P)\(\s*S(\d)\w*\s*,\s*(\w+)\s*\)",
+    r"^\s*(?:TYPED_TEST|TEST|TEST_F|TEST_P)\(\s*S(\d+)\w*\s*,\s*(\w+)\s*\)",
     re.MULTILINE)
 NUMBERED = re.compile(r"L(\d+)(?=[A-Z]|$)")
 

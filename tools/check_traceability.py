@@ -50,8 +50,8 @@ import textwrap
 import check_constants
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-CLAUSE = re.compile(r"^## (S[1-9]\.\d+) (.+)$", re.MULTILINE)
-LAW = re.compile(r"^\*\*(S\d\.L\d+)\*\*", re.MULTILINE)
+CLAUSE = re.compile(r"^## (S\d+\.\d+) (.+)$", re.MULTILINE)
+LAW = re.compile(r"^\*\*(S\d+\.L\d+)\*\*", re.MULTILINE)
 KEYS = ("confirmed", "reference", "fast", "laws", "fuzz")
 
 
@@ -184,7 +184,7 @@ def wanted_laws(table, least, faults):
         for entry in re.split(r", (?=S)", row["laws"]):
             if entry.startswith("-"):
                 continue
-            match = re.match(r"(S\d\.L\d+)(?: \((?:(\d+)|(\d+, )?(ref))\))?$",
+            match = re.match(r"(S\d+\.L\d+)(?: \((?:(\d+)|(\d+, )?(ref))\))?$",
                              entry)
             if not match or match[1] not in known:
                 faults.append(f"{clause}: no law: {entry}")
@@ -228,7 +228,7 @@ def check_runs(wanted, names, report, faults):
             faults.append(f"{name} has not passed")
     most = {law: {} for law in wanted}
     for name in names:
-        match = re.match(r"(S\d)\w*((?:/\d+)?)\.(L\d+)[A-Z]\w*$", name)
+        match = re.match(r"(S\d+)\w*((?:/\d+)?)\.(L\d+)[A-Z]\w*$", name)
         if not match:
             continue
         law = f"{match[1]}.{match[3]}"

@@ -69,7 +69,7 @@ def tests_of(program):
 
 def law_of(test):
     """S4.L3, of S4Screen/0.L3LitPixels..."""
-    match = re.match(r"S(\d)\w*/\d+\.L(\d+)", test)
+    match = re.match(r"S(\d+)\w*/\d+\.L(\d+)", test)
     return f"S{match[1]}.L{match[2]}" if match else test
 
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "halfspace/boolean.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
@@ -17,6 +18,7 @@
 #include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/traverse.hpp"
+#include "halfspace/io/clip.hpp"
 #include "halfspace/io/figure.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/load_scene.hpp"
@@ -126,11 +128,23 @@ Result<Camera> camera_of(const Scene& scene, const View& view) {
   return viewed->camera;
 }
 
-ImageOptions image_options(const View& view) {
-  ImageOptions options;
-  options.cull = view.cull;
-  options.background = view.background;
-  return options;
+/// The clip planes of a view (S10.1): a normal of 1 and its offset in the steps
+/// of the scene.
+Result<std::vector<ClipPlane>> clips_of(const Scene& scene, const View& view) {
+  std::vector<ClipPlane> planes;
+  for (const Plane& plane : view.clips) {
+    if (!detail::is_finite(plane.normal) || !std::isfinite(plane.offset)) {
+      return Error{ErrorCode::kNotFinite,
+                   "a number of a clip plane is not finite"};
+    }
+    const Result<ClipPlane> made = io::clip_plane(
+        scene,
+        {detail::number_of(plane.normal.x), detail::number_of(plane.normal.y),
+         detail::number_of(plane.normal.z), detail::number_of(-plane.offset)});
+    if (!made) return made.error();
+    planes.push_back(*made);
+  }
+  return make_clips(planes, scene.grid_bits());
 }
 
 std::int32_t samples_of(const View& view) {
@@ -182,6 +196,24 @@ struct Display::State {
   std::mutex mutex;
   std::optional<fast::BspTree> tree;
   std::optional<fast::BspTree> ordered;
+  std::optional<bool> closed;
+
+  /// What a view says about its image; whether caps can be is looked at once.
+  Result<ImageOptions> options_of(const View& view) {
+    ImageOptions options;
+    options.cull = view.cull;
+    options.background = view.background;
+    const auto clips = clips_of(scene, view);
+    if (!clips) return clips.error();
+    options.clips = *clips;
+    if (!view.caps) return options;
+    options.caps = view.caps;
+    const std::lock_guard lock(mutex);
+    if (!closed) closed = bad_edges(scene).empty();
+    if (*closed) return options;
+    return Error{ErrorCode::kOpen,
+                 "caps fill solids, and what is displayed is not closed"};
+  }
 
   static Result<std::unique_ptr<State>> of(io::Mesh mesh) {
     auto state = std::make_unique<State>();
@@ -225,7 +257,9 @@ struct Display::State {
   /// The polygon of the display that a polygon of the scene is part of, and its
   /// solid. Solids without polygons begin where the next one does.
   std::int32_t polygon_of(PolygonId id) const {
-    return faces[static_cast<std::size_t>(id)];
+    const auto index = static_cast<std::size_t>(id);
+    if (index < faces.size()) return faces[index];
+    return static_cast<std::int32_t>(polygon_count + index - faces.size());
   }
   std::int32_t solid_of(std::int32_t polygon) const {
     const auto next =
@@ -253,6 +287,8 @@ struct Display::State {
                                    const std::optional<fast::Rectangle>& part) {
     const Result<Camera> camera = camera_of(scene, view);
     if (!camera) return camera.error();
+    const Result<ImageOptions> options = options_of(view);
+    if (!options) return options.error();
     fast::RenderOptions how;
     how.threads = detail::thread_count(view.threads);
     how.rectangle = part;
@@ -266,21 +302,24 @@ struct Display::State {
     }
     const fast::BspTree* made = picture_tree(view);
     if (made == nullptr) return stopped();
+    if (view.anti_aliasing != AntiAliasing::kNone && !options->clips.empty()) {
+      return Error{ErrorCode::kOutOfRange,
+                   "anti-aliasing is not for clip planes; leave out either"};
+    }
     fast::Rendering image =
-        samples == 1
-            ? fast::render(scene, *made, *camera, image_options(view), how)
-            : fast::render_samples(scene, *made, *camera, image_options(view),
-                                   samples, how);
+        samples == 1 ? fast::render(scene, *made, *camera, *options, how)
+                     : fast::render_samples(scene, *made, *camera, *options,
+                                            samples, how);
     if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {
       const fast::BspTree* divided = ordered_tree(view);
       if (divided == nullptr) return stopped();
       Result<fast::AreaImage> areas =
-          fast::render_area(scene, *divided, *camera, image_options(view));
+          fast::render_area(scene, *divided, *camera, *options);
       if (!areas) return areas.error();
       image.colors = std::move(areas->colors);
     }
     for (PolygonId& id : image.items.pixels) {
-      if (id != kBackground) id = faces[static_cast<std::size_t>(id)];
+      if (id != kBackground) id = polygon_of(id);
     }
     return image;
   }
@@ -418,12 +457,15 @@ Result<std::optional<Pick>> Display::pick(const View& view, std::int32_t x,
   const Scene& scene = state_->scene;
   const Result<Camera> camera = camera_of(scene, view);
   if (!camera) return camera.error();
+  const Result<ImageOptions> options = state_->options_of(view);
+  if (!options) return options.error();
   const fast::BspTree* tree = state_->picture_tree(view);
   if (tree == nullptr) return stopped();
-  const PolygonId seen =
-      fast::pick(scene, *tree, *camera, image_options(view), x, y);
+  const PolygonId seen = fast::pick(scene, *tree, *camera, *options, x, y);
   if (seen == kBackground) return std::optional<Pick>();
   const std::int32_t polygon = state_->polygon_of(seen);
+  if (seen >= static_cast<PolygonId>(scene.polygon_count()))
+    return std::optional(Pick{polygon, -1, {}, 0});
   const io::PixelPoint at = io::pixel_point(scene, *camera, seen, x, y);
   return std::optional(Pick{polygon,
                             state_->solid_of(polygon),

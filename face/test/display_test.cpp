@@ -167,6 +167,32 @@ TEST(FaceDisplay, PicksTellWhere) {
   EXPECT_NEAR(pick->distance, 7, 1e-6);
 }
 
+TEST(FaceDisplay, ClipPlanesCutAndCapsFill) {
+  const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
+  View view;
+  view.eye = Point{1, -9, 1};
+  view.target = Point{1, 1, 1};
+  view.width_px = 65;
+  view.height_px = 65;
+  view.clips = {{{0, 1, 0}, 1}};
+  const auto count = static_cast<std::int32_t>(display.polygon_count());
+  EXPECT_LT(display.render(view)->polygons.at(32, 32), count);
+  view.caps = CapStyle{{1, 2, 3}, {}};
+  const Picture picture = *display.render(view);
+  EXPECT_EQ(picture.polygons.at(32, 32), count);
+  EXPECT_EQ(picture.colors.at(32, 32), (Rgb{1, 2, 3}));
+  EXPECT_EQ((*display.pick(view, 32, 32))->solid, -1);
+  for (int k = 0; k < 8; ++k) view.clips.push_back({{1, 0, 0}, -1.0 - k});
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+  view.clips = {{{0, 0, 0}, 1}};
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kZeroArea);
+  Mesh open;
+  open.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  open.add({0, 1, 2});
+  view.clips = {{{1, 0, 0}, 0.5}};
+  EXPECT_EQ(Display::of(open)->render(view).error().code, ErrorCode::kOpen);
+}
+
 TEST(FaceDisplay, DrawsVisibleAndHiddenEdges) {
   const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
   View view;

@@ -3,6 +3,7 @@
 
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/camera.hpp"
+#include "halfspace/clip.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
@@ -29,6 +30,7 @@
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
+#include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
@@ -279,6 +281,20 @@ void take_all() {
   take(&fast::draw);  // S9.5
   take(&ref::draw);  // S9.6
   take(&fast::draw);  // S9.6
+  take(&make_clips);  // S10.1
+  take(&ref::clipped);  // S10.2
+  {  // S10.2
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  take(&ref::add_caps);  // S10.3
+  {  // S10.3
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  take(&cap_color);  // S10.4
 }
 
 }  // namespace
@@ -287,5 +303,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 126 ? 0 : 1;
+  return halfspace::taken == 132 ? 0 : 1;
 }

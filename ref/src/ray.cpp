@@ -115,6 +115,7 @@ double distance_of(const Hit& hit, const Ray& ray) {
 
 PolygonId pick(const Scene& scene, const Camera& camera,
                const ImageOptions& options, std::int32_t i, std::int32_t j) {
+  if (options.caps) return raycast(scene, camera, options).items.at(i, j);
   std::vector<PolygonId> ids(scene.polygon_count());
   std::iota(ids.begin(), ids.end(), 0);
   return raycast_at(scene, camera, options, i, j, ids);

@@ -105,10 +105,16 @@ Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
 ColorImage colors_of(const Scene& scene, const Camera& camera,
                      const ItemImage& items, const ImageOptions& options) {
   ColorImage colors(items.width_px, items.height_px, options.background);
+  const auto polygons = static_cast<PolygonId>(scene.polygon_count());
   for (std::int32_t j = 0; j < items.height_px; ++j) {
     for (std::int32_t i = 0; i < items.width_px; ++i) {
       const PolygonId seen = items.at(i, j);
       if (seen == kBackground) continue;
+      if (seen >= polygons) {
+        colors.at(i, j) = cap_color(
+            *options.caps, static_cast<std::size_t>(seen - polygons), i, j);
+        continue;
+      }
       colors.at(i, j) = color_at(scene, camera, seen, i, j, options.shading);
     }
   }

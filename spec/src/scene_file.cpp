@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "halfspace/boolean.hpp"
+
 #include "token_lines.hpp"
 
 namespace halfspace {
@@ -25,6 +27,8 @@ class Reader : private TokenLines {
   bool body_line();
   bool camera_line();
   bool option_line();
+  bool clip_line();
+  bool caps_line();
   bool vertex();
   bool polygon();
   bool color(std::size_t token, Rgb& value);
@@ -39,7 +43,8 @@ class Reader : private TokenLines {
   ImageOptions options_;
   struct {
     bool eye = false, s0 = false, sx = false, sy = false, near = false,
-         size = false, cull = false, shade = false, background = false;
+         size = false, cull = false, shade = false, background = false,
+         caps = false;
   } seen_;
 };
 
@@ -221,6 +226,38 @@ bool Reader::option_line() {
   return true;
 }
 
+bool Reader::clip_line() {
+  // Wider than any budget, so that make_clips has the last word.
+  constexpr Int128 kLimit = Int128{1} << 126;
+  ClipPlane plane;
+  if (!count_is(4) || !integer(1, -kLimit, kLimit, plane.a) ||
+      !integer(2, -kLimit, kLimit, plane.b) ||
+      !integer(3, -kLimit, kLimit, plane.c) ||
+      !integer(4, -kLimit, kLimit, plane.d)) {
+    return false;
+  }
+  std::vector<ClipPlane> clips = options_.clips;
+  clips.push_back(plane);
+  const auto made = make_clips(clips, scene_.grid_bits);
+  if (!made) return fail(made.error().code, made.error().message);
+  options_.clips = *made;
+  return true;
+}
+
+bool Reader::caps_line() {
+  CapStyle style;
+  if (!once(seen_.caps)) return false;
+  const bool has_hatch = tokens_.size() == 8 && tokens_[4] == "hatch";
+  if (tokens_.size() != 4 && !has_hatch) {
+    return fail(ErrorCode::kSyntax,
+                "after 'caps' comes a colour, and maybe 'hatch' and another");
+  }
+  if (!color(1, style.color)) return false;
+  if (has_hatch && !color(5, style.hatch.emplace())) return false;
+  options_.caps = style;
+  return true;
+}
+
 bool Reader::body_line() {
   const auto is_one_of = [this](std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), tokens_[0]) != words.end();
@@ -231,6 +268,8 @@ bool Reader::body_line() {
     return camera_line();
   }
   if (is_one_of({"cull", "shade", "background"})) return option_line();
+  if (tokens_[0] == "clip") return clip_line();
+  if (tokens_[0] == "caps") return caps_line();
   if (is_one_of({kMagic, "unit", "grid"})) {
     bool seen = true;
     return once(seen);
@@ -277,6 +316,10 @@ Result<SceneFile> Reader::finish() {
     Result<Camera> camera = make_camera(camera_, scene->grid_bits());
     if (!camera) return camera.error();
     file.camera = *camera;
+  }
+  if (options_.caps && !bad_edges(*scene).empty()) {
+    return Error{ErrorCode::kOpen,
+                 "caps fill solids, and the scene is not closed"};
   }
   file.scene = *std::move(scene);
   return file;

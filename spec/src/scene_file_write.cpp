@@ -69,6 +69,20 @@ std::string write_scene(const SceneFile& file) {
     write_color(text, file.options.background);
     text += '\n';
   }
+  for (const ClipPlane& plane : file.options.clips) {
+    text += "clip";
+    write_values(text, {plane.a, plane.b, plane.c, plane.d});
+    text += '\n';
+  }
+  if (const auto& caps = file.options.caps) {
+    text += "caps";
+    write_color(text, caps->color);
+    if (caps->hatch) {
+      text += " hatch";
+      write_color(text, *caps->hatch);
+    }
+    text += '\n';
+  }
   return text + "end\n";
 }
 

@@ -43,6 +43,11 @@ struct View {
   std::int32_t width_px = 640;
   std::int32_t height_px = 480;
   bool cull = false;  ///< polygons seen from behind are not there
+  /// What is on the negative side of any is not there (S10): up to eight, and
+  /// others in the next picture for nothing.
+  std::vector<Plane> clips = {};
+  /// Fills the cuts of what is closed; nothing: they stay open.
+  std::optional<CapStyle> caps = {};
   Rgb background = {255, 255, 255};
   AntiAliasing anti_aliasing = AntiAliasing::kNone;
   int threads = 0;  ///< 0: as many as the machine has
@@ -139,9 +144,10 @@ using Paint = std::function<void(const SeenPolygon&, const PixelSpan&)>;
 /// The polygon seen at a pixel, and the solid that it belongs to.
 struct Pick {
   std::int32_t polygon = 0;
-  std::int32_t solid = 0;  ///< of those that the display was made of
-  Point point{};           ///< that the pixel's centre sees; nearest doubles
-  double distance = 0;     ///< from the eye; orthographic: from its plane
+  /// Of those that the display was made of; -1 for a cap.
+  std::int32_t solid = 0;
+  Point point{};        ///< that the pixel's centre sees; nearest doubles
+  double distance = 0;  ///< from the eye; orthographic: from its plane
 };
 
 /// What a ray hits: each number but the fraction is the nearest double to the
@@ -178,9 +184,12 @@ class HALFSPACE_API Display {
   std::size_t polygon_count() const;
 
   /// The picture. Exact, whatever the number of threads: at each pixel the
-  /// nearest polygon (S5.1), or an exact mean (View::anti_aliasing). Errors,
-  /// here and below: kBadCamera, kNotFinite, kOutOfRange, kStopped (by
-  /// view.progress).
+  /// nearest polygon (S5.1), an exact mean (View::anti_aliasing, not with clip
+  /// planes: kOutOfRange), or as polygon_count() + k the cap of the k-th
+  /// different clip plane (S10.3). Errors, here and below: kBadCamera,
+  /// kNotFinite, kStopped (by view.progress); kOutOfRange (also for a ninth
+  /// clip plane); kZeroArea (a clip plane's normal is 0); kOpen (caps for what
+  /// is not closed).
   Result<Picture> render(const View& view = {}) const;
   /// The edges that the view shows (S9): silhouettes, borders, intersections,
   /// and creases where faces turn by more than an angle. Exact.

@@ -270,6 +270,7 @@ MapOptions keys_of(const Scene& scene, const ImageOptions& image, bool smooth) {
 Result<AreaImage> render_area(const Scene& scene, const BspTree& tree,
                               const Camera& camera, const ImageOptions& image,
                               const MapLimits& limits) {
+  HALFSPACE_ASSERT(image.clips.empty());
   const bool smooth =
       image.shading == Shading::kGouraud && !scene.data().corner_colors.empty();
   const Result<VisibleMap> map =

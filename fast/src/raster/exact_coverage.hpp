@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "camera/edge_function.hpp"
+#include "camera/clip_function.hpp"
+#include "raster/clip_set.hpp"
 #include "tree/tree_reader.hpp"
 
 namespace halfspace::fast {
@@ -13,13 +14,16 @@ namespace halfspace::fast {
 template <int kBits>
 class ExactScan {
  public:
-  ExactScan(const TreeReader& reader, const CameraData& camera, int samples = 1)
-      : reader_(reader), camera_(camera), samples_(samples) {}
+  ExactScan(const TreeReader& reader, const CameraData& camera,
+            const ClipSet& clips, int samples = 1)
+      : reader_(reader), camera_(camera), clips_(clips), samples_(samples) {}
 
   /// The fragment that is meant from now on; the eye is on side `eye_sign` of
   /// its source, and not on its plane.
-  void start(const TreeFragment& fragment, int eye_sign) {
+  /// Of it what clip planes `cuts` of the set leave.
+  void start(const TreeFragment& fragment, int eye_sign, ClipMask cuts = 0) {
     fragment_ = &fragment;
+    cuts_ = cuts;
     eye_sign_ = eye_sign;
     ready_ = false;
   }
@@ -63,6 +67,17 @@ class ExactScan {
             eye_sign_ * reader_.side_of(*fragment_, splitter));
       }
     }
+    for (std::size_t k = 0; cuts_ >> k != 0; ++k) {
+      if ((cuts_ >> k & 1u) == 0) continue;
+      const Line line = meet_function<kBits>(
+          support, projected<kBits>(clips_.plane(k), camera_));
+      // A polygon in the clip plane stays, or is not there.
+      if (!is_zero(line)) {
+        add(line, eye_sign_);
+      } else if (clips_.has_caps()) {
+        add(Line{{}, {}, Wide<kWords>(-1)}, 1);
+      }
+    }
     if (camera_.near) {
       add(widened(near_function<kBits>(support, *camera_.near,
                                        camera_.perspective, samples_)),
@@ -72,7 +87,9 @@ class ExactScan {
 
   const TreeReader& reader_;
   const CameraData& camera_;
+  const ClipSet& clips_;
   int samples_;
+  ClipMask cuts_ = 0;
   const TreeFragment* fragment_ = nullptr;
   int eye_sign_ = 0;
   bool ready_ = false;

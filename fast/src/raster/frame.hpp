@@ -5,6 +5,7 @@
 #include "camera/view.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/image.hpp"
+#include "raster/clip_set.hpp"
 #include "raster/kernel/tile_kernel.hpp"
 #include "tree/tree_reader.hpp"
 
@@ -17,6 +18,7 @@ struct Frame {
   const ImageOptions& image;
   const View& view;
   const TileKernel& kernel;
+  const ClipSet& clips;
   std::uint8_t alpha = kOpaque;  ///< below that colours are blended (S5.6)
 };
 

@@ -29,11 +29,12 @@ PolygonRasterizer<kBits>::PolygonRasterizer(const Frame& frame,
                                             TileView& screen)
     : frame_(frame),
       screen_(screen),
-      scan_(frame.reader, frame.camera, frame.view.samples),
+      scan_(frame.reader, frame.camera, frame.clips, frame.view.samples),
       shader_(frame.reader.scene(), frame.camera, frame.view),
       late_shader_(frame.reader.scene(), frame.camera, frame.view),
       gouraud_(frame.image.shading == Shading::kGouraud &&
                !frame.reader.scene().data().corner_colors.empty()),
+      clipper_(frame.clips, frame.reader),
       depth_(frame, screen) {
   blends = frame.alpha != kOpaque;
   screen.exact = this;
@@ -93,6 +94,7 @@ void PolygonRasterizer<kBits>::prefetch(const Node& leaf) const {
 
 template <int kBits>
 PixelSource PolygonRasterizer<kBits>::begin(std::int32_t k, std::int32_t turn) {
+  cuts_ = 0;
   return start(frame_.reader.fragments_of(*block_)[k],
                -frame_.view.orientation * turn);
 }
@@ -103,17 +105,18 @@ PixelSource PolygonRasterizer<kBits>::begin(std::int32_t k, std::int32_t turn) {
 /// true X', t', so x is off by (a + b |x|) / (t - b); the reciprocal and the
 /// product add 2u |x|, 4u with a margin for the bound's own roundings.
 template <int kBits>
+template <class VertexAt>
 typename PolygonRasterizer<kBits>::Projection PolygonRasterizer<kBits>::project(
-    const TreeFragment& fragment) {
+    std::size_t count, VertexAt&& vertex_at) {
   const View& view = frame_.view;
-  const auto corners = frame_.reader.corners(fragment);
-  if (corners.size() > kMostCorners) return Projection::kLines;
+  corner_count_ = count;
+  if (count > kMostCorners) return Projection::kLines;
   bool all_behind = true;
   bool some_in_doubt = false;
   double error = 0;
   std::size_t k = 0;
-  for (const Corner& corner : corners) {
-    const Vertex v = frame_.reader.vertex(corner.vertex);
+  for (std::size_t corner = 0; corner < count; ++corner) {
+    const Vertex v = vertex_at(corner);
     const double t = view.t.at(v.x, v.y, v.z);
     const double t_error =
         (view.t_error + view.t_growth * v.error) * (1 + 0x1p-48);
@@ -144,6 +147,26 @@ typename PolygonRasterizer<kBits>::Projection PolygonRasterizer<kBits>::project(
   error_ = error * (1 + 0x1p-40);
   return some_in_doubt || !(error_ < kMostError) ? Projection::kLines
                                                  : Projection::kOutline;
+}
+
+template <int kBits>
+typename PolygonRasterizer<kBits>::Projection PolygonRasterizer<kBits>::project(
+    const TreeFragment& fragment) {
+  cuts_ = 0;
+  if (clip_mask_ != 0) {
+    const ClippedFragment left = clipper_.clip(fragment, clip_mask_);
+    if (left.is_gone) return Projection::kUnseen;
+    cuts_ = left.cuts;
+    if (cuts_ != 0 && left.corners.empty()) return Projection::kLines;
+    if (cuts_ != 0) {
+      return project(left.corners.size(),
+                     [&](std::size_t k) { return left.corners[k]; });
+    }
+  }
+  const auto corners = frame_.reader.corners(fragment);
+  return project(corners.size(), [&](std::size_t k) {
+    return frame_.reader.vertex(corners[k].vertex);
+  });
 }
 
 template <int kBits>
@@ -186,7 +209,7 @@ int PolygonRasterizer<kBits>::turn(std::size_t count) const {
 template <int kBits>
 PixelSource PolygonRasterizer<kBits>::start(const TreeFragment& fragment,
                                             int eye_sign) {
-  scan_.start(fragment, eye_sign);
+  scan_.start(fragment, eye_sign, cuts_);
   depth_.start(fragment, eye_sign, block_);
   const Scene& scene = frame_.reader.scene();
   const bool smooth = gouraud_ && has_gradient(scene, fragment.source);
@@ -229,8 +252,7 @@ void PolygonRasterizer<kBits>::draw_projected(const TreeFragment& fragment,
         frame_.kernel.draw_lines(screen_, screen_.lines, source));
     return;
   }
-  const Outline outline = {x_, y_,
-                           static_cast<std::int32_t>(fragment.corner_count),
+  const Outline outline = {x_, y_, static_cast<std::int32_t>(corner_count_),
                            error_, -frame_.view.orientation * eye_sign};
   pixels_ +=
       static_cast<std::size_t>(frame_.kernel.draw(screen_, outline, source));

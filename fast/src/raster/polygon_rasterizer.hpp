@@ -23,6 +23,9 @@ class PolygonRasterizer final : private ExactFallback {
  public:
   PolygonRasterizer(const Frame& frame, TileView& screen);
 
+  /// The clip planes that may cut what is drawn from now on.
+  void set_clips(ClipMask mask) { clip_mask_ = mask; }
+
   /// Draws a fragment whose source has the eye on side `eye_sign`.
   void draw(const TreeFragment& fragment, int eye_sign);
 
@@ -32,8 +35,7 @@ class PolygonRasterizer final : private ExactFallback {
   void draw_any(const TreeFragment& fragment, EyeSide&& eye_side) {
     const Projection projection = project(fragment);
     if (projection == Projection::kUnseen) return;
-    int sign =
-        projection == Projection::kOutline ? turn(fragment.corner_count) : 0;
+    int sign = projection == Projection::kOutline ? turn(corner_count_) : 0;
     sign = sign != 0 ? -frame_.view.orientation * sign : eye_side(fragment);
     if (sign == 0 || (frame_.image.cull && sign < 0)) return;
     draw_projected(fragment, projection, sign);
@@ -42,6 +44,14 @@ class PolygonRasterizer final : private ExactFallback {
   /// Draws the fragments of a leaf, whose order does not matter.
   template <class EyeSide>
   void draw_leaf(const Node& leaf, EyeSide&& eye_side) {
+    if (clip_mask_ != 0) {
+      for_fragments(frame_.reader.tree(), leaf, [&](const TreeFragment& f) {
+        draw_any(f, eye_side);
+        return true;
+      });
+      frame_.kernel.leave_leaf(screen_);
+      return;
+    }
     const Blocks blocks = frame_.reader.blocks(leaf);
     const Run run = {leaf.first_fragment, blocks.end};
     prefetch(run, 0, kAhead);
@@ -130,6 +140,8 @@ class PolygonRasterizer final : private ExactFallback {
   }
 
   Projection project(const TreeFragment& fragment);
+  template <class VertexAt>
+  Projection project(std::size_t count, VertexAt&& vertex_at);
   int turn(std::size_t count) const;
   void draw_projected(const TreeFragment& fragment, Projection projection,
                       int eye_sign);
@@ -158,7 +170,11 @@ class PolygonRasterizer final : private ExactFallback {
   PixelSource source_;  ///< of the last that was not drawn together with others
   double x_[kMostCorners];
   double y_[kMostCorners];
+  std::size_t corner_count_ = 0;  ///< of the outline
   double error_ = 0;
+  FragmentClipper clipper_;
+  ClipMask clip_mask_ = 0;
+  ClipMask cuts_ = 0;  ///< the planes that cut the fragment
   LeafDepth<kBits> depth_;
   const BlockHead* block_ = nullptr;  ///< the block being drawn, if any
   std::size_t pixels_ = 0;

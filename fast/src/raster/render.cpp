@@ -12,6 +12,7 @@
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/painter.hpp"
+#include "raster/caps.hpp"
 #include "raster/culler.hpp"
 #include "raster/polygon_rasterizer.hpp"
 #include "raster/render_pass.hpp"
@@ -33,6 +34,16 @@ int source_side(const TreeFragment& fragment, int node_sign) {
   return fragment.flipped != 0 ? -node_sign : node_sign;
 }
 
+/// The clip planes that may cut what is in a node.
+ClipMask clip_mask(const Frame& frame, const Node& node) {
+  if (frame.clips.empty()) return 0;
+  const BspTree& tree = frame.reader.tree();
+  if (tree.boxes.size() != tree.nodes.size()) return frame.clips.all();
+  const auto n = static_cast<std::size_t>(&node - tree.nodes.data());
+  const ClipState state = frame.clips.classify(tree.boxes[n]);
+  return state.is_gone ? frame.clips.all() : state.mask;
+}
+
 template <int kBits>
 BandResult render_band(const Frame& frame, TileBuffer& buffer) {
   const BspTree& tree = frame.reader.tree();
@@ -42,10 +53,12 @@ BandResult render_band(const Frame& frame, TileBuffer& buffer) {
   const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats);
   const Culler culler(frame.view, frame.kernel, screen);
   const bool has_boxes = tree.boxes.size() == tree.nodes.size();
+  const bool has_clips = !frame.clips.empty();
   const auto enter = [&](NodeId id) {
     if (!has_boxes) return true;
     const auto n = static_cast<std::size_t>(id);
     const Node& node = tree.nodes[n];
+    if (has_clips && frame.clips.classify(tree.boxes[n]).is_gone) return false;
     // Drawing one fragment is faster than testing its box.
     const bool is_single = node.splitter != kNoPlane &&
                            node.positive == kNoNode && node.negative == kNoNode;
@@ -58,11 +71,13 @@ BandResult render_band(const Frame& frame, TileBuffer& buffer) {
   // A leaf is drawn when the next one is found: its vertices are fetched from
   // memory meanwhile.
   const Node* waiting = nullptr;
+  ClipMask waiting_clips = 0;
   const auto draw_waiting = [&] {
     if (waiting == nullptr) return;
     // One fragment hides nothing of its own.
     const auto first = static_cast<std::size_t>(waiting->first_fragment);
     if (tree.fragments[first].next != kNoFragment) buffer.enter_leaf();
+    rasterizer.set_clips(waiting_clips);
     rasterizer.draw_leaf(*waiting, side_of_source);
     waiting = nullptr;
   };
@@ -71,8 +86,10 @@ BandResult render_band(const Frame& frame, TileBuffer& buffer) {
       rasterizer.prefetch(node);
       draw_waiting();
       waiting = &node;
+      waiting_clips = clip_mask(frame, node);
     } else if (node.first_fragment != kNoFragment) {
       draw_waiting();
+      rasterizer.set_clips(clip_mask(frame, node));
       for_fragments(tree, node, [&](const TreeFragment& fragment) {
         rasterizer.draw(fragment, source_side(fragment, sign));
         return true;
@@ -101,6 +118,7 @@ BandResult paint_band(const Frame& frame, TileBuffer& buffer) {
   std::vector<std::int32_t> scratch;
   const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats);
   walk_back_to_front(tree, eye_side, [&](const Node& node, int sign) {
+    rasterizer.set_clips(clip_mask(frame, node));
     return for_fragments_reversed(
         tree, node, scratch, [&](const TreeFragment& fragment) {
           rasterizer.draw(fragment, source_side(fragment, sign));
@@ -174,16 +192,21 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
                    rectangle.bottom <= data.height_px * pass.samples);
   const std::int32_t width = rectangle.right - rectangle.left;
   const std::int32_t height = rectangle.bottom - rectangle.top;
-  resize(result.items, options.items ? width : 0, options.items ? height : 0);
+  // Caps are compared with what is seen.
+  const bool has_caps = image.caps && !image.clips.empty();
+  const bool items = options.items || has_caps;
+  resize(result.items, items ? width : 0, items ? height : 0);
   resize(result.colors, options.colors ? width : 0,
          options.colors ? height : 0);
 
   const bool leaves = has_leaves(tree);
   HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
   const TreeReader reader(scene, tree);
+  HALFSPACE_ASSERT(pass.samples == 1 || image.clips.empty());
   const View view = make_view(camera, scene.grid_bits(), pass.samples);
-  const Frame frame = {reader,    data, image, view, best_kernel(options.simd),
-                       pass.alpha};
+  const ClipSet clips(image.clips, image.caps.has_value(), scene.grid_bits());
+  const Frame frame = {
+      reader, data, image, view, best_kernel(options.simd), clips, pass.alpha};
   const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
   std::vector<BandResult> found(bands.size());
   const auto one = [&](std::size_t b) {
@@ -198,6 +221,10 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
     one(0);
   } else {
     for_bands(bands.size(), options.threads, one);
+  }
+  if (has_caps) {
+    add_caps(frame, rectangle, result);
+    if (!options.items) result.items = {};
   }
   result.pixels_painted = 0;
   result.fragments_displayed = 0;

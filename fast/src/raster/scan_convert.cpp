@@ -75,7 +75,8 @@ std::vector<ObjectSegment> segments_of(const Scene& scene, const BspTree& tree,
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
   const ImageOptions options;
-  const Frame frame = {reader, data, options, view, best_kernel(simd)};
+  const ClipSet clips(options.clips, false, scene.grid_bits());
+  const Frame frame = {reader, data, options, view, best_kernel(simd), clips};
   Rendering image;
   image.items = ItemImage(data.width_px, data.height_px, kBackground);
   TileBuffer buffer({0, 0, data.width_px, data.height_px}, {0, data.height_px},

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/fast/render.hpp"
 #include "ray/ray_walk.hpp"
 #include "ray/sample_ray.hpp"
 
@@ -107,8 +108,6 @@ struct Candidate {
   bool is_exact = false;
   Parameter parameter;  ///< if it is
 };
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What a ray hits, and what it hits first: fragments are offered one by one.
 template <int kBits>
@@ -263,6 +262,12 @@ PolygonId pick(const Scene& scene, const BspTree& tree, const Camera& camera,
   const CameraData& data = camera.data();
   HALFSPACE_ASSERT(0 <= i && i < data.width_px);
   HALFSPACE_ASSERT(0 <= j && j < data.height_px);
+  if (options.caps) {
+    RenderOptions one;
+    one.rectangle = Rectangle{i, j, i + 1, j + 1};
+    one.colors = false;
+    return render(scene, tree, camera, options, one).items.pixels.front();
+  }
   const TreeReader reader(scene, tree);
   const RayLine line = ray_of_centre(data, i, j, scene.grid_bits());
   return with_grid(scene.grid_bits(), [&](auto bits) {

@@ -5,11 +5,6 @@
 #include <limits>
 
 namespace halfspace::fast {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 RayLine::RayLine(const LatticeVector& origin, const LatticeVector& direction,
                  Reach reach, int shift, int grid_bits) {

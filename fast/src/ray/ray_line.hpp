@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "exact/filter.hpp"
@@ -10,6 +12,9 @@
 #include "tree/tree_reader.hpp"
 
 namespace halfspace::fast {
+
+/// Beyond every parameter.
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// From which parameter to which; empty where first > last.
 struct ParameterRange {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "camera/edge_function.hpp"
+#include "camera/clip_function.hpp"
 #include "halfspace/image.hpp"
 #include "ray/ray_line.hpp"
 
@@ -73,6 +73,13 @@ class SampleRay {
       if (side *
               edge_function(ends[0], ends[1], camera_).sign_at_sample(i_, j_) <=
           0)
+        return false;
+    }
+    for (const ClipPlane& clip : options_.clips) {
+      const auto line =
+          meet_function<kBits>(plane, projected<kBits>(clip, camera_));
+      // A polygon in the clip plane stays.
+      if (!is_zero(line) && side * line.sign_at_sample(i_, j_) <= 0)
         return false;
     }
     if (!camera_.near) return true;

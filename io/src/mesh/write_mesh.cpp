@@ -207,10 +207,50 @@ void cut_mesh(const OutputMesh& mesh, Writer& writer) {
 
 }  // namespace
 
+namespace {
+
+/// What does not keep to the shape of a mesh, if something does not.
+std::optional<Error> shape_fault(const OutputMesh& mesh) {
+  const auto& first = mesh.first_corner;
+  if (first.empty() || first.front() != 0 ||
+      first.back() != mesh.corners.size() ||
+      !std::is_sorted(first.begin(), first.end())) {
+    return Error{ErrorCode::kBadIndex,
+                 "first_corner does not begin with 0, rise and end with the "
+                 "number of corners"};
+  }
+  const std::size_t faces = first.size() - 1;
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (first[f + 1] - first[f] >= 3) continue;
+    return Error{ErrorCode::kTooFewVertices,
+                 "face " + std::to_string(f) + " has fewer than 3 corners",
+                 static_cast<std::int64_t>(f)};
+  }
+  if (!mesh.colors.empty() && mesh.colors.size() != faces) {
+    return Error{ErrorCode::kBadIndex, std::to_string(faces) + " faces have " +
+                                           std::to_string(mesh.colors.size()) +
+                                           " colours"};
+  }
+  for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
+    const VertexId vertex = mesh.corners[c];
+    if (vertex >= 0 && static_cast<std::size_t>(vertex) < mesh.vertices.size())
+      continue;
+    return Error{ErrorCode::kBadIndex,
+                 "corner " + std::to_string(c) + " is vertex " +
+                     std::to_string(vertex) + ", of " +
+                     std::to_string(mesh.vertices.size()),
+                 static_cast<std::int64_t>(c)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<ExportReport> write_mesh(const std::filesystem::path& path,
                                 const OutputMesh& mesh) {
   const Result<const FormatEntry*> found = output_format(path);
   if (!found) return found.error();
+  if (const auto fault = shape_fault(mesh)) return named(path, *fault);
   const FormatEntry& format = **found;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (const double value : mesh.vertices[v]) {

@@ -1,16 +1,14 @@
 #include "halfspace/io/ray.hpp"
 
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
 #include "halfspace/big_integer.hpp"
 #include "halfspace/io/number.hpp"
+#include "view/fraction.hpp"
 
 namespace halfspace::io {
 namespace {
-
-using Fraction = boost::multiprecision::cpp_rational;
 
 Integer to_integer(const RayInteger& words) {
   const bool negative = words.back() >> 63 != 0;
@@ -22,16 +20,9 @@ Integer to_integer(const RayInteger& words) {
   return value;
 }
 
-Integer power(int base, std::int32_t exponent) {
-  return boost::multiprecision::pow(Integer(base),
-                                    static_cast<unsigned>(exponent));
-}
-
 /// A lattice step in model units.
 Fraction lattice_step(const Unit& unit) {
-  const Fraction step(Integer(1), Integer(1) << kLatticeBits);
-  return unit.exponent >= 0 ? Fraction(step * power(unit.base, unit.exponent))
-                            : Fraction(step / power(unit.base, -unit.exponent));
+  return grid_step(unit) / Fraction(Integer(1) << kLatticeBits);
 }
 
 Fraction fraction_of(const RayHit& hit) {
@@ -81,31 +72,12 @@ double nearest_root(const Fraction& square) {
                           Integer(1) << static_cast<unsigned>(shift + 1)));
 }
 
-/// Lattice steps in a model unit, of exact numbers.
+/// A number of model units in lattice steps.
 Fraction lattice_of(double value, const Unit& unit) {
-  const Number number = number_of(value);
-  Fraction exact(number.mantissa);
-  const auto scale = [&exact](int base, std::int32_t exponent) {
-    if (exponent >= 0) {
-      exact *= power(base, exponent);
-    } else {
-      exact /= power(base, -exponent);
-    }
-  };
-  scale(2, number.two);
-  scale(5, number.five);
-  return exact / lattice_step(unit);
+  return fraction_of(number_of(value)) / lattice_step(unit);
 }
 
-/// The nearest integer; halves go up.
-Integer rounded(const Fraction& value) {
-  const Fraction up = value + Fraction(1, 2);
-  Integer result = numerator(up) / denominator(up);
-  if (result * denominator(up) > numerator(up)) result -= 1;
-  return result;
-}
-
-bool is_finite(const glm::dvec3& v) {
+bool all_finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
@@ -137,7 +109,7 @@ Result<Rounded> to_lattice(const glm::dvec3& v, const Unit& unit) {
 
 Result<RoundedRay> ray_between(const Scene& scene, const glm::dvec3& from,
                                const glm::dvec3& to, Reach reach) {
-  if (!is_finite(from) || !is_finite(to))
+  if (!all_finite(from) || !all_finite(to))
     return Error{ErrorCode::kNotFinite, "a number of the ray is not finite"};
   const Result<Rounded> begin = to_lattice(from, scene.unit());
   if (!begin) return begin.error();
@@ -153,7 +125,7 @@ Result<RoundedRay> ray_between(const Scene& scene, const glm::dvec3& from,
 
 Result<RoundedRay> ray_along(const Scene& scene, const glm::dvec3& from,
                              const glm::dvec3& direction) {
-  if (!is_finite(from) || !is_finite(direction))
+  if (!all_finite(from) || !all_finite(direction))
     return Error{ErrorCode::kNotFinite, "a number of the ray is not finite"};
   const Result<Rounded> begin = to_lattice(from, scene.unit());
   if (!begin) return begin.error();
@@ -168,9 +140,7 @@ Result<RoundedRay> ray_along(const Scene& scene, const glm::dvec3& from,
     Rounded scaled;
     const auto component = [&](double value) {
       const Number number = number_of(std::ldexp(value, -exponent));
-      Fraction exact(number.mantissa);
-      exact /= power(2, std::max(-number.two, 0));
-      return to_int128(rounded(exact * power(2, reach)));
+      return to_int128(rounded(fraction_of(number) * power(2, reach)));
     };
     scaled.vector = {component(direction.x), component(direction.y),
                      component(direction.z)};

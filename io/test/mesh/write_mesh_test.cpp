@@ -383,6 +383,29 @@ TEST(WriteMesh, WritesExactDecimalsOfDoublesWhereTheyAreAskedFor) {
   }
 }
 
+TEST(WriteMesh, RefusesWhatIsNoMesh) {
+  const samples::TemporaryFile file("a.off");
+  OutputMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}};
+  mesh.first_corner = {0, 3};
+  for (const VertexId bad : {3, -1}) {
+    mesh.corners = {0, 1, bad};
+    const auto report = write_mesh(file.path(), mesh);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().code, ErrorCode::kBadIndex);
+    EXPECT_EQ(report.error().index, 2);
+  }
+  mesh.corners = {0, 1};
+  EXPECT_EQ(write_mesh(file.path(), mesh).error().code, ErrorCode::kBadIndex);
+  mesh.first_corner = {0, 2};
+  EXPECT_EQ(write_mesh(file.path(), mesh).error().code,
+            ErrorCode::kTooFewVertices);
+  mesh.corners = {0, 1, 2};
+  mesh.first_corner = {0, 3};
+  mesh.colors.resize(2);
+  EXPECT_EQ(write_mesh(file.path(), mesh).error().code, ErrorCode::kBadIndex);
+}
+
 TEST(WriteMesh, CutsFansForAnStl) {
   OutputMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}};

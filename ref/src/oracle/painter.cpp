@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/shade.hpp"
@@ -22,8 +23,11 @@ void set_back_to_front(const Scene& scene, const BspTree& tree,
     const Plane& plane = planes[static_cast<std::size_t>(fragment.source)];
     const bool from_behind = side_of_eye(plane, camera) == Side::kNegative;
     if (options.cull && from_behind) return true;
+    if (!is_there(plane, options)) return true;
+    const auto left = clipped(fragment, options);
+    if (!left) return true;
     ++image.fragments_displayed;
-    for (const auto& [line, span] : scan_convert(fragment, projection)) {
+    for (const auto& [line, span] : scan_convert(*left, projection)) {
       for (std::int32_t i = span.first; i <= span.last; ++i) {
         set(i, line, fragment.source);
         ++image.pixels_painted;
@@ -58,6 +62,7 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
                     [&](std::int32_t i, std::int32_t j, PolygonId source) {
                       image.items.at(i, j) = source;
                     });
+  add_caps(scene, camera, options, image.items);
   image.colors = colors_of(scene, camera, image.items, options);
   return image;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/shade.hpp"
 
 namespace halfspace::ref {
@@ -103,6 +104,7 @@ Ray ray_through(const Camera& camera, std::int32_t i, std::int32_t j) {
 /// A polygon in space.
 struct Polygon {
   std::vector<Fixed> corners;
+  Plane plane;  ///< in grid steps
   Fixed normal;
   /// For each edge, a vector in the plane that points from it to the inside.
   std::vector<Fixed> inwards;
@@ -118,6 +120,7 @@ Polygon polygon_of(const Scene& scene, PolygonId id, const Camera& camera) {
     polygon.corners.push_back({scale * p.x, scale * p.y, scale * p.z});
   }
   const Plane plane = plane_of(whole(scene, id).vertices);
+  polygon.plane = plane;
   polygon.normal = {plane.a, plane.b, plane.c};
   const std::size_t count = polygon.corners.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -182,6 +185,16 @@ bool is_inside(const Hit& hit, const Polygon& polygon) {
   return true;
 }
 
+/// Whether the hit point is on no clip plane's negative side (S10.2).
+bool is_kept(const Hit& hit, const ImageOptions& options) {
+  for (const ClipPlane& clip : options.clips) {
+    const Fixed normal{clip.a, clip.b, clip.c};
+    const Rational offset = Rational(1 << kLatticeBits) * Rational(clip.d);
+    if (sign(dot(normal, hit.point) + offset * hit.weight) < 0) return false;
+  }
+  return true;
+}
+
 /// Whether `a` comes before `b` on their ray: the weights are positive.
 bool is_before(const Hit& a, const Hit& b) {
   return sign(a.depth * b.weight - b.depth * a.weight) < 0;
@@ -189,13 +202,14 @@ bool is_before(const Hit& a, const Hit& b) {
 
 /// Whether the ray hits the polygon before `first`, which then is that hit.
 bool hits_first(const Ray& ray, const Polygon& polygon, const Camera& camera,
-                std::optional<Hit>& first) {
+                const ImageOptions& options, std::optional<Hit>& first) {
   std::optional<Hit> hit = meet(ray, polygon);
   // Never true: see meet().
   if (!hit) return false;
   if (!is_seen(*hit, camera)) return false;
   if (first && !is_before(*hit, *first)) return false;
   if (!is_inside(*hit, polygon)) return false;
+  if (!is_kept(*hit, options)) return false;
   first = std::move(hit);
   return true;
 }
@@ -203,6 +217,7 @@ bool hits_first(const Ray& ray, const Polygon& polygon, const Camera& camera,
 /// Whether an eye in its plane, or culling, leaves the polygon to be seen.
 bool can_be_seen(const Polygon& polygon, const ImageOptions& options) {
   const int side = sign(polygon.at_eye);
+  if (!is_there(polygon.plane, options)) return false;
   return side != 0 && !(options.cull && side < 0);
 }
 
@@ -283,13 +298,14 @@ Rendering raycast(const Scene& scene, const Camera& camera,
       for (const PolygonId id : in_row[static_cast<std::size_t>(j)]) {
         const auto index = static_cast<std::size_t>(id);
         if (!columns_of[index][static_cast<std::size_t>(i)]) continue;
-        if (!hits_first(ray, polygons[index], camera, first)) continue;
+        if (!hits_first(ray, polygons[index], camera, options, first)) continue;
         image.items.at(i, j) = id;
         ++image.pixels_painted;
       }
     }
   }
 
+  add_caps(scene, camera, options, image.items);
   image.colors = colors_of(scene, camera, image.items, options);
   return image;
 }
@@ -303,7 +319,7 @@ PolygonId raycast_at(const Scene& scene, const Camera& camera,
   for (const PolygonId id : ids) {
     const Polygon polygon = polygon_of(scene, id, camera);
     if (!can_be_seen(polygon, options)) continue;
-    if (hits_first(ray, polygon, camera, first)) seen = id;
+    if (hits_first(ray, polygon, camera, options, first)) seen = id;
   }
   return seen;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/shade.hpp"
 
 namespace halfspace::ref {
@@ -122,16 +123,33 @@ Affine beyond_near(const Rational& plane_at_eye, const Affine& plane_at_image,
   return f;
 }
 
+/// P(e) C(s) - C(e) P(s) for a clip plane C, in lattice steps (S10.2).
+Affine side_of_clip(const Rational& plane_at_eye, const Affine& plane_at_image,
+                    const ClipPlane& clip, const Eye& eye) {
+  const Rational offset = Rational(1 << kLatticeBits) * Rational(clip.d);
+  const auto along = [&clip](const Vector& v) {
+    return Rational(clip.a) * v.x + Rational(clip.b) * v.y +
+           Rational(clip.c) * v.z;
+  };
+  const Rational at_eye =
+      eye.perspective ? along(eye.eye) + offset : along(eye.eye);
+  const Affine at_image{along(eye.s0) + offset, along(eye.sx), along(eye.sy)};
+  const Affine p = plane_at_eye * at_image;
+  const Affine q = at_eye * plane_at_image;
+  return {p.value - q.value, p.dx - q.dx, p.dy - q.dy};
+}
+
 /// The polygon as its pixels need it; nothing if it covers none: its plane
 /// contains the eye, or it is seen from behind and culled.
 std::optional<Covering> covering_of(const std::vector<Vector>& corners,
                                     const Plane& plane, const Eye& eye,
-                                    bool cull) {
+                                    const ImageOptions& options) {
   const Support support{corners[0], {plane.a, plane.b, plane.c}};
   const Rational plane_at_eye =
       eye.perspective ? support.at(eye.eye) : support.along(eye.eye);
   const int sigma = sign(plane_at_eye);
-  if (sigma == 0 || (cull && sigma < 0)) return std::nullopt;
+  if (sigma == 0 || (options.cull && sigma < 0)) return std::nullopt;
+  if (!is_there(plane, options)) return std::nullopt;
 
   Covering covering;
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -144,6 +162,13 @@ std::optional<Covering> covering_of(const std::vector<Vector>& corners,
   if (eye.near) {
     covering.insides.push_back(Rational(sigma) *
                                beyond_near(plane_at_eye, plane_at_image, eye));
+  }
+  for (const ClipPlane& clip : options.clips) {
+    const Affine side = side_of_clip(plane_at_eye, plane_at_image, clip, eye);
+    // Zero where the polygon lies in the clip plane, and stays.
+    if (sign(side.value) == 0 && sign(side.dx) == 0 && sign(side.dy) == 0)
+      continue;
+    covering.insides.push_back(Rational(sigma) * side);
   }
   // 1/t - 1 = -P(s) / P(e) in perspective, else -t = -P(s) / (n . eye).
   covering.nearness = Rational(-1) / plane_at_eye * plane_at_image;
@@ -218,7 +243,7 @@ Rendering zbuffer(const Scene& scene, const Camera& camera,
       const Rational scale = 1 << kLatticeBits;
       corners.push_back({scale * p.x, scale * p.y, scale * p.z});
     }
-    auto covering = covering_of(corners, planes[index], eye, options.cull);
+    auto covering = covering_of(corners, planes[index], eye, options);
     if (!covering) continue;
     polygons[index] = *std::move(covering);
     ++image.fragments_displayed;
@@ -237,6 +262,7 @@ Rendering zbuffer(const Scene& scene, const Camera& camera,
     }
   }
 
+  add_caps(scene, camera, options, image.items);
   image.colors = colors_of(scene, camera, image.items, options);
   return image;
 }

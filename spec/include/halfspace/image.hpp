@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "halfspace/clip.hpp"
 #include "halfspace/polygon.hpp"
 
 namespace halfspace {
@@ -16,6 +18,11 @@ struct ImageOptions {
   bool cull = false;  ///< polygons whose negative side the eye is on are unseen
   Shading shading = Shading::kFlat;
   Rgb background = {255, 255, 255};
+  /// What is on the negative side of any of these is not there (S10.2). They are
+  /// of make_clips().
+  std::vector<ClipPlane> clips = {};
+  /// Whether and how the cuts of a closed scene are filled (S10.3).
+  std::optional<CapStyle> caps = std::nullopt;
   friend bool operator==(const ImageOptions&, const ImageOptions&) = default;
 };
 

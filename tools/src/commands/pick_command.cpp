@@ -11,6 +11,7 @@
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/io/ray.hpp"
+#include "image/clipping.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -33,6 +34,7 @@ struct PickArguments {
   bool json = false;
   std::optional<int> grid_bits;
   ViewArguments view;
+  ClipArguments clip;
 };
 
 std::optional<Pixel> parse_pixel(std::string_view text) {
@@ -81,6 +83,10 @@ class Report {
                       point.x, point.y, point.z, distance,
                       parameter.empty() ? "" : "  t " + parameter));
   }
+  void add_cap(std::int32_t plane) {
+    hits_.push_back({{"cap_of_clip_plane", plane}});
+    if (!is_json_) print(fmt::format("cap of clip plane {}\n", plane));
+  }
   void finish() {
     if (is_json_) {
       print(nlohmann::json{{"hits", hits_}}.dump(2) + "\n");
@@ -116,11 +122,19 @@ Status run_pixel(const PickArguments& arguments,
                     camera->width_px - 1, camera->height_px - 1));
   }
   const Scene& scene = loaded.file.scene;
+  ImageOptions options = choose_options(loaded.file, arguments.view);
+  const Result<Done> clipped =
+      add_clips(scene, camera, arguments.clip, options);
+  if (!clipped) return fail(clipped.error().message);
+  const std::string wrong = cap_complaint(scene, arguments.clip);
+  if (!wrong.empty()) return fail(wrong);
   const PolygonId polygon =
-      fast::pick(scene, tree_of(scene), camera,
-                 choose_options(loaded.file, arguments.view), x, y);
+      fast::pick(scene, tree_of(scene), camera, options, x, y);
   Report report(loaded, arguments.json);
-  if (polygon != kBackground) {
+  const auto count = static_cast<PolygonId>(scene.polygon_count());
+  if (polygon >= count) {
+    report.add_cap(polygon - count);
+  } else if (polygon != kBackground) {
     const io::PixelPoint at = io::pixel_point(scene, camera, polygon, x, y);
     report.add(polygon, at.point, at.distance, "");
   }
@@ -204,6 +218,7 @@ void add_pick(CLI::App& program, Status& status) {
   app->add_flag("--json", arguments->json, "As JSON");
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
+  add_clip_options(*app, arguments->clip);
   add_quiet_option(*app);
   app->footer(
       "Polygons are those of --ids. Which are hit is decided exactly; t is the "

@@ -162,6 +162,8 @@ Status run_render(const RenderArguments& arguments) {
     return fail(arguments.path +
                 ": a scene has its own colours; --color and --light are for "
                 "meshes");
+  wrong = cap_complaint(loaded->file.scene, arguments.clip);
+  if (!wrong.empty()) return fail(wrong);
   progress(engine->warning(loaded->file.scene.polygon_count()));
   return arguments.camera_path_file ? run_film(*engine, *loaded, arguments)
                                     : run_still(*engine, *loaded, arguments);
@@ -231,6 +233,7 @@ void add_render(CLI::App& program, Status& status) {
              "to front; z-buffer; ray casting. All give the same image");
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
+  add_clip_options(*app, arguments->clip);
   add_number(*app, "--alpha", "A", arguments->alpha, std::uint8_t{0}, kOpaque,
              "Blend the polygons, from the farthest to the nearest: 0 is not "
              "seen, 255 hides what is behind. By the painter's algorithm")
@@ -260,6 +263,7 @@ void add_render(CLI::App& program, Status& status) {
       "--ortho\n"
       "  halfspace render part.stl -o glass.png --alpha 80\n"
       "  halfspace render part.stl -o smooth.png --aa 4\n"
+      "  halfspace render part.stl -o cut.png --clip 0,1,0,-5 --cap hatch\n"
       "  halfspace render part.stl -o frame-%05d.png --path tour.txt "
       "--frames 0:100\n"
       "  halfspace render part.stl --ids a.npy --method painter\n"

@@ -115,6 +115,9 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.alpha && arguments.shadow) {
     return "--shadow: checks opaque images, none with --alpha";
   }
+  if (arguments.clip.caps && (arguments.alpha || arguments.shadow)) {
+    return "--cap: not together with --alpha or --shadow";
+  }
   const std::string simd = simd_complaint(arguments);
   if (!simd.empty()) return simd;
   const std::string film = film_complaint(arguments);
@@ -159,9 +162,17 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
                  "--aa: with so many samples a picture has at most " +
                      std::to_string(most) + " columns and rows"};
   }
+  if (arguments.anti_aliasing &&
+      !choose_options(loaded.file, arguments.view).clips.empty()) {
+    return Error{ErrorCode::kOutOfRange,
+                 "--aa: is not for clip planes; leave out either"};
+  }
   Shot shot;
   shot.method = method_of(arguments);
   shot.options = choose_options(loaded.file, arguments.view);
+  const Result<Done> clipped =
+      add_clips(loaded.file.scene, camera, arguments.clip, shot.options);
+  if (!clipped) return clipped.error();
   shot.rows = *rows;
   shot.anti_aliasing = anti_aliasing;
   shot.items = arguments.ids_file.has_value();
@@ -169,6 +180,7 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
   shot.threads = thread_count(arguments.build);
   shot.simd = arguments.simd.value_or(fast::SimdLevel::kBest);
   Frame frame;
+  frame.options = shot.options;
   if (shot.rows) {
     frame.part = io::PartOfPicture{shot.rows->first, camera->height_px};
   }

@@ -10,6 +10,7 @@
 #include "cli/loading.hpp"
 #include "halfspace/io/picture.hpp"
 #include "image/building.hpp"
+#include "image/clipping.hpp"
 #include "image/engine.hpp"
 #include "image/viewing.hpp"
 
@@ -33,6 +34,7 @@ struct RenderArguments {
   std::optional<double> shadow;  ///< the share of the pixels to be checked
   std::string shadow_file = "halfspace-shadow.scene";
   ViewArguments view;
+  ClipArguments clip;
   BuildArguments build;
 };
 
@@ -55,6 +57,7 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine);
 /// A picture, and what it took.
 struct Frame {
   Picture picture;
+  ImageOptions options;                   ///< that it was made with
   std::optional<io::PartOfPicture> part;  ///< nothing: it is the whole
   double frame_ms = 0;                    ///< median of the repeats
 };

@@ -27,7 +27,7 @@ Status Shadow::check(const io::LoadedScene& loaded, const Camera& camera,
                      const Frame& frame) {
   if (!arguments_.shadow) return Status::kFine;
   const Scene& scene = loaded.file.scene;
-  const ImageOptions options = choose_options(loaded.file, arguments_.view);
+  const ImageOptions options = frame.options;
   shadow::Options how;
   how.share = *arguments_.shadow;
   how.seed = ++images_;

@@ -51,6 +51,8 @@ constexpr Word<io::ViewDirection> kViewWords[] = {
     {"bottom", {{0, 0, -1}, {0, -1, 0}}},
     {"iso", io::ViewDirection()}};
 
+}  // namespace
+
 std::optional<Rgb> parse_color(std::string_view text) {
   std::optional<std::uint8_t> channels[3];
   const bool is_hex = text.size() == 7 && text[0] == '#';
@@ -72,6 +74,8 @@ std::optional<Rgb> parse_color(std::string_view text) {
   }
   return Rgb{*channels[0], *channels[1], *channels[2]};
 }
+
+namespace {
 
 CLI::Option* add_color(CLI::App& app, const std::string& name,
                        std::optional<Rgb>& color, const std::string& meaning) {

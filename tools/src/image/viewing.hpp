@@ -36,6 +36,9 @@ struct ViewArguments {
   std::optional<Shading> shading;         ///< nothing: as the file says
 };
 
+/// The colour that `R,G,B` or `#rrggbb` spells.
+std::optional<Rgb> parse_color(std::string_view text);
+
 /// Adds the options, each of which fills its member.
 /// Requires: `arguments` outlives the parsing.
 void add_view_options(CLI::App& app, ViewArguments& arguments);

@@ -73,7 +73,8 @@ struct Drawing {
 
 /// Limits of a drawing, so that one that is too large is an error in time.
 struct DrawingLimits {
-  std::size_t most_intervals = 50'000'000;
+  /// An interval takes some 200 bytes.
+  std::size_t most_intervals = 40'000'000;
 };
 
 /// The drawing of a scene (S9): its edges' visible and hidden parts, and the

@@ -73,7 +73,9 @@ struct VisibleMap {
 
 /// Limits of a map, so that a map that is too large is an error in time.
 struct MapLimits {
-  std::size_t most_cells = 50'000'000;  ///< at most 2^28
+  /// At most 2^28. A cell takes some 500 bytes until the map is assembled, so
+  /// that the usual limit is reached at 8 GB.
+  std::size_t most_cells = 16'000'000;
 };
 
 /// The visible map of a scene whose tree is `tree` (S7.4).

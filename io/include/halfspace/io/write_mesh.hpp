@@ -44,8 +44,9 @@ struct ExportReport {
 /// triangles only: a face of more corners is cut into a fan from its first.
 /// Colours go into PLY and OFF.
 ///
-/// Requires: every corner names a vertex; a face has 3 corners or more.
-/// Errors:   kUnwritable (nothing is left at the path); kUnknownFormat;
+/// Errors:   kBadIndex (a corner names no vertex, its index being that of the
+///           corner; or the shape is not as above); kTooFewVertices (a face
+///           has fewer than 3 corners); kUnwritable (nothing is left at the path); kUnknownFormat;
 ///           kNotFinite (a coordinate is not finite, or not as a float);
 ///           kOutOfRange (more triangles than an STL counts).
 Result<ExportReport> write_mesh(const std::filesystem::path& path,

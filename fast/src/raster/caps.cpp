@@ -1,0 +1,435 @@
+#include "raster/caps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "camera/clip_function.hpp"
+#include "tree/tree_access.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// The polygons that may cross the plane, each once.
+std::vector<PolygonId> crossing_polygons(const Frame& frame, std::size_t k) {
+  const BspTree& tree = frame.reader.tree();
+  const std::vector<ClipPlane> one = {frame.clips.plane(k)};
+  const ClipSet clip(one, false, frame.reader.scene().grid_bits());
+  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
+  std::vector<PolygonId> found;
+  std::vector<NodeId> ahead;
+  if (!tree.nodes.empty()) ahead.push_back(0);
+  while (!ahead.empty()) {
+    const NodeId id = ahead.back();
+    ahead.pop_back();
+    if (has_boxes) {
+      const ClipState state =
+          clip.classify(tree.boxes[static_cast<std::size_t>(id)]);
+      if (state.is_gone || state.mask == 0) continue;
+    }
+    const Node& node = node_at(tree, id);
+    for_fragments(tree, node, [&](const TreeFragment& fragment) {
+      found.push_back(fragment.source);
+      return true;
+    });
+    for (const NodeId child : {node.positive, node.negative}) {
+      if (child != kNoNode) ahead.push_back(child);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// A change of the winding number in a row, from a column on.
+struct Change {
+  std::int32_t row;
+  std::int32_t column;
+  std::int32_t by;
+  friend auto operator<=>(const Change&, const Change&) = default;
+};
+
+/// The functions of space by which a point is placed in the image, in halves of
+/// lattice steps: the row's plane through the eye is `row(j)`, its function
+/// positive below the row; `front` is positive where points are seen.
+///
+/// Bits: cross products of lattice vectors have 2 (n + 14) + 2; against a point
+/// 3n + 47; a row's number adds 18 bits more: 3n + 66 at most, 228 on the grid
+/// of 54, in 4 words.
+class ImageForms {
+ public:
+  explicit ImageForms(const CameraData& camera) : camera_(camera) {
+    // The plane of a row holds its direction sx and the eye; below is sy.
+    const LatticeVector depth =
+        camera.perspective ? minus(camera.s0, camera.eye) : camera.eye;
+    front_ = cross(camera.sx, camera.sy);
+    if (sign(dot(front_, depth)) < 0) front_ = -front_;
+    start_ = cross(depth, camera.sx);
+    step_ = camera.perspective ? cross(camera.sy, camera.sx) : Normal{};
+    below_ = sign(dot(start_, camera.sy)) < 0 ? -1 : 1;
+  }
+
+  /// A point's row function: r0 + r1 (2j + 1), positive below row j.
+  struct Row {
+    Wide<5> at_0;
+    Wide<5> slope;
+  };
+  Row row(const GridPoint& p) const {
+    const LatticeVector v =
+        minus(lattice(p), camera_.perspective ? camera_.eye : camera_.s0);
+    if (camera_.perspective) {
+      // The normal is cross(2 (s0 - e) + (2j + 1) sy, sx).
+      return {scaled(2 * below_, dot(start_, v)),
+              scaled(below_, dot(step_, v))};
+    }
+    // v less (j + 1/2) sy, twice.
+    return {scaled(2 * below_, dot(start_, v)),
+            scaled(-below_, dot(start_, camera_.sy))};
+  }
+  /// The point's distance from the eye along the view: t of S4.1, times a
+  /// positive number.
+  Wide<5> front(const GridPoint& p) const {
+    if (!camera_.perspective) return Wide<5>(1);
+    return Wide<5>(dot(front_, minus(lattice(p), camera_.eye)));
+  }
+
+ private:
+  struct Normal {
+    Wide<3> x, y, z;
+    Normal operator-() const { return {-x, -y, -z}; }
+  };
+  static LatticeVector lattice(const GridPoint& p) {
+    constexpr Int128 kStep = Int128{1} << kLatticeBits;
+    return {kStep * p.x, kStep * p.y, kStep * p.z};
+  }
+  static LatticeVector minus(const LatticeVector& u, const LatticeVector& v) {
+    return {u.x - v.x, u.y - v.y, u.z - v.z};
+  }
+  static Normal cross(const LatticeVector& u, const LatticeVector& v) {
+    return {multiply<3>(u.y, v.z) - multiply<3>(u.z, v.y),
+            multiply<3>(u.z, v.x) - multiply<3>(u.x, v.z),
+            multiply<3>(u.x, v.y) - multiply<3>(u.y, v.x)};
+  }
+  static Wide<4> dot(const Normal& n, const LatticeVector& v) {
+    return multiply<4>(n.x, v.x) + multiply<4>(n.y, v.y) +
+           multiply<4>(n.z, v.z);
+  }
+  static Wide<5> scaled(int factor, const Wide<4>& value) {
+    return multiply<5>(value, Int128{factor});
+  }
+
+  const CameraData& camera_;
+  Normal front_;
+  Normal start_;
+  Normal step_;
+  int below_ = 1;
+};
+
+/// Where a polygon's boundary passes through the plane: its row function
+/// R = r0 + r1 (2j + 1) and what is in front, over a common positive number.
+///
+/// Bits: a plane's value at a point has 3n + 5, a row function's part 3n + 49;
+/// the two products and their difference 6n + 55, 379: 6 words; with a row's
+/// number 397.
+struct Crossing {
+  Wide<7> at_0;
+  Wide<7> slope;
+  Wide<7> front;
+
+  EdgeFunction<7> row_function() const { return {slope, {}, at_0}; }
+};
+
+template <std::size_t kWords>
+Wide<7> between(const Wide<3>& cp, const Wide<kWords>& p, const Wide<3>& cq,
+                const Wide<kWords>& q) {
+  return multiply<7>(cp, q) - multiply<7>(cq, p);
+}
+
+/// Finds the changes of the winding number in a clip plane (S10.3).
+template <int kBits>
+class CapRows {
+ public:
+  CapRows(const Frame& frame, const Rectangle& rectangle, std::size_t k)
+      : frame_(frame),
+        rectangle_(rectangle),
+        clip_(frame.clips.plane(k)),
+        forms_(frame.camera),
+        seen_(projected<kBits>(clip_, frame.camera)),
+        side_(sign(seen_.eye)) {}
+
+  int side() const { return side_; }
+  const ProjectedPlane<kBits>& seen() const { return seen_; }
+
+  std::vector<Change> changes(const std::vector<PolygonId>& polygons) {
+    for (const PolygonId polygon : polygons) add(polygon);
+    std::sort(changes_.begin(), changes_.end());
+    return std::move(changes_);
+  }
+
+ private:
+  /// The plane's value at a point: for a corner on it the removed side's.
+  Wide<3> value_at(const GridPoint& p) const {
+    return multiply<3>(clip_.a, Int128{p.x}) +
+           multiply<3>(clip_.b, Int128{p.y}) +
+           multiply<3>(clip_.c, Int128{p.z}) + Wide<3>(clip_.d);
+  }
+
+  void add(PolygonId polygon) {
+    const Scene& scene = frame_.reader.scene();
+    const auto corners = scene.corners(polygon);
+    std::array<Crossing, 2> ends;
+    std::size_t count = 0;
+    Wide<3> last = value_at(scene.point(corners.back()));
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const GridPoint& q = scene.point(corners[k]);
+      const Wide<3> here = value_at(q);
+      if ((sign(last) > 0) != (sign(here) > 0)) {
+        const GridPoint& p =
+            scene.point(corners[k == 0 ? corners.size() - 1 : k - 1]);
+        // (C(p) q - C(q) p) / (C(p) - C(q)), over a positive number.
+        const bool down = sign(last) > 0;
+        const auto mix = [&](const auto& at_p, const auto& at_q) {
+          return down ? between(last, at_p, here, at_q)
+                      : between(here, at_q, last, at_p);
+        };
+        const auto row_p = forms_.row(p);
+        const auto row_q = forms_.row(q);
+        ends[count++ & 1u] = {mix(row_p.at_0, row_q.at_0),
+                              mix(row_p.slope, row_q.slope),
+                              mix(forms_.front(p), forms_.front(q))};
+      }
+      last = here;
+    }
+    if (count == 2) add(polygon, ends);
+  }
+
+  /// The segment between two points of the plane.
+  void add(PolygonId polygon, const std::array<Crossing, 2>& ends) {
+    const auto plane = projected(
+        frame_.reader.planes().template exact<kBits>(polygon), frame_.camera);
+    const auto meet = meet_function<kBits>(seen_, plane);
+    // Positive where the polygon's function is, at points of the plane.
+    const auto beside = side_ > 0 ? meet : -meet;
+    const int slope = sign(beside.a);
+    // The rows in which the ends are above and below: on each side of the row
+    // at which an end's function changes its sign.
+    const PixelRange all = {rectangle_.top, rectangle_.bottom};
+    std::array<PixelRange, 2> below;
+    for (std::size_t k = 0; k < 2; ++k)
+      below[k] = clipped(all, ends[k].row_function(), 0);
+    const auto is_below = [&](std::size_t k, std::int32_t j) {
+      return below[k].first <= j && j < below[k].end;
+    };
+    std::array<std::int32_t, 6> bounds = {all.first,      all.end,
+                                          below[0].first, below[0].end,
+                                          below[1].first, below[1].end};
+    for (std::int32_t& bound : bounds)
+      bound = std::clamp(bound, all.first, all.end);
+    std::sort(bounds.begin(), bounds.end());
+    for (std::size_t b = 0; b + 1 < bounds.size(); ++b) {
+      const std::int32_t first = bounds[b];
+      if (first == bounds[b + 1] || is_below(0, first) == is_below(1, first))
+        continue;
+      for (std::int32_t j = first; j < bounds[b + 1]; ++j)
+        add_row(j, ends, beside, slope);
+    }
+  }
+
+  /// A row's crossing: what is after it along the row has a winding number
+  /// that is less by one where the polygon's function grows.
+  void add_row(std::int32_t j, const std::array<Crossing, 2>& ends,
+               const EdgeFunction<Grid<kBits>::kWords>& beside, int slope) {
+    if (slope == 0) {
+      // The row's plane meets the segment beside the eye, where the image ends:
+      // on its left if points of the plane come nearer to there. Then all of
+      // the row is after it.
+      if (side_ * sign(seen_.a) > 0) {
+        const int after = beside.sign_at_sample(rectangle_.left, j);
+        changes_.push_back({j, rectangle_.left, -after});
+      }
+      return;
+    }
+    const int growth = front_sign(j, ends) * slope;
+    const PixelRange after = clipped({rectangle_.left, rectangle_.right},
+                                     growth > 0 ? beside : -beside, j);
+    if (after.first >= after.end) return;
+    changes_.push_back({j, after.first, -growth});
+    if (after.end < rectangle_.right)
+      changes_.push_back({j, after.end, growth});
+  }
+
+  /// Whether the segment meets the row's plane before or behind the eye.
+  int front_sign(std::int32_t j, const std::array<Crossing, 2>& ends) const {
+    const int first = sign(ends[0].front);
+    const int second = sign(ends[1].front);
+    if (first > 0 && second > 0) return 1;
+    if (first < 0 && second < 0) return -1;
+    // (R(p) q - R(q) p) / (R(p) - R(q)). Bits: 397 and 379 and 1.
+    const auto row = [&](const Crossing& end) {
+      return multiply<7>(end.slope, Int128{2 * j + 1}) + end.at_0;
+    };
+    const Wide<7> p = row(ends[0]);
+    const Wide<7> q = row(ends[1]);
+    return sign(multiply<13>(p, ends[1].front) -
+                multiply<13>(q, ends[0].front)) *
+           sign(p - q);
+  }
+
+  const Frame& frame_;
+  const Rectangle& rectangle_;
+  const ClipPlane& clip_;
+  ImageForms forms_;
+  ProjectedPlane<kBits> seen_;
+  int side_;
+  std::vector<Change> changes_;
+};
+
+/// Fills the pixels of a cap, where it is in front.
+template <int kBits>
+class CapFiller {
+ public:
+  CapFiller(const Frame& frame, const Rectangle& rectangle, std::size_t k,
+            const ProjectedPlane<kBits>& seen, Rendering& result)
+      : frame_(frame),
+        rectangle_(rectangle),
+        k_(k),
+        id_(static_cast<PolygonId>(frame.reader.scene().polygon_count() + k)),
+        seen_(seen),
+        side_(sign(seen.eye)),
+        near_(approximate(id_)),
+        result_(result) {
+    const CameraData& camera = frame.camera;
+    if (camera.perspective) {
+      // 1/t > 0: C(e) - C(s), doubled.
+      add(EdgeFunction<4>{
+          Wide<4>(-seen.a), Wide<4>(-seen.b),
+          Wide<4>(seen.eye) + Wide<4>(seen.eye) - Wide<4>(seen.c)});
+    }
+    if (camera.near)
+      add(near_function<kBits>(seen, *camera.near, camera.perspective));
+    for (std::size_t other = 0; other < frame.image.clips.size(); ++other) {
+      if (other == k) continue;
+      add(meet_function<kBits>(
+          seen, projected<kBits>(frame.clips.plane(other), camera)));
+    }
+  }
+
+  /// The pixels of a row that the cap can be seen in.
+  PixelRange row(std::int32_t j) const {
+    PixelRange range = {rectangle_.left, rectangle_.right};
+    for (const Line& line : limits_) range = clipped(range, line, j);
+    return range;
+  }
+
+  void fill(std::int32_t j, PixelRange range) {
+    for (std::int32_t i = range.first; i < range.end; ++i) {
+      PolygonId& item =
+          result_.items.at(i - rectangle_.left, j - rectangle_.top);
+      if (item != kBackground && !is_in_front(item, i, j)) continue;
+      if (item == kBackground) ++result_.pixels_painted;
+      item = id_;
+      if (result_.colors.pixels.empty()) continue;
+      result_.colors.at(i - rectangle_.left, j - rectangle_.top) =
+          cap_color(*frame_.image.caps, k_, i, j);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kWords = Grid<kBits>::kWords;
+  using Line = EdgeFunction<kWords>;
+
+  template <std::size_t kOther>
+  void add(const EdgeFunction<kOther>& line) {
+    const Line wide = {Wide<kWords>(line.a), Wide<kWords>(line.b),
+                       Wide<kWords>(line.c)};
+    limits_.push_back(side_ > 0 ? wide : -wide);
+  }
+
+  ApproximateProjection approximate(PolygonId id) const {
+    const auto count =
+        static_cast<PolygonId>(frame_.reader.scene().polygon_count());
+    return project_approximately(
+        id < count
+            ? frame_.reader.planes().plane(id)
+            : rounded(frame_.clips.plane(static_cast<std::size_t>(id - count))),
+        frame_.view);
+  }
+  ProjectedPlane<kBits> exactly(PolygonId id) const {
+    const auto count =
+        static_cast<PolygonId>(frame_.reader.scene().polygon_count());
+    if (id < count) {
+      return projected(frame_.reader.planes().template exact<kBits>(id),
+                       frame_.camera);
+    }
+    return projected<kBits>(
+        frame_.clips.plane(static_cast<std::size_t>(id - count)),
+        frame_.camera);
+  }
+
+  /// Whether the cap is nearer than what is seen (S5.3). Runs of pixels see the
+  /// same, so one line of equal depth is kept.
+  bool is_in_front(PolygonId item, std::int32_t i, std::int32_t j) {
+    if (item != rival_) {
+      rival_ = item;
+      const ApproximateProjection other = approximate(item);
+      line_ = depth_difference(near_, other);
+      rival_side_ = filtered_sign(other.eye);
+    }
+    const int known =
+        rival_side_ == 0 ? 0 : line_.filtered_sign_at(i, j) * rival_side_;
+    if (known != 0) return known * side_ > 0;
+    const auto there = exactly(item);
+    return meet_function<kBits>(seen_, there).sign_at_sample(i, j) * side_ *
+               sign(there.eye) >
+           0;
+  }
+
+  const Frame& frame_;
+  const Rectangle& rectangle_;
+  std::size_t k_;
+  PolygonId id_;
+  const ProjectedPlane<kBits>& seen_;
+  int side_;
+  ApproximateProjection near_;
+  std::vector<Line> limits_;
+  Rendering& result_;
+  PolygonId rival_ = kBackground;
+  int rival_side_ = 0;
+  DepthDifference line_;
+};
+
+template <int kBits>
+void add_cap(const Frame& frame, const Rectangle& rectangle, std::size_t k,
+             Rendering& result) {
+  CapRows<kBits> rows(frame, rectangle, k);
+  // Seen edge-on; or from behind, for it faces what is removed.
+  if (rows.side() == 0 || (frame.image.cull && rows.side() > 0)) return;
+  const std::vector<Change> changes = rows.changes(crossing_polygons(frame, k));
+  CapFiller<kBits> filler(frame, rectangle, k, rows.seen(), result);
+  for (std::size_t c = 0; c < changes.size();) {
+    const std::int32_t j = changes[c].row;
+    const PixelRange range = filler.row(j);
+    std::int32_t winding = 0;
+    for (; c < changes.size() && changes[c].row == j; ++c) {
+      winding += changes[c].by;
+      const bool is_last = c + 1 == changes.size() || changes[c + 1].row != j;
+      const std::int32_t end =
+          is_last ? rectangle.right : changes[c + 1].column;
+      if (winding <= 0) continue;
+      filler.fill(j, {std::max(range.first, changes[c].column),
+                      std::min(range.end, end)});
+    }
+  }
+}
+
+}  // namespace
+
+void add_caps(const Frame& frame, const Rectangle& rectangle,
+              Rendering& result) {
+  with_grid(frame.reader.scene().grid_bits(), [&](auto bits) {
+    for (std::size_t k = 0; k < frame.image.clips.size(); ++k)
+      add_cap<bits()>(frame, rectangle, k, result);
+  });
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,122 @@
+#include "raster/clip_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/clip_function.hpp"
+
+namespace halfspace::fast {
+
+/// With M = 2^(n-1), u = 2^-53 and N the sum of the normal's sizes, a value at
+/// a point of the scene is off by u of each of the four coefficients' shares,
+/// u for each product and 3u for the sums: 5u (N M + |d|), 8u with room for a
+/// new vertex and for the bound's own roundings.
+ClipSet::ClipSet(const std::vector<ClipPlane>& planes, bool has_caps,
+                 int grid_bits)
+    : exact_(planes),
+      has_caps_(has_caps && !planes.empty()),
+      rounding_(rounding_of_values(grid_bits)) {
+  const double limit = std::ldexp(1.0, grid_bits - 1);
+  for (const ClipPlane& clip : planes) {
+    const FilterPlane plane = filter_plane(rounded(clip));
+    planes_.push_back(
+        {plane,
+         8 * kRounding * (plane.size * limit + std::abs(plane.plane.d))});
+  }
+}
+
+ClipState ClipSet::classify(const Box& box) const {
+  ClipState state;
+  for (std::size_t k = 0; k < planes_.size(); ++k) {
+    const auto& [plane, error] = planes_[k];
+    const double n[3] = {plane.plane.a, plane.plane.b, plane.plane.c};
+    double least = plane.plane.d;
+    double most = plane.plane.d;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double l = n[a] * double{box.low[a]};
+      const double h = n[a] * double{box.high[a]};
+      least += std::min(l, h);
+      most += std::max(l, h);
+    }
+    // A box reaches beyond the grid by a few of its own roundings at most.
+    if (filtered_sign({most, 2 * error}) < 0) return {true, 0};
+    if (filtered_sign({least, 2 * error}) <= 0) state.mask |= ClipMask{1} << k;
+  }
+  return state;
+}
+
+int FragmentClipper::sign_at_corner(std::size_t plane, const At& at,
+                                    const Bounded& value) {
+  const int known = filtered_sign(value);
+  if (known != 0 || at.index < 0) return known;
+  return sign_at(set_.exact_[plane], reader_.scene().point(at.index));
+}
+
+FragmentClipper::Cut FragmentClipper::cut(std::size_t plane) {
+  const ClipSet::Filter& filter = set_.planes_[plane];
+  values_.clear();
+  signs_.clear();
+  bool some_positive = false;
+  bool some_negative = false;
+  bool in_doubt = false;
+  for (const At& at : corners_) {
+    const Plane& p = filter.plane.plane;
+    const Vertex& v = at.vertex;
+    const Bounded value = {
+        p.a * v.x + p.b * v.y + p.c * v.z + p.d,
+        filter.plane.size * v.error * (1 + 0x1p-40) + filter.error};
+    const int sign = sign_at_corner(plane, at, value);
+    // 0 of a corner of the scene is exact.
+    in_doubt = in_doubt || (sign == 0 && at.index < 0);
+    some_positive = some_positive || sign > 0;
+    some_negative = some_negative || sign < 0;
+    values_.push_back(value);
+    signs_.push_back(static_cast<std::int8_t>(sign));
+  }
+  if (in_doubt) return Cut::kDoubt;
+  if (!some_negative) {
+    const bool lies_in_it = !some_positive;
+    return lies_in_it && set_.has_caps() ? Cut::kGone : Cut::kWhole;
+  }
+  if (!some_positive) return Cut::kGone;
+  next_.clear();
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const std::size_t l = k + 1 == corners_.size() ? 0 : k + 1;
+    if (signs_[k] >= 0) next_.push_back(corners_[k]);
+    if (signs_[k] * signs_[l] < 0) {
+      next_.push_back({meet(corners_[k].vertex, values_[k], corners_[l].vertex,
+                            values_[l], set_.rounding_),
+                       -1});
+    }
+  }
+  corners_.swap(next_);
+  return Cut::kCut;
+}
+
+ClippedFragment FragmentClipper::clip(const TreeFragment& fragment,
+                                      ClipMask mask) {
+  corners_.clear();
+  const auto count =
+      static_cast<std::int32_t>(reader_.scene().data().vertices.size());
+  for (const Corner& corner : reader_.corners(fragment)) {
+    corners_.push_back({reader_.vertex(corner.vertex),
+                        corner.vertex < count ? corner.vertex : -1});
+  }
+  ClippedFragment result;
+  bool in_doubt = false;
+  for (std::size_t k = 0; mask >> k != 0; ++k) {
+    if ((mask >> k & 1u) == 0) continue;
+    const Cut found = cut(k);
+    if (found == Cut::kGone) return {true, 0, {}};
+    if (found == Cut::kWhole) continue;
+    result.cuts |= ClipMask{1} << k;
+    in_doubt = in_doubt || found == Cut::kDoubt;
+  }
+  if (in_doubt) return result;
+  result_.clear();
+  for (const At& at : corners_) result_.push_back(at.vertex);
+  result.corners = result_;
+  return result;
+}
+
+}  // namespace halfspace::fast

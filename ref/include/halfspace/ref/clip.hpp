@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/clip.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/ref/predicate.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::ref {
+
+/// The function of a clip plane (S10.1).
+Plane function_of(const ClipPlane& clip);
+
+/// Whether polygons of this plane are there at all: with caps not those that
+/// lie in a clip plane (S10.3).
+bool is_there(const Plane& plane, const ImageOptions& options);
+
+/// What the clip planes leave of a fragment (S10.2); nothing if that has no
+/// area. The names of the edges that clipping makes mean nothing.
+///
+/// Exact: yes.
+std::optional<Fragment> clipped(Fragment fragment, const ImageOptions& options);
+
+/// Puts the caps into an item image of the clipped scene (S10.3).
+///
+/// Every pixel's ray is followed to each clip plane and on: the winding number
+/// there is what the polygons behind it add up to.
+/// Requires: a closed scene where the options have caps; else nothing is done.
+/// Exact:    yes.
+void add_caps(const Scene& scene, const Camera& camera,
+              const ImageOptions& options, ItemImage& items);
+
+}  // namespace halfspace::ref

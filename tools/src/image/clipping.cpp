@@ -1,0 +1,102 @@
+#include "image/clipping.hpp"
+
+#include <string_view>
+
+#include "cli/options.hpp"
+#include "halfspace/boolean.hpp"
+#include "halfspace/io/clip.hpp"
+#include "image/viewing.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+std::optional<std::array<io::Number, 4>> parse_plane(std::string_view text) {
+  std::array<io::Number, 4> numbers;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t comma = k < 3 ? text.find(',') : text.size();
+    if (comma == std::string_view::npos) return std::nullopt;
+    const auto number = io::parse_number(text.substr(0, comma));
+    if (!number) return std::nullopt;
+    numbers[k] = *number;
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return numbers;
+}
+
+std::optional<CapStyle> parse_caps(std::string_view text) {
+  if (text == "hatch") return CapStyle{{235, 235, 225}, Rgb{60, 60, 60}};
+  const std::optional<Rgb> color = parse_color(text);
+  return color ? std::optional(CapStyle{*color, std::nullopt}) : std::nullopt;
+}
+
+}  // namespace
+
+void add_clip_options(CLI::App& app, ClipArguments& arguments) {
+  const std::string group = "Section";
+  const auto add = [&arguments](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts)
+      arguments.planes.push_back(*parse_plane(text));
+  };
+  const auto complain = [](const std::string& text) {
+    return parse_plane(text)
+               ? std::string()
+               : fmt::format("must be A,B,C,D, four numbers, not '{}'", text);
+  };
+  app.add_option_function<std::vector<std::string>>(
+         "--clip", add,
+         "Keep what has A x + B y + C z + D >= 0 in the model's units; up to "
+         "eight such planes, one each time")
+      ->check(complain)
+      ->allow_extra_args(false)
+      ->type_name("A,B,C,D")
+      ->group(group);
+  const auto parse_yon = [](std::string_view text) {
+    const auto length = parse_number<double>(text);
+    return length && *length > 0 ? length : std::nullopt;
+  };
+  add_parsed(app, "--yon", "LENGTH", "a number above 0", arguments.yon,
+             parse_yon,
+             "What is farther from the eye than this is not seen; one of the "
+             "eight planes")
+      ->group(group);
+  add_parsed(app, "--cap", "COLOR|hatch",
+             "R,G,B, three whole numbers of at least 0 and at most 255, "
+             "#rrggbb or hatch",
+             arguments.caps, parse_caps,
+             "Fill the cuts of a closed solid, in a colour or hatched")
+      ->group(group);
+}
+
+Result<Done> add_clips(const Scene& scene, const Camera& camera,
+                       const ClipArguments& arguments, ImageOptions& options) {
+  std::vector<ClipPlane> planes = options.clips;
+  for (const auto& numbers : arguments.planes) {
+    const Result<ClipPlane> plane = io::clip_plane(scene, numbers);
+    if (!plane)
+      return Error{plane.error().code, "--clip: " + plane.error().message};
+    planes.push_back(*plane);
+  }
+  if (arguments.yon) {
+    const Result<ClipPlane> plane =
+        io::yon_plane(scene, camera, *arguments.yon);
+    if (!plane)
+      return Error{plane.error().code, "--yon: " + plane.error().message};
+    planes.push_back(*plane);
+  }
+  const auto made = make_clips(planes, scene.grid_bits());
+  if (!made) return Error{made.error().code, "--clip: " + made.error().message};
+  options.clips = *made;
+  if (arguments.caps) options.caps = arguments.caps;
+  return Done{};
+}
+
+std::string cap_complaint(const Scene& scene, const ClipArguments& arguments) {
+  if (!arguments.caps) return {};
+  if (arguments.planes.empty() && !arguments.yon)
+    return "--cap: needs --clip, which says what is cut";
+  if (bad_edges(scene).empty()) return {};
+  return "--cap: only cuts of solids are filled, and this surface is not "
+         "closed";
+}
+
+}  // namespace halfspace::tools

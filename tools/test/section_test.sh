@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Sections: all methods give the same image, caps fill what is closed, and what
+# cannot be cut is one line with nothing written.
+. "$(dirname "$0")/expect.sh"
+
+"$make_model" interlocking-cubes -o cubes.off || exit 1
+"$make_model" klein-bottle -o klein.off || exit 1
+cut=(--clip 0,1,0,-1.5 --clip 1,0.5,-2,40 --size 40x30)
+for method in span painter zbuffer raycast; do
+  expect 0 "$method" render cubes.off "${cut[@]}" --cap hatch \
+    --method $method --ids $method.npy -o $method.png
+  same span.npy $method.npy
+  same span.png $method.png
+done
+expect 0 'span' render cubes.off --clip 0,1,0,-1.5 --clip 0,2,0,-3 --ids a.npy
+expect 0 'span' render cubes.off --clip 0,1,0,-1.5 --ids b.npy
+same a.npy b.npy
+expect 0 'cap of clip plane 0' pick cubes.off --clip 0,1,0,-1 --cap hatch \
+  --at 320,240
+expect 0 'span' render cubes.off --yon 1e9 --ids far.npy
+expect 0 'span' render cubes.off --ids all.npy
+same far.npy all.npy
+
+nine=()
+for k in 1 2 3 4 5 6 7 8 9; do nine+=(--clip "1,0,0,$k"); done
+expect 2 'at most 8 clip planes' render cubes.off "${nine[@]}" -o no.png
+expect 2 'normal is zero' render cubes.off --clip 0,0,0,1 -o no.png
+expect 2 'A,B,C,D' render cubes.off --clip 1,0,0 -o no.png
+expect 2 'not closed' render klein.off --clip 1,0,0,0 --cap hatch -o no.png
+expect 2 'needs --clip' render cubes.off --cap hatch -o no.png
+expect 2 'not together' render cubes.off --clip 1,0,0,0 --cap hatch \
+  --alpha 90 -o no.png
+expect 2 'above 0' render cubes.off --yon -1 -o no.png
+[ -e no.png ] && wrong "a picture was written for bad input"
+
+finish
