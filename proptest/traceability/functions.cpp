@@ -9,6 +9,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/ray.hpp"
@@ -35,6 +36,7 @@
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
+#include "halfspace/ref/order_feed.hpp"
 #include "halfspace/ref/predicate.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/ray.hpp"
@@ -146,6 +148,8 @@ void take_all() {
   take(&ref::back_to_front);  // S3.7
   take(&fast::front_to_back);  // S3.7
   take(&fast::back_to_front);  // S3.7
+  take(&ref::ordered_triangles);  // S3.8
+  take(&fast::order_indices);  // S3.8
   take(&make_camera);  // S4.1
   take(&ref::side_of_eye);  // S4.2
   take(&fast::side_of_eye);  // S4.2
@@ -303,5 +307,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 132 ? 0 : 1;
+  return halfspace::taken == 134 ? 0 : 1;
 }
