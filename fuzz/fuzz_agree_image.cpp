@@ -4,10 +4,12 @@
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/samples.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/samples.hpp"
 #include "views.hpp"
 
 /// The four algorithms of the reference, those of the fast library over trees
@@ -54,6 +56,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   expect_fast(fast::render(view.scene,
                            fast::build_display_tree(view.scene, display),
                            *view.camera, view.options, portable));
+  const std::int32_t samples = 2 << (options.seed % 3);
+  const auto means = ref::render_samples(view.scene, tree, *view.camera,
+                                         view.options, samples);
+  const auto fast_means = fast::render_samples(view.scene, other, *view.camera,
+                                               view.options, samples, portable);
+  HALFSPACE_FUZZ_EXPECT(means.items == fast_means.items, text);
+  HALFSPACE_FUZZ_EXPECT(means.colors == fast_means.colors, text);
   // The same with clip planes, in planes of polygons and through corners.
   SceneFile cut = view;
   for (std::size_t k = 0;

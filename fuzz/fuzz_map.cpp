@@ -1,7 +1,9 @@
 #include "fuzz.hpp"
+#include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/visible_map.hpp"
+#include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "views.hpp"
 
@@ -62,6 +64,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   if (view.scene.polygon_count() <= kMostPolygonsOfRef) {
     expect_same(*map, ref::visible_map(view.scene, *view.camera, options),
                 text);
+    const auto areas =
+        fast::render_area(view.scene, divided, *view.camera, view.options);
+    HALFSPACE_FUZZ_EXPECT(areas.has_value(), text);
+    HALFSPACE_FUZZ_EXPECT(
+        areas->colors ==
+            ref::render_area(view.scene, *view.camera, view.options),
+        text);
   }
   return 0;
 }

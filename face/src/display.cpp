@@ -11,10 +11,12 @@
 
 #include "halfspace/boolean.hpp"
 #include "halfspace/csg/exact.hpp"
+#include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/io/clip.hpp"
@@ -144,6 +146,12 @@ Result<std::vector<ClipPlane>> clips_of(const Scene& scene, const View& view) {
     planes.push_back(*made);
   }
   return make_clips(planes, scene.grid_bits());
+}
+
+std::int32_t samples_of(const View& view) {
+  return view.anti_aliasing == AntiAliasing::kExactArea
+             ? 1
+             : static_cast<std::int32_t>(view.anti_aliasing);
 }
 
 Error stopped() { return {ErrorCode::kStopped, "the work was stopped"}; }
@@ -285,9 +293,32 @@ struct Display::State {
     fast::RenderOptions how;
     how.threads = detail::thread_count(view.threads);
     how.rectangle = part;
+    const auto samples = part ? 1 : samples_of(view);
+    if (std::max(view.width_px, view.height_px) > kMaxImageSize / samples) {
+      return Error{ErrorCode::kOutOfRange,
+                   "a picture with " + std::to_string(samples) +
+                       " samples a pixel each way has at most " +
+                       std::to_string(kMaxImageSize / samples) +
+                       " columns and rows"};
+    }
     const fast::BspTree* made = picture_tree(view);
     if (made == nullptr) return stopped();
-    fast::Rendering image = fast::render(scene, *made, *camera, *options, how);
+    if (view.anti_aliasing != AntiAliasing::kNone && !options->clips.empty()) {
+      return Error{ErrorCode::kOutOfRange,
+                   "anti-aliasing is not for clip planes; leave out either"};
+    }
+    fast::Rendering image =
+        samples == 1 ? fast::render(scene, *made, *camera, *options, how)
+                     : fast::render_samples(scene, *made, *camera, *options,
+                                            samples, how);
+    if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {
+      const fast::BspTree* divided = ordered_tree(view);
+      if (divided == nullptr) return stopped();
+      Result<fast::AreaImage> areas =
+          fast::render_area(scene, *divided, *camera, *options);
+      if (!areas) return areas.error();
+      image.colors = std::move(areas->colors);
+    }
     for (PolygonId& id : image.items.pixels) {
       if (id != kBackground) id = polygon_of(id);
     }

@@ -19,6 +19,7 @@
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/samples.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/split.hpp"
@@ -120,6 +121,11 @@ struct Ref {
   static Image render(const Scene& scene, const Tree& tree,
                       const Camera& camera, const ImageOptions& options) {
     return image_of(ref::render(scene, tree, camera, options));
+  }
+  static Image render_samples(const Scene& scene, const Tree& tree,
+                              const Camera& camera, const ImageOptions& options,
+                              std::int32_t samples) {
+    return image_of(ref::render_samples(scene, tree, camera, options, samples));
   }
   static Image blend(const Scene& scene, const Tree& tree, const Camera& camera,
                      const ImageOptions& options, std::uint8_t alpha) {

@@ -9,6 +9,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/split.hpp"
@@ -128,6 +129,12 @@ struct Fast {
   static Image render(const Scene& scene, const Tree& tree,
                       const Camera& camera, const ImageOptions& options) {
     return image_of(fast::render(scene, tree.tree, camera, options));
+  }
+  static Image render_samples(const Scene& scene, const Tree& tree,
+                              const Camera& camera, const ImageOptions& options,
+                              std::int32_t samples) {
+    return image_of(
+        fast::render_samples(scene, tree.tree, camera, options, samples));
   }
   static Image blend(const Scene& scene, const Tree& tree, const Camera& camera,
                      const ImageOptions& options, std::uint8_t alpha) {

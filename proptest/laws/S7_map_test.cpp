@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 #include <vector>
 
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
+#include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/visible_map.hpp"
+#include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "laws/law.hpp"
 
@@ -346,6 +349,142 @@ TEST(S7MapAgree, RefAndFastGiveTheSameMap) {
                       RefMap::arcs_of(view, options, {}));
       },
       kMaps);
+}
+
+/// The area that a key has in a pixel, and its first moments.
+struct PixelMoments {
+  Fraction area = 0, x = 0, y = 0;
+};
+
+/// Adds the moments of the triangle, negative if it turns the other way.
+void add_triangle(const Place& p, const Place& q, const Place& r,
+                  PixelMoments& sum) {
+  const Fraction area =
+      ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / 2;
+  sum.area += area;
+  sum.x += area * (p.x + q.x + r.x) / 3;
+  sum.y += area * (p.y + q.y + r.y) / 3;
+}
+
+/// The part of a polygon where sign (coordinate - at) >= 0 (Sutherland and
+/// Hodgman).
+std::vector<Place> clipped(const std::vector<Place>& polygon,
+                           Fraction Place::*of, std::int32_t at, int side) {
+  std::vector<Place> result;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Place& p = polygon[k];
+    const Place& q = polygon[(k + 1) % polygon.size()];
+    const Fraction f = side * (p.*of - at);
+    const Fraction g = side * (q.*of - at);
+    if (f >= 0) result.push_back(p);
+    if ((f < 0) == (g < 0)) continue;
+    const Fraction t = f / (f - g);
+    result.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+  }
+  return result;
+}
+
+/// The moments of a key in pixel (i, j): of the triangles from the pixel's own
+/// corner over all arcs, each clipped to the pixel.
+PixelMoments moments_in(const Arcs& arcs, std::int32_t key, std::int32_t i,
+                        std::int32_t j) {
+  PixelMoments sum;
+  const Place corner = {Fraction(i), Fraction(j)};
+  for (const Arc& arc : arcs) {
+    if ((arc.left == key) == (arc.right == key)) continue;
+    const Fraction count = arc.right == key ? 1 : -1;
+    std::vector<Place> part = {corner, arc.from, arc.to};
+    for (const auto of : {&Place::x, &Place::y}) {
+      const std::int32_t at = of == &Place::x ? i : j;
+      part = clipped(part, of, at, 1);
+      part = clipped(part, of, at + 1, -1);
+    }
+    PixelMoments own;
+    for (std::size_t k = 2; k < part.size(); ++k)
+      add_triangle(part[0], part[k - 1], part[k], own);
+    sum.area += count * own.area;
+    sum.x += count * own.x;
+    sum.y += count * own.y;
+  }
+  return sum;
+}
+
+/// A channel of a polygon's colour at an image point (S5.4), not rounded.
+Fraction value_at(const SceneFile& view, std::int32_t id, const Place& at,
+                  std::uint8_t Rgb::*channel) {
+  if (id == kBackground) return view.options.background.*channel;
+  const auto colors = view.scene.corner_colors(id);
+  if (view.options.shading == Shading::kFlat || colors.empty())
+    return view.scene.color(id).*channel;
+  if (std::all_of(colors.begin(), colors.end(),
+                  [&](const Rgb& c) { return c == colors.front(); }))
+    return colors.front().*channel;
+  const definition::Projection seen = definition::project(
+      definition::facet_of(view.scene, definition::whole(view.scene, id)),
+      *view.camera, false);
+  Fraction weights = 0;
+  Fraction sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const definition::Affine& f = seen.edges[k];
+    const Fraction weight =
+        Fraction(f.c) + at.x * Fraction(f.x) + at.y * Fraction(f.y);
+    // The edge that leaves corner k is opposite corner k + 2.
+    weights += weight;
+    sum += weight * int{colors[(k + 2) % 3].*channel};
+  }
+  return sum / weights;
+}
+
+std::uint8_t rounded(const Fraction& value) {
+  const Integer twice = 2 * numerator(value) + denominator(value);
+  return static_cast<std::uint8_t>(twice / (2 * denominator(value)));
+}
+
+ColorImage area_image(const RefMap*, const SceneFile& view) {
+  return ref::render_area(view.scene, *view.camera, view.options);
+}
+ColorImage area_image(const FastMap*, const SceneFile& view) {
+  auto image = fast::render_area(view.scene, fast::build(view.scene, {}),
+                                 *view.camera, view.options);
+  HALFSPACE_LAW(image.has_value());
+  return image->colors;
+}
+
+TYPED_TEST(S7Map, L7APixelIsTheIntegralOfWhatIsSeenInIt) {
+  std::size_t mixed = 0;
+  law::for_all_views(
+      [&](const SceneFile& view) {
+        const Arcs arcs = map_of<TypeParam>(view);
+        const ColorImage image =
+            area_image(static_cast<const TypeParam*>(nullptr), view);
+        std::set<std::int32_t> keys;
+        for (const Arc& arc : arcs) keys.insert({arc.left, arc.right});
+        keys.erase(kOutsideKey);
+        for (std::int32_t j = 0; j < image.height_px; ++j) {
+          for (std::int32_t i = 0; i < image.width_px; ++i) {
+            Fraction all = 0;
+            std::map<std::int32_t, PixelMoments> seen;
+            for (const std::int32_t key : keys) {
+              const PixelMoments own = moments_in(arcs, key, i, j);
+              HALFSPACE_LAW(own.area >= 0);
+              all += own.area;
+              if (own.area > 0) seen.emplace(key, own);
+            }
+            HALFSPACE_LAW(all == 1);
+            if (seen.size() > 2) ++mixed;
+            for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+              Fraction sum = 0;
+              for (const auto& [key, own] : seen) {
+                const Place centroid = {own.x / own.area, own.y / own.area};
+                sum += own.area * value_at(view, key, centroid, channel);
+              }
+              HALFSPACE_LAW(image.at(i, j).*channel == rounded(sum));
+            }
+          }
+        }
+      },
+      kMaps / 2);
+  EXPECT_GT(mixed, 100u);
 }
 
 }  // namespace

@@ -4,16 +4,19 @@
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/clip.hpp"
+#include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
+#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
@@ -24,6 +27,7 @@
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/ray.hpp"
+#include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
@@ -32,10 +36,12 @@
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
+#include "halfspace/ref/order_feed.hpp"
 #include "halfspace/ref/predicate.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/samples.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/shade.hpp"
@@ -142,6 +148,8 @@ void take_all() {
   take(&ref::back_to_front);  // S3.7
   take(&fast::front_to_back);  // S3.7
   take(&fast::back_to_front);  // S3.7
+  take(&ref::ordered_triangles);  // S3.8
+  take(&fast::order_indices);  // S3.8
   take(&make_camera);  // S4.1
   take(&ref::side_of_eye);  // S4.2
   take(&fast::side_of_eye);  // S4.2
@@ -215,6 +223,8 @@ void take_all() {
   }
   take(&ref::blend);  // S5.6
   take(&fast::blend);  // S5.6
+  take(&ref::render_samples);  // S5.7
+  take(&fast::render_samples);  // S5.7
   take(&ref::bad_edges);  // S6.1
   take(&fast::bad_edges);  // S6.1
   take(&ref::to_solid);  // S6.2
@@ -247,6 +257,8 @@ void take_all() {
   take(&fast::visible_map);  // S7.4
   take(&ref::area_of_key);  // S7.5
   take(&fast::visible_map);  // S7.5
+  take(&ref::render_area);  // S7.6
+  take(&fast::render_area);  // S7.6
   take(&make_ray);  // S8.1
   take(&ref::all_hits);  // S8.2
   take(&ref::distance_of);  // S8.2
@@ -295,5 +307,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 128 ? 0 : 1;
+  return halfspace::taken == 134 ? 0 : 1;
 }

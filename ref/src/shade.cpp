@@ -15,17 +15,13 @@ Point along(const Point& p, const Rational& scale, const Point& v) {
   return {p.x + scale * v.x, p.y + scale * v.y, p.z + scale * v.z};
 }
 
-/// The point that the centre of pixel (i, j) sees in the plane through
-/// `corners`. It is there: the sample, next to the centre, sees a point of
-/// the bounded polygon.
+/// The point that an image point sees in the plane through `corners`.
 /// Units: lattice steps, the corners too.
 Point point_seen(const Camera& camera, const std::array<Point, 3>& corners,
-                 std::int32_t i, std::int32_t j) {
-  const Rational half = Rational(1) / Rational(2);
+                 const ImagePoint& at) {
   const Point eye = to_point(camera->eye);
-  const Point s = along(
-      along(to_point(camera->s0), Rational(i) + half, to_point(camera->sx)),
-      Rational(j) + half, to_point(camera->sy));
+  const Point s = along(along(to_point(camera->s0), at.x, to_point(camera->sx)),
+                        at.y, to_point(camera->sy));
   // The ray is start + t * direction.
   const Point start = camera->perspective ? eye : s;
   const Point direction =
@@ -45,28 +41,39 @@ Rational area(const Plane& n, const Point& p, const Point& q, const Point& r) {
 }
 
 /// The channel that is c[k] at corner k, at the point of barycentric
-/// coordinates weight[k] over their sum; rounded half up.
-std::uint8_t blend(const std::array<Rational, 3>& weight,
-                   const std::array<std::uint8_t, 3>& c) {
+/// coordinates weight[k] over their sum.
+Rational blend(const std::array<Rational, 3>& weight,
+               const std::array<std::uint8_t, 3>& c) {
   Rational sum = 0;
   Rational total = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     sum += weight[k] * Rational(c[k]);
     total += weight[k];
   }
-  const Rational half = Rational(1) / Rational(2);
-  return static_cast<std::uint8_t>(floor(sum / total + half).to_int64());
+  return sum / total;
 }
 
 }  // namespace
 
-Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
-             std::int32_t i, std::int32_t j, Shading shading) {
+ExactColor exact(const Rgb& color) { return {color.r, color.g, color.b}; }
+
+Rgb rounded(const ExactColor& color) {
+  const auto channel = [](const Rational& value) {
+    const Rational half = Rational(1) / Rational(2);
+    return static_cast<std::uint8_t>(floor(value + half).to_int64());
+  };
+  return {channel(color[0]), channel(color[1]), channel(color[2])};
+}
+
+ExactColor exact_color_at(const Scene& scene, const Camera& camera,
+                          PolygonId polygon, const ImagePoint& point,
+                          Shading shading) {
   const auto colors = scene.corner_colors(polygon);
-  if (shading == Shading::kFlat || colors.empty()) return scene.color(polygon);
+  if (shading == Shading::kFlat || colors.empty())
+    return exact(scene.color(polygon));
   if (std::adjacent_find(colors.begin(), colors.end(), std::not_equal_to<>()) ==
       colors.end()) {
-    return colors.front();
+    return exact(colors.front());
   }
 
   // Colours differ: a triangle (S1.3).
@@ -75,7 +82,7 @@ Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
     const Point corner = to_point(scene.point(scene.corners(polygon)[k]));
     p[k] = along({0, 0, 0}, Rational(1 << kLatticeBits), corner);
   }
-  const Point seen = point_seen(camera, p, i, j);
+  const Point seen = point_seen(camera, p, point);
   const Plane plane = plane_of({p[0], p[1], p[2]});
   const std::array<Rational, 3> weight = {area(plane, seen, p[1], p[2]),
                                           area(plane, seen, p[2], p[0]),
@@ -84,6 +91,15 @@ Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
     return blend(weight, {colors[0].*of, colors[1].*of, colors[2].*of});
   };
   return {channel(&Rgb::r), channel(&Rgb::g), channel(&Rgb::b)};
+}
+
+Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
+             std::int32_t i, std::int32_t j, Shading shading) {
+  // The centre's ray meets the polygon: the sample, next to it, sees a point of
+  // the bounded polygon.
+  const Rational half = Rational(1) / Rational(2);
+  const ImagePoint centre = {Rational(i) + half, Rational(j) + half};
+  return rounded(exact_color_at(scene, camera, polygon, centre, shading));
 }
 
 ColorImage colors_of(const Scene& scene, const Camera& camera,

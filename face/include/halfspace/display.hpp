@@ -22,6 +22,16 @@
 
 namespace halfspace {
 
+/// What of a pixel its colour is taken from: one sample, the mean of so many
+/// each way (S5.7), or the integral of all that is seen in it (S7.6).
+enum class AntiAliasing : std::uint8_t {
+  kNone = 1,
+  k2 = 2,
+  k4 = 4,
+  k8 = 8,
+  kExactArea
+};
+
 /// From where something is seen, and how. The default sees all of it from above
 /// and to one side, z upwards. Units: model units, degrees, pixels.
 struct View {
@@ -41,13 +51,15 @@ struct View {
   /// Fills the cuts of what is closed; nothing: they stay open.
   std::optional<CapStyle> caps = {};
   Rgb background = {255, 255, 255};
+  AntiAliasing anti_aliasing = AntiAliasing::kNone;
   int threads = 0;  ///< 0: as many as the machine has
   /// As that of WorkOptions, for the display's tree, which the first view
   /// makes.
   std::function<bool(double)> progress = {};
 };
 
-/// A picture: at each pixel its colour, and the polygon that is seen.
+/// A picture: at each pixel its colour, and the polygon that is seen at its
+/// centre, or at each of its samples.
 struct HALFSPACE_API Picture {
   ColorImage colors;
   ItemImage polygons;  ///< kBackground where there is none
@@ -174,7 +186,8 @@ class HALFSPACE_API Display {
   std::size_t polygon_count() const;
 
   /// The picture. Exact, whatever the number of threads: at each pixel the
-  /// nearest polygon (S5.1), or as polygon_count() + k the cap of the k-th
+  /// nearest polygon (S5.1), an exact mean (View::anti_aliasing, not with clip
+  /// planes: kOutOfRange), or as polygon_count() + k the cap of the k-th
   /// different clip plane (S10.3). Errors, here and below: kBadCamera,
   /// kNotFinite, kStopped (by view.progress); kOutOfRange (also for a ninth
   /// clip plane); kZeroArea (a clip plane's normal is 0); kOpen (caps for what

@@ -41,10 +41,12 @@ struct EdgeFunction {
 
 /// A plane projected by the camera: its value at the eye, times 2^8, and its
 /// values at the points of the image as a function of pixel coordinates, times
-/// 2^9.
+/// 2^9 and `samples`: coordinates of samples, so many a pixel (S5.7).
 ///
 /// Bits: a normal has 2n + 1; a difference of lattice vectors n + 14, twice
-/// that n + 15; three products: 3n + 18, which is 96, 138 and 180.
+/// that n + 15; three products: 3n + 18, which is 96, 138 and 180. Samples add
+/// 3 to the offset alone, which pixel coordinates do not multiply: products
+/// there stay below those of the slopes with a pixel's 17 bits.
 template <int kBits>
 struct ProjectedPlane {
   static constexpr std::size_t kWords = kBits == 26 ? 2 : 3;
@@ -56,7 +58,7 @@ struct ProjectedPlane {
 
 template <int kBits>
 ProjectedPlane<kBits> projected(const ExactPlane<kBits>& plane,
-                                const CameraData& camera) {
+                                const CameraData& camera, int samples = 1) {
   constexpr std::size_t kWords = ProjectedPlane<kBits>::kWords;
   const auto along = [&](const LatticeVector& v) {
     return multiply<kWords>(Int128{plane.normal.x}, v.x) +
@@ -68,9 +70,10 @@ ProjectedPlane<kBits> projected(const ExactPlane<kBits>& plane,
   const auto above = [&](const LatticeVector& v) {
     return along({v.x - kStep * p.x, v.y - kStep * p.y, v.z - kStep * p.z});
   };
-  const Wide<kWords> offset = above(camera.s0);
+  const Wide<kWords> offset =
+      multiply<kWords>(above(camera.s0), Int128{2 * samples});
   return {camera.perspective ? above(camera.eye) : along(camera.eye),
-          along(camera.sx), along(camera.sy), offset + offset};
+          along(camera.sx), along(camera.sy), offset};
 }
 
 /// P(e) Q(s) - Q(e) P(s): 0 on the image of the line in which the planes meet
@@ -93,7 +96,8 @@ EdgeFunction<Grid<kBits>::kWords> meet_function(
 /// Bits: p - e has n + 14, a cross product 2n + 30, its product with
 /// 2 (s0 - e), n + 15, three times 3n + 47, so 209 at most; 226 at a pixel.
 inline EdgeFunction<4> edge_function(const GridPoint& p, const GridPoint& q,
-                                     const CameraData& camera) {
+                                     const CameraData& camera,
+                                     int samples = 1) {
   constexpr Int128 kStep = Int128{1} << kLatticeBits;
   const auto lattice = [](const GridPoint& g) {
     return LatticeVector{kStep * g.x, kStep * g.y, kStep * g.z};
@@ -116,7 +120,8 @@ inline EdgeFunction<4> edge_function(const GridPoint& p, const GridPoint& q,
     return multiply<4>(x, w.x) + multiply<4>(y, w.y) + multiply<4>(z, w.z);
   };
   const Wide<4> offset = along(minus(camera.s0, origin));
-  return {along(camera.sx), along(camera.sy), offset + offset};
+  return {along(camera.sx), along(camera.sy),
+          multiply<4>(offset, Int128{2 * samples})};
 }
 
 /// Positive where a polygon's plane is beyond the near distance (S4.3), if the
@@ -127,17 +132,17 @@ inline EdgeFunction<4> edge_function(const GridPoint& p, const GridPoint& q,
 /// 231 at most.
 template <int kBits>
 EdgeFunction<4> near_function(const ProjectedPlane<kBits>& p, std::int64_t near,
-                              bool perspective) {
+                              bool perspective, int samples = 1) {
   const Int128 unit = Int128{1} << kNearBits;
   const auto times = [](const auto& value, Int128 factor) {
     return multiply<4>(Wide<4>(value), factor);
   };
   if (perspective) {
     return {times(p.a, near), times(p.b, near),
-            times(p.c, near) + times(p.eye, 2 * (unit - near))};
+            times(p.c, near) + times(p.eye, 2 * samples * (unit - near))};
   }
   return {times(p.a, unit), times(p.b, unit),
-          times(p.c, unit) - times(p.eye, Int128{2} * near)};
+          times(p.c, unit) - times(p.eye, Int128{2 * samples} * near)};
 }
 
 /// Pixels of an image line, from `first` up to but not including `end`.

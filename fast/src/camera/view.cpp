@@ -68,7 +68,7 @@ DepthDifference depth_difference(const ApproximateProjection& p,
           error * (1 + 0x1p-40)};
 }
 
-View make_view(const Camera& camera, int grid_bits) {
+View make_view(const Camera& camera, int grid_bits, int samples) {
   const CameraData& data = camera.data();
   const LatticeVector origin = data.perspective ? data.eye : data.s0;
   const LatticeVector depth =
@@ -80,8 +80,15 @@ View make_view(const Camera& camera, int grid_bits) {
   View view;
   view.perspective = data.perspective;
   view.orientation = sign(determinant);
-  view.x = coordinate(cross(data.sy, depth), origin, size);
-  view.y = coordinate(cross(depth, data.sx), origin, size);
+  view.samples = samples;
+  // The factor, a power of two, rounds nothing.
+  const auto image = [&](const CameraVector& row) {
+    const Affine3 f = coordinate(row, origin, size);
+    const double k = samples;
+    return Affine3{k * f.a, k * f.b, k * f.c, k * f.d};
+  };
+  view.x = image(cross(data.sy, depth));
+  view.y = image(cross(depth, data.sx));
   view.t = coordinate(across, origin, size);
 
   const double grid = std::ldexp(1.0, grid_bits - 1);
@@ -100,21 +107,22 @@ View make_view(const Camera& camera, int grid_bits) {
     view.near = -std::numeric_limits<double>::infinity();
   }
 
-  const auto to_steps = [](const LatticeVector& v) {
-    const double lattice = 1.0 / (1 << kLatticeBits);
+  const auto to_steps = [](const LatticeVector& v, int parts) {
+    const double lattice = 1.0 / ((1 << kLatticeBits) * parts);
     return std::array<double, 3>{static_cast<double>(v.x) * lattice,
                                  static_cast<double>(v.y) * lattice,
                                  static_cast<double>(v.z) * lattice};
   };
-  view.start = to_steps(data.s0);
-  view.right = to_steps(data.sx);
-  view.down = to_steps(data.sy);
+  view.start = to_steps(data.s0, 1);
+  view.right = to_steps(data.sx, samples);
+  view.down = to_steps(data.sy, samples);
   view.reach = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     view.reach =
-        std::max(view.reach, std::abs(view.start[a]) +
-                                 (data.width_px + 1) * std::abs(view.right[a]) +
-                                 (data.height_px + 1) * std::abs(view.down[a]));
+        std::max(view.reach,
+                 std::abs(view.start[a]) +
+                     (data.width_px * samples + 1) * std::abs(view.right[a]) +
+                     (data.height_px * samples + 1) * std::abs(view.down[a]));
     view.start[a] += (view.right[a] + view.down[a]) / 2;
   }
   view.reach = (view.reach + grid) * (1 + 0x1p-40);

@@ -38,6 +38,8 @@ struct View {
   int orientation = 1;
   /// Points with t at or below this are not seen; -infinity if no limit.
   double near = 0;
+  /// x and y count samples, so many a pixel each way (S5.7): a power of two.
+  int samples = 1;
 
   /// How far rounding can put X and Y, and t, off for an exact point of the
   /// scene: the coefficients are off by 2^-51 each, two conversions and a
@@ -120,6 +122,8 @@ inline DepthDifference difference_of_depths(const DepthDifference& p,
   return {p.a - q.a, p.b - q.b, p.c - q.c, (p.error + q.error) * (1 + 0x1p-40)};
 }
 
-View make_view(const Camera& camera, int grid_bits);
+/// The view in which x and y, and the pixels named here, are samples, so many a
+/// pixel each way.
+View make_view(const Camera& camera, int grid_bits, int samples = 1);
 
 }  // namespace halfspace::fast

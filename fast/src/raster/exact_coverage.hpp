@@ -15,8 +15,8 @@ template <int kBits>
 class ExactScan {
  public:
   ExactScan(const TreeReader& reader, const CameraData& camera,
-            const ClipSet& clips)
-      : reader_(reader), camera_(camera), clips_(clips) {}
+            const ClipSet& clips, int samples = 1)
+      : reader_(reader), camera_(camera), clips_(clips), samples_(samples) {}
 
   /// The fragment that is meant from now on; the eye is on side `eye_sign` of
   /// its source, and not on its plane.
@@ -53,15 +53,17 @@ class ExactScan {
     const ScenePlanes& planes = reader_.planes();
     const PolygonId source = fragment_->source;
     const ProjectedPlane<kBits> support =
-        projected(planes.exact<kBits>(source), camera_);
+        projected(planes.exact<kBits>(source), camera_, samples_);
     for (const Corner& corner : reader_.corners(*fragment_)) {
       if (is_source(corner.edge)) {
         const auto ends = planes.source_edge(source, corner.edge);
-        add(widened(edge_function(ends[0], ends[1], camera_)), eye_sign_);
+        add(widened(edge_function(ends[0], ends[1], camera_, samples_)),
+            eye_sign_);
       } else {
         const PlaneId splitter = splitter_of(corner.edge);
         add(meet_function<kBits>(
-                support, projected(planes.exact<kBits>(splitter), camera_)),
+                support,
+                projected(planes.exact<kBits>(splitter), camera_, samples_)),
             eye_sign_ * reader_.side_of(*fragment_, splitter));
       }
     }
@@ -78,7 +80,7 @@ class ExactScan {
     }
     if (camera_.near) {
       add(widened(near_function<kBits>(support, *camera_.near,
-                                       camera_.perspective)),
+                                       camera_.perspective, samples_)),
           eye_sign_);
     }
   }
@@ -86,6 +88,7 @@ class ExactScan {
   const TreeReader& reader_;
   const CameraData& camera_;
   const ClipSet& clips_;
+  int samples_;
   ClipMask cuts_ = 0;
   const TreeFragment* fragment_ = nullptr;
   int eye_sign_ = 0;

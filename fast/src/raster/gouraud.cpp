@@ -32,9 +32,9 @@ void GouraudShader::prepare_exact() {
   exact_sums_ = {};
   exact_total_ = {};
   for (std::size_t k = 0; k < 3; ++k) {
-    const EdgeFunction<4> weight =
-        edge_function(scene_.point(corners[(k + 1) % 3]),
-                      scene_.point(corners[(k + 2) % 3]), camera_);
+    const EdgeFunction<4> weight = edge_function(
+        scene_.point(corners[(k + 1) % 3]), scene_.point(corners[(k + 2) % 3]),
+        camera_, view_.samples);
     add(exact_total_, weight, eye_sign_);
     const std::array<int, 3> channels = {colors[k].r, colors[k].g, colors[k].b};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -169,6 +169,31 @@ std::uint8_t GouraudShader::exact_channel(std::size_t channel, std::int32_t i,
   while (k > 0 && !reaches(k)) --k;
   while (k < 255 && reaches(k + 1)) ++k;
   return static_cast<std::uint8_t>(k);
+}
+
+double GouraudShader::close_value(std::size_t channel, std::int32_t i,
+                                  std::int32_t j) {
+  if (!exact_ready_) prepare_exact();
+  return to_double(exact_sums_[channel].at_centre(i, j)) /
+         to_double(exact_total_.at_centre(i, j));
+}
+
+BigRational GouraudShader::exact_value(std::size_t channel, std::int32_t i,
+                                       std::int32_t j) {
+  if (!exact_ready_) prepare_exact();
+  return quotient_of(to_big_integer(exact_sums_[channel].at_centre(i, j)),
+                     to_big_integer(exact_total_.at_centre(i, j)));
+}
+
+BigRational GouraudShader::exact_value_at(std::size_t channel,
+                                          const BigRational& twice_x,
+                                          const BigRational& twice_y) {
+  if (!exact_ready_) prepare_exact();
+  const auto value = [&](const EdgeFunction<4>& f) -> BigRational {
+    return to_big_integer(f.a) * twice_x + to_big_integer(f.b) * twice_y +
+           BigRational(to_big_integer(f.c));
+  };
+  return value(exact_sums_[channel]) / value(exact_total_);
 }
 
 }  // namespace halfspace::fast

@@ -5,6 +5,7 @@
 
 #include "camera/edge_function.hpp"
 #include "camera/view.hpp"
+#include "exact/big_rational.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/scene.hpp"
 #include "raster/kernel/tile_kernel.hpp"
@@ -53,6 +54,16 @@ class GouraudShader {
   /// were decided exactly.
   int shade(std::int32_t x, std::int32_t j, std::uint32_t bits,
             std::uint8_t* colors, std::int64_t at);
+
+  /// The channel at the centre of pixel (i, j), not rounded: within 2^-42, for
+  /// either integer is off by 2^-52 of itself as a double, and the quotient, at
+  /// most 256, by 3 2^-52.
+  double close_value(std::size_t channel, std::int32_t i, std::int32_t j);
+  /// The same exactly.
+  BigRational exact_value(std::size_t channel, std::int32_t i, std::int32_t j);
+  /// At an image point, in twice its coordinates.
+  BigRational exact_value_at(std::size_t channel, const BigRational& twice_x,
+                             const BigRational& twice_y);
 
  private:
   void prepare();

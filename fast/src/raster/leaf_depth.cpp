@@ -31,9 +31,10 @@ bool LeafDepth<kBits>::is_nearer(PolygonId other, std::int32_t i,
                                  std::int32_t j) {
   ++stats_.exact;
   const ScenePlanes& planes = frame_.reader.planes();
-  const auto here =
-      projected(planes.exact<kBits>(fragment_->source), frame_.camera);
-  const auto there = projected(planes.exact<kBits>(other), frame_.camera);
+  const auto here = projected(planes.exact<kBits>(fragment_->source),
+                              frame_.camera, frame_.view.samples);
+  const auto there =
+      projected(planes.exact<kBits>(other), frame_.camera, frame_.view.samples);
   const int order = meet_function<kBits>(here, there).sign_at_sample(i, j) *
                     eye_sign_ * sign(there.eye);
   return order > 0 || (order == 0 && fragment_->source < other);

@@ -29,7 +29,7 @@ PolygonRasterizer<kBits>::PolygonRasterizer(const Frame& frame,
                                             TileView& screen)
     : frame_(frame),
       screen_(screen),
-      scan_(frame.reader, frame.camera, frame.clips),
+      scan_(frame.reader, frame.camera, frame.clips, frame.view.samples),
       shader_(frame.reader.scene(), frame.camera, frame.view),
       late_shader_(frame.reader.scene(), frame.camera, frame.view),
       gouraud_(frame.image.shading == Shading::kGouraud &&

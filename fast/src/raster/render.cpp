@@ -15,6 +15,7 @@
 #include "raster/caps.hpp"
 #include "raster/culler.hpp"
 #include "raster/polygon_rasterizer.hpp"
+#include "raster/render_pass.hpp"
 #include "raster/tile_buffer.hpp"
 #include "tree/traversal.hpp"
 
@@ -176,26 +177,19 @@ void resize(Grid2<T>& image, std::int32_t width, std::int32_t height) {
   image = Grid2<T>(width, height, T{});
 }
 
-enum class Order { kFrontToBack, kBackToFront };
-
-/// In which order a tree is displayed, and what of a polygon is not seen
-/// through.
-struct Pass {
-  Order order = Order::kFrontToBack;
-  std::uint8_t alpha = kOpaque;
-};
+}  // namespace
 
 void run(const Scene& scene, const BspTree& tree, const Camera& camera,
          const ImageOptions& image, const RenderOptions& options, Pass pass,
          Rendering& result) {
   HALFSPACE_ASSERT(options.threads >= 1);
   const CameraData& data = camera.data();
-  const Rectangle rectangle = options.rectangle.value_or(
-      Rectangle{0, 0, data.width_px, data.height_px});
+  const Rectangle rectangle = options.rectangle.value_or(Rectangle{
+      0, 0, data.width_px * pass.samples, data.height_px * pass.samples});
   HALFSPACE_ASSERT(0 <= rectangle.left && rectangle.left < rectangle.right &&
-                   rectangle.right <= data.width_px);
+                   rectangle.right <= data.width_px * pass.samples);
   HALFSPACE_ASSERT(0 <= rectangle.top && rectangle.top < rectangle.bottom &&
-                   rectangle.bottom <= data.height_px);
+                   rectangle.bottom <= data.height_px * pass.samples);
   const std::int32_t width = rectangle.right - rectangle.left;
   const std::int32_t height = rectangle.bottom - rectangle.top;
   // Caps are compared with what is seen.
@@ -208,7 +202,8 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   const bool leaves = has_leaves(tree);
   HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
   const TreeReader reader(scene, tree);
-  const View view = make_view(camera, scene.grid_bits());
+  HALFSPACE_ASSERT(pass.samples == 1 || image.clips.empty());
+  const View view = make_view(camera, scene.grid_bits(), pass.samples);
   const ClipSet clips(image.clips, image.caps.has_value(), scene.grid_bits());
   const Frame frame = {
       reader, data, image, view, best_kernel(options.simd), clips, pass.alpha};
@@ -240,8 +235,6 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
     result.decisions.add(band.stats);
   }
 }
-
-}  // namespace
 
 Rendering render(const Scene& scene, const BspTree& tree, const Camera& camera,
                  const ImageOptions& image, const RenderOptions& options) {

@@ -67,6 +67,7 @@ void add_repair(CLI::App& program, Status& status);
 void add_join(CLI::App& program, Status& status);
 void add_scene(CLI::App& program, Status& status);
 void add_draw(CLI::App& program, Status& status);
+void add_order(CLI::App& program, Status& status);
 void add_view(CLI::App& program, Status& status);
 void add_help(CLI::App& program, Status& status);
 

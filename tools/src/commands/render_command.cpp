@@ -27,8 +27,7 @@ Status conclude(const io::LoadedScene& loaded, const BuildMeasure& tree,
   if (file != "-") {
     print_summary(loaded, tree, frame, frames, arguments);
     if (arguments.shadow) say("{}\n", shadow.sentence());
-    if (std::ranges::all_of(frame.picture.items.pixels,
-                            [](PolygonId id) { return id == kBackground; }))
+    if (frame.picture.pixels_painted == 0)
       say("warning: the {} nothing: no polygon is seen\n",
           frames > 1 ? "last frame shows" : "picture shows");
   }
@@ -239,6 +238,11 @@ void add_render(CLI::App& program, Status& status) {
              "Blend the polygons, from the farthest to the nearest: 0 is not "
              "seen, 255 hides what is behind. By the painter's algorithm")
       ->group("Picture");
+  add_choice(*app, "--aa", kAntiAliasingWords, arguments->anti_aliasing,
+             "Anti-aliasing: a pixel's colour is the exact mean of so many "
+             "samples each way, or of all that is seen in it; --ids then has "
+             "an entry a sample")
+      ->group("Picture");
   add_film_options(*app, *arguments);
   add_tree_options(*app, *arguments);
   add_number(*app, "--repeat", "N", arguments->repeat, 1u, 1'000'000u,
@@ -258,6 +262,7 @@ void add_render(CLI::App& program, Status& status) {
       "  halfspace render part.stl -o top.png --eye 0,0,9 --target 0,0,0 "
       "--ortho\n"
       "  halfspace render part.stl -o glass.png --alpha 80\n"
+      "  halfspace render part.stl -o smooth.png --aa 4\n"
       "  halfspace render part.stl -o cut.png --clip 0,1,0,-5 --cap hatch\n"
       "  halfspace render part.stl -o frame-%05d.png --path tour.txt "
       "--frames 0:100\n"

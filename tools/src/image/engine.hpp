@@ -29,6 +29,28 @@ inline constexpr Word<Method> kMethodWords[] = {{"span", Method::kSpan},
                                                 {"zbuffer", Method::kZBuffer},
                                                 {"raycast", Method::kRayCast}};
 
+/// What of a pixel its colour is taken from: one sample, so many samples each
+/// way (S5.7), or all of its area (S7.6).
+enum class AntiAliasing : std::uint8_t {
+  kNone = 1,
+  k2 = 2,
+  k4 = 4,
+  k8 = 8,
+  kExact
+};
+inline constexpr Word<AntiAliasing> kAntiAliasingWords[] = {
+    {"2", AntiAliasing::k2},
+    {"4", AntiAliasing::k4},
+    {"8", AntiAliasing::k8},
+    {"exact", AntiAliasing::kExact}};
+
+/// Samples of a pixel each way.
+constexpr std::int32_t samples_of(AntiAliasing anti_aliasing) {
+  return anti_aliasing == AntiAliasing::kExact
+             ? 1
+             : static_cast<std::int32_t>(anti_aliasing);
+}
+
 /// Whether the method needs a tree.
 constexpr bool needs_tree(Method method) {
   return method == Method::kSpan || method == Method::kPainter;
@@ -56,18 +78,24 @@ struct Rows {
 struct Shot {
   Method method = Method::kSpan;
   ImageOptions options;
+  AntiAliasing anti_aliasing = AntiAliasing::kNone;
+  bool items = true;  ///< false: the items of an anti-aliased image are not
+                      ///< wanted, and may be missing
   std::optional<Rows> rows;  ///< nothing: all
   std::uint8_t alpha = kOpaque;
   int threads = 1;
   fast::SimdLevel simd = fast::SimdLevel::kBest;
 };
 
-/// An image, or the wanted rows of it, and what it took.
+/// An image, or the wanted rows of it, and what it took. Items are those of
+/// samples, as many each way as there are in a pixel.
 struct Picture {
   ItemImage items;
   ColorImage colors;
   std::size_t pixels_painted = 0;
   std::size_t fragments_displayed = 0;
+  /// Pixels of exact areas that rationals decided.
+  std::size_t exact_pixels = 0;
 };
 
 /// One library, as the commands see it.
@@ -101,11 +129,20 @@ class Engine {
   /// Whether the library makes images this way.
   virtual bool has(Method method) const = 0;
 
-  /// Requires: has(shot.method); where the method needs a tree, that is this
-  /// scene's, and without leaves for the painter; an alpha for the painter
-  /// alone.
+  /// Requires: has(shot.method); the span buffer for anti-aliasing, with a
+  /// number of samples that the camera has room for; where the method needs a
+  /// tree, that is this scene's, and without leaves for the painter; an alpha
+  /// for the painter alone.
   virtual Picture render(const Scene& scene, const Camera& camera,
                          const Shot& shot) const = 0;
+
+  /// The image of exact areas (S7.6), and its items if shot.items.
+  ///
+  /// Requires: a tree without leaves, where the library has trees for it; no
+  ///           rows.
+  /// Errors: kOutOfRange: the visible map is too large.
+  virtual Result<Picture> render_area(const Scene& scene, const Camera& camera,
+                                      const Shot& shot) const = 0;
 
   /// What is said, to someone who waits, before a scene of so many polygons is
   /// built or rendered; empty where it takes no time.

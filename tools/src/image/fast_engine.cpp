@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <utility>
 
 #include "cli/outputs.hpp"
 #include "halfspace/assert.hpp"
+#include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/tree_file.hpp"
 #include "image/engine.hpp"
 
@@ -69,12 +72,41 @@ class FastEngine : public Engine {
             image.pixels_painted, image.fragments_displayed};
   }
 
+  Result<Picture> render_area(const Scene& scene, const Camera& camera,
+                              const Shot& shot) const override {
+    Result<fast::AreaImage> image =
+        fast::render_area(scene, tree_, camera, shot.options);
+    if (!image) return image.error();
+    Picture picture;
+    picture.exact_pixels = image->exact_pixels;
+    picture.pixels_painted =
+        image->colors.pixels.size() -
+        static_cast<std::size_t>(std::count(image->colors.pixels.begin(),
+                                            image->colors.pixels.end(),
+                                            shot.options.background));
+    picture.colors = std::move(image->colors);
+    if (shot.items) {
+      fast::RenderOptions how;
+      how.threads = shot.threads;
+      how.colors = false;
+      picture.items =
+          fast::render(scene, tree_, camera, shot.options, how).items;
+    }
+    return picture;
+  }
+
   std::string warning(std::size_t) const override { return {}; }
 
  private:
   fast::Rendering image_of(const Scene& scene, const Camera& camera,
                            const Shot& shot,
                            const fast::RenderOptions& how) const {
+    if (const auto samples = samples_of(shot.anti_aliasing); samples > 1) {
+      fast::RenderOptions own = how;
+      own.items = shot.items;
+      return fast::render_samples(scene, tree_, camera, shot.options, samples,
+                                  own);
+    }
     if (shot.method == Method::kSpan) {
       return fast::render(scene, tree_, camera, shot.options, how);
     }

@@ -1,11 +1,13 @@
 #include <utility>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/samples.hpp"
 #include "image/engine.hpp"
 
 namespace halfspace::tools {
@@ -28,8 +30,10 @@ Grid2<T> rows_of(const Grid2<T>& image, const Rows& rows) {
 
 /// Those rows of the picture; what it took stays that of the whole.
 Picture cut_out(const Picture& whole, const Rows& rows) {
-  return {rows_of(whole.items, rows), rows_of(whole.colors, rows),
-          whole.pixels_painted, whole.fragments_displayed};
+  const std::int32_t samples = whole.items.height_px / whole.colors.height_px;
+  return {rows_of(whole.items, {rows.first * samples, rows.end * samples}),
+          rows_of(whole.colors, rows), whole.pixels_painted,
+          whole.fragments_displayed};
 }
 
 class RefEngine : public Engine {
@@ -69,6 +73,16 @@ class RefEngine : public Engine {
     return cut_out(whole(scene, camera, shot), *shot.rows);
   }
 
+  Result<Picture> render_area(const Scene& scene, const Camera& camera,
+                              const Shot& shot) const override {
+    Picture picture;
+    picture.colors = ref::render_area(scene, camera, shot.options);
+    picture.pixels_painted = picture.colors.pixels.size();
+    if (shot.items)
+      picture.items = ref::render(scene, tree_, camera, shot.options).items;
+    return picture;
+  }
+
   std::string warning(std::size_t polygons) const override {
     if (polygons < kManyPolygons) return {};
     return "the exact reference works on " + std::to_string(polygons) +
@@ -82,7 +96,8 @@ class RefEngine : public Engine {
     ref::Rendering image;
     switch (shot.method) {
       case Method::kSpan:
-        image = ref::render(scene, tree_, camera, options);
+        image = ref::render_samples(scene, tree_, camera, options,
+                                    samples_of(shot.anti_aliasing));
         break;
       case Method::kPainter:
         image = shot.alpha == kOpaque

@@ -103,6 +103,15 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.alpha && method != Method::kPainter) {
     return "--alpha: only --method painter blends, not " + name_of(method);
   }
+  if (arguments.anti_aliasing && method != Method::kSpan) {
+    return "--aa: is for --method span alone, not " + name_of(method);
+  }
+  if (arguments.anti_aliasing == AntiAliasing::kExact && arguments.rows) {
+    return "--aa exact: makes whole pictures; leave out --rows";
+  }
+  if (arguments.anti_aliasing && arguments.shadow) {
+    return "--shadow: checks images of one sample a pixel, none with --aa";
+  }
   if (arguments.alpha && arguments.shadow) {
     return "--shadow: checks opaque images, none with --alpha";
   }
@@ -121,7 +130,8 @@ Status make_tree(Engine& engine, const Scene& scene,
   const Library library = library_of(arguments);
   tree.library = word_of(kLibraryWords, library);
   if (!needs_tree(method)) return Status::kFine;
-  const bool leaves = method == Method::kSpan;
+  const bool leaves = method == Method::kSpan &&
+                      arguments.anti_aliasing != AntiAliasing::kExact;
   if (arguments.tree_file) {
     const std::string& path = *arguments.tree_file;
     Result<BuildMeasure> loaded =
@@ -144,13 +154,27 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
   const Result<std::optional<Rows>> rows =
       rows_of(arguments, camera->height_px);
   if (!rows) return rows.error();
+  const auto anti_aliasing =
+      arguments.anti_aliasing.value_or(AntiAliasing::kNone);
+  const std::int32_t most = kMaxImageSize / samples_of(anti_aliasing);
+  if (camera->width_px > most || camera->height_px > most) {
+    return Error{ErrorCode::kOutOfRange,
+                 "--aa: with so many samples a picture has at most " +
+                     std::to_string(most) + " columns and rows"};
+  }
   Shot shot;
   shot.method = method_of(arguments);
   shot.options = choose_options(loaded.file, arguments.view);
   const Result<Done> clipped =
       add_clips(loaded.file.scene, camera, arguments.clip, shot.options);
   if (!clipped) return clipped.error();
+  if (arguments.anti_aliasing && !shot.options.clips.empty()) {
+    return Error{ErrorCode::kOutOfRange,
+                 "--aa: is not for clip planes; leave out either"};
+  }
   shot.rows = *rows;
+  shot.anti_aliasing = anti_aliasing;
+  shot.items = arguments.ids_file.has_value();
   shot.alpha = arguments.alpha.value_or(kOpaque);
   shot.threads = thread_count(arguments.build);
   shot.simd = arguments.simd.value_or(fast::SimdLevel::kBest);
@@ -162,7 +186,14 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
   std::vector<double> times_ms;
   for (std::uint32_t i = 0; i < arguments.repeat.value_or(1); ++i) {
     const Stopwatch watch;
-    frame.picture = engine.render(loaded.file.scene, camera, shot);
+    if (anti_aliasing == AntiAliasing::kExact) {
+      Result<Picture> picture =
+          engine.render_area(loaded.file.scene, camera, shot);
+      if (!picture) return picture.error();
+      frame.picture = *std::move(picture);
+    } else {
+      frame.picture = engine.render(loaded.file.scene, camera, shot);
+    }
     times_ms.push_back(watch.elapsed_ms());
   }
   frame.frame_ms = median(std::move(times_ms));
@@ -193,8 +224,12 @@ void print_summary(const io::LoadedScene& loaded, const BuildMeasure& tree,
       to_string(loaded.report));
   const Method method = method_of(arguments);
   if (needs_tree(method)) say("tree: {}\n", to_string(tree, polygons));
-  say("{}: {}x{}, ", name_of(method), frame.picture.items.width_px,
-      frame.picture.items.height_px);
+  say("{}: {}x{}, ", name_of(method), frame.picture.colors.width_px,
+      frame.picture.colors.height_px);
+  if (arguments.anti_aliasing) {
+    say("anti-aliased by {}, ",
+        word_of(kAntiAliasingWords, *arguments.anti_aliasing));
+  }
   if (frames > 1) {
     say("{} frames, the median ", frames);
   } else {
@@ -209,11 +244,12 @@ nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
   nlohmann::json stats = stats_of(loaded, tree);
   stats["method"] = name_of(method_of(arguments));
   stats["threads"] = thread_count(arguments.build);
-  stats["width_px"] = frame.picture.items.width_px;
-  stats["height_px"] = frame.picture.items.height_px;
+  stats["width_px"] = frame.picture.colors.width_px;
+  stats["height_px"] = frame.picture.colors.height_px;
   stats["frame_ms"] = frame.frame_ms;
   stats["frames"] = frames;
   stats["repeats"] = arguments.repeat.value_or(1);
+  stats["exact_pixels"] = frame.picture.exact_pixels;
   stats["pixels_painted"] = frame.picture.pixels_painted;
   stats["fragments_displayed"] = frame.picture.fragments_displayed;
   return stats;

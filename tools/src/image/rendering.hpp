@@ -26,6 +26,7 @@ struct RenderArguments {
   std::optional<Range> frames;
   std::optional<Range> rows;
   std::optional<std::uint8_t> alpha;
+  std::optional<AntiAliasing> anti_aliasing;
   std::optional<Method> method;
   std::optional<fast::SimdLevel> simd;
   std::optional<std::uint32_t> repeat;

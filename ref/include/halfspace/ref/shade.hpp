@@ -1,12 +1,30 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "halfspace/camera.hpp"
 #include "halfspace/image.hpp"
+#include "halfspace/ref/projection.hpp"
 #include "halfspace/scene.hpp"
 
 namespace halfspace::ref {
+
+/// A colour before it is rounded: red, green, blue.
+using ExactColor = std::array<Rational, 3>;
+
+/// The colour of a polygon at an image point (S5.4, S5.7, S5.8), as color_at()
+/// without the rounding.
+///
+/// Requires: the ray of the point meets the polygon's plane in front of the
+/// eye. Exact:    yes.
+ExactColor exact_color_at(const Scene& scene, const Camera& camera,
+                          PolygonId polygon, const ImagePoint& point,
+                          Shading shading);
+
+/// Each channel rounded half up.
+Rgb rounded(const ExactColor& color);
+ExactColor exact(const Rgb& color);
 
 /// The colour of a polygon at pixel (i, j) (S5.4).
 ///

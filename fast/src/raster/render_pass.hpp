@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "halfspace/fast/render.hpp"
+
+namespace halfspace::fast {
+
+enum class Order : std::uint8_t { kFrontToBack, kBackToFront };
+
+/// In which order a tree is displayed, what of a polygon is not seen through,
+/// and how many samples a pixel has each way.
+struct Pass {
+  Order order = Order::kFrontToBack;
+  std::uint8_t alpha = kOpaque;
+  int samples = 1;
+};
+
+/// Displays a tree. The images, and a rectangle, are of samples.
+void run(const Scene& scene, const BspTree& tree, const Camera& camera,
+         const ImageOptions& image, const RenderOptions& options, Pass pass,
+         Rendering& result);
+
+}  // namespace halfspace::fast

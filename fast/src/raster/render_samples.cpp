@@ -1,0 +1,140 @@
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "base/tsan.hpp"
+#include "halfspace/assert.hpp"
+#include "halfspace/fast/samples.hpp"
+#include "raster/render_pass.hpp"
+#include "raster/sample_means.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+/// So many samples are decided together: their ids fill half of a second-level
+/// cache of 2 MiB.
+constexpr std::int32_t kStripSamples = 1 << 18;
+
+class SampledImage {
+ public:
+  SampledImage(const Scene& scene, const BspTree& tree, const Camera& camera,
+               const ImageOptions& image, std::int32_t samples,
+               const RenderOptions& options, const Rectangle& rectangle,
+               Rendering& result)
+      : scene_(scene),
+        tree_(tree),
+        camera_(camera),
+        image_(image),
+        options_(options),
+        rectangle_(rectangle),
+        result_(result),
+        reader_(scene, tree),
+        view_(make_view(camera, scene.grid_bits(), samples)),
+        samples_(samples) {}
+
+  /// Fills lines from `top` up to `bottom` of the rectangle.
+  void fill(std::int32_t top, std::int32_t bottom, Rendering& strip) {
+    RenderOptions own = options_;
+    own.threads = 1;
+    own.items = true;
+    own.colors = false;
+    own.rectangle = Rectangle{rectangle_.left * samples_, top * samples_,
+                              rectangle_.right * samples_, bottom * samples_};
+    Pass pass;
+    pass.samples = samples_;
+    run(scene_, tree_, camera_, image_, own, pass, strip);
+    const std::int64_t stride = strip.items.width_px;
+    const std::int32_t line = top - rectangle_.top;
+    if (options_.items) {
+      std::copy(strip.items.pixels.begin(), strip.items.pixels.end(),
+                result_.items.pixels.begin() + line * samples_ * stride);
+    }
+    FilterStats stats = strip.decisions;
+    if (options_.colors) {
+      SampleMeans means(reader_, view_, camera_.data(), image_);
+      for (std::int32_t j = top; j < bottom; ++j) {
+        const PolygonId* items =
+            strip.items.pixels.data() + (j - top) * samples_ * stride;
+        Rgb* colors = &result_.colors.at(0, j - rectangle_.top);
+        for (std::int32_t i = rectangle_.left; i < rectangle_.right; ++i) {
+          *colors++ = means.mean(items, stride, i * samples_, j * samples_);
+          items += samples_;
+        }
+      }
+      stats.add(means.stats());
+    }
+    const std::lock_guard lock(mutex_);
+    result_.pixels_painted += strip.pixels_painted;
+    result_.fragments_displayed += strip.fragments_displayed;
+    result_.decisions.add(stats);
+  }
+
+ private:
+  const Scene& scene_;
+  const BspTree& tree_;
+  const Camera& camera_;
+  const ImageOptions& image_;
+  const RenderOptions& options_;
+  const Rectangle rectangle_;
+  Rendering& result_;
+  TreeReader reader_;
+  View view_;
+  std::int32_t samples_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+Rendering render_samples(const Scene& scene, const BspTree& tree,
+                         const Camera& camera, const ImageOptions& image,
+                         std::int32_t samples, const RenderOptions& options) {
+  HALFSPACE_ASSERT(options.threads >= 1);
+  HALFSPACE_ASSERT(samples == 1 || samples == 2 || samples == 4 ||
+                   samples == 8);
+  HALFSPACE_ASSERT(camera->width_px * samples <= kMaxImageSize &&
+                   camera->height_px * samples <= kMaxImageSize);
+  const Rectangle rectangle = options.rectangle.value_or(
+      Rectangle{0, 0, camera->width_px, camera->height_px});
+  const std::int32_t width = rectangle.right - rectangle.left;
+  const std::int32_t height = rectangle.bottom - rectangle.top;
+  Rendering result;
+  if (options.items)
+    result.items = ItemImage(width * samples, height * samples, kBackground);
+  if (options.colors) result.colors = ColorImage(width, height, Rgb{});
+  SampledImage sampled(scene, tree, camera, image, samples, options, rectangle,
+                       result);
+  // Whole rows of tiles: 8 samples high.
+  const std::int32_t lines =
+      std::max(8, kStripSamples / (width * samples * samples) / 8 * 8);
+  const std::int32_t strips = (height + lines - 1) / lines;
+  const auto fill = [&](std::int32_t s, Rendering& strip) {
+    const std::int32_t top = rectangle.top + s * lines;
+    sampled.fill(top, std::min(top + lines, rectangle.bottom), strip);
+  };
+  if (options.threads == 1) {
+    Rendering strip;
+    for (std::int32_t s = 0; s < strips; ++s) fill(s, strip);
+    return result;
+  }
+  const TsanForkJoin shared;
+  oneapi::tbb::task_arena arena(
+      std::min(options.threads, oneapi::tbb::info::default_concurrency()));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(
+        0, strips,
+        [&](std::int32_t s) {
+          shared.task([&] {
+            Rendering strip;
+            fill(s, strip);
+          });
+        },
+        oneapi::tbb::simple_partitioner{});
+  });
+  return result;
+}
+
+}  // namespace halfspace::fast

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "halfspace/image.hpp"
+#include "raster/gouraud.hpp"
+#include "tree/eye_classifier.hpp"
+
+namespace halfspace::fast {
+
+/// The colours of pixels, as means of those of their samples (S5.7).
+class SampleMeans {
+ public:
+  /// `view` is that of the samples.
+  SampleMeans(const TreeReader& reader, const View& view,
+              const CameraData& camera, const ImageOptions& image);
+
+  /// The pixel whose first sample is (i, j) of all samples; its items
+  /// begin at `items`, a line every `stride`.
+  Rgb mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
+           std::int32_t j);
+
+  const FilterStats& stats() const { return stats_; }
+
+ private:
+  /// Shaders of polygons by their ids, of which the last bits are their places.
+  static constexpr std::size_t kShaders = 64;
+  struct Shaded {
+    PolygonId polygon = kBackground;
+    GouraudShader shader;
+  };
+
+  bool is_smooth(PolygonId polygon) const;
+  Rgb flat_color(PolygonId polygon) const;
+  GouraudShader& shader_of(PolygonId polygon);
+  Rgb flat_mean(const PolygonId* items, std::int64_t stride) const;
+  Rgb smooth_mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
+                  std::int32_t j);
+  double close_sum(std::size_t channel, const PolygonId* items,
+                   std::int64_t stride, std::int32_t i, std::int32_t j);
+  std::uint8_t exact_mean(std::size_t channel, const PolygonId* items,
+                          std::int64_t stride, std::int32_t i, std::int32_t j);
+
+  const TreeReader& reader_;
+  const ImageOptions& image_;
+  std::int32_t samples_;
+  bool gouraud_;
+  FilterStats stats_;
+  EyeClassifier eye_side_;
+  std::vector<Shaded> shaders_;
+  PolygonId last_ = kBackground;  ///< of one colour, which is:
+  Rgb last_color_;
+};
+
+}  // namespace halfspace::fast
