@@ -162,17 +162,16 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
                  "--aa: with so many samples a picture has at most " +
                      std::to_string(most) + " columns and rows"};
   }
-  if (arguments.anti_aliasing &&
-      !choose_options(loaded.file, arguments.view).clips.empty()) {
-    return Error{ErrorCode::kOutOfRange,
-                 "--aa: is not for clip planes; leave out either"};
-  }
   Shot shot;
   shot.method = method_of(arguments);
   shot.options = choose_options(loaded.file, arguments.view);
   const Result<Done> clipped =
       add_clips(loaded.file.scene, camera, arguments.clip, shot.options);
   if (!clipped) return clipped.error();
+  if (arguments.anti_aliasing && !shot.options.clips.empty()) {
+    return Error{ErrorCode::kOutOfRange,
+                 "--aa: is not for clip planes; leave out either"};
+  }
   shot.rows = *rows;
   shot.anti_aliasing = anti_aliasing;
   shot.items = arguments.ids_file.has_value();
