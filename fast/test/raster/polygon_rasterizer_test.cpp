@@ -55,7 +55,8 @@ class Fixture {
     Rendering result;
     TileBuffer buffer({0, 0, 8, 8}, {0, 8}, result, false);
     const TreeReader reader(scene_, tree_);
-    const Frame frame = {reader, camera_.data(), image_, view_, kernel_};
+    const ClipSet clips(image_.clips, false, 26);
+    const Frame frame = {reader, camera_.data(), image_, view_, kernel_, clips};
     bool asked = false;
     PolygonRasterizer<26>(frame, buffer.view())
         .draw_any(tree_.fragments[0], [&](const TreeFragment&) {

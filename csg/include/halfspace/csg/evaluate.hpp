@@ -123,11 +123,11 @@ class Evaluator {
   /// The terms, one or more, combined in a balanced way: like the digits of a
   /// binary counter, what is of one size is combined at once.
   Value folded(NodeKind kind, std::span<const std::int32_t> terms) {
-    struct Part {
+    struct Term {
       Value value;
       std::size_t size = 0;
     };
-    std::vector<Part> parts;
+    std::vector<Term> parts;
     const auto join_equals = [&] {
       while (goes_on() && parts.size() > 1 &&
              parts[parts.size() - 2].size == parts.back().size) {
@@ -150,11 +150,11 @@ class Evaluator {
     return std::move(parts.front().value);
   }
 
-  template <class Part>
-  void join_last(NodeKind kind, std::vector<Part>& parts) {
-    Part last = std::move(parts.back());
+  template <class Term>
+  void join_last(NodeKind kind, std::vector<Term>& parts) {
+    Term last = std::move(parts.back());
     parts.pop_back();
-    Part& first = parts.back();
+    Term& first = parts.back();
     first.value = combined(kind, std::move(first.value), std::move(last.value));
     first.size += last.size;
   }
