@@ -127,7 +127,7 @@ fast::Solid merged_by(fast::Solid solid, MergeRule rule) {
 /// The data of the result of a plan.
 SolidData exact_data(fast::Solid solid, const Plan& plan,
                      const Operands& operands) {
-  std::vector<Part> parts;
+  std::vector<OperandPart> parts;
   for (std::size_t i = 0; i < plan.leaves.size(); ++i) {
     const auto leaf = static_cast<std::int32_t>(i);
     parts.push_back({operands.name_in_files(leaf), operands.parts_of(leaf)});

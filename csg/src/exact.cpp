@@ -300,10 +300,10 @@ Result<io::Imported> rounded(const SolidData& data,
   return imported;
 }
 
-SolidData data_of(fast::Solid solid, std::span<const Part> parts) {
+SolidData data_of(fast::Solid solid, std::span<const OperandPart> parts) {
   std::vector<std::string> names;
   std::vector<std::size_t> first;
-  for (const Part& part : parts) {
+  for (const OperandPart& part : parts) {
     first.push_back(names.size());
     if (part.data == nullptr) {
       names.push_back(part.name);

@@ -103,7 +103,7 @@ Result<Done> saved_exactly(const std::filesystem::path& path,
     return Error{ErrorCode::kUnbounded,
                  path.string() + ": the solid reaches infinitely far"};
   }
-  std::vector<csg::Part> parts;
+  std::vector<csg::OperandPart> parts;
   for (const Evaluation::Use& use : evaluation.uses) {
     parts.push_back({SolidNode::solid_of(use.node).name(),
                      use.node->leaf->data()->source->exact.get()});
