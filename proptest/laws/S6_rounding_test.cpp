@@ -22,9 +22,9 @@
 namespace halfspace {
 namespace {
 
-using Place = std::array<double, 3>;
+using FilePoint = std::array<double, 3>;
 
-constexpr int kPairs = 150;
+constexpr int kRoundings = 150;
 /// Steps of the grid of 54 bits are this long.
 constexpr int kStepExponent = -46;
 
@@ -32,12 +32,12 @@ constexpr int kStepExponent = -46;
 struct Ball {
   int stacks = 3;
   int slices = 4;
-  Place size{1, 1, 1};
-  Place angles{};  ///< of turns about the axes, one after another
-  Place shift{};
+  FilePoint size{1, 1, 1};
+  FilePoint angles{};  ///< of turns about the axes, one after another
+  FilePoint shift{};
 };
 
-Place turned(Place p, const Place& angles) {
+FilePoint turned(FilePoint p, const FilePoint& angles) {
   for (std::size_t k = 0; k < 3; ++k) {
     double& u = p[(k + 1) % 3];
     double& v = p[(k + 2) % 3];
@@ -54,10 +54,11 @@ std::optional<GridSolid> solid_of(const Ball& ball) {
   data.unit = {2, kStepExponent};
   data.grid_bits = 54;
   const auto add = [&](double polar, double azimuth) {
-    const Place p = turned({ball.size[0] * std::sin(polar) * std::cos(azimuth),
-                            ball.size[1] * std::sin(polar) * std::sin(azimuth),
-                            ball.size[2] * std::cos(polar)},
-                           ball.angles);
+    const FilePoint p =
+        turned({ball.size[0] * std::sin(polar) * std::cos(azimuth),
+                ball.size[1] * std::sin(polar) * std::sin(azimuth),
+                ball.size[2] * std::cos(polar)},
+               ball.angles);
     const auto steps = [&](std::size_t k) {
       return std::llround(std::ldexp(p[k] + ball.shift[k], -kStepExponent));
     };
@@ -152,7 +153,7 @@ Rounded some_rounded(law::Cases& cases) {
 /// The mesh read as it is; an error if import changes anything of it.
 Result<io::Imported> read_again(const fast::RoundedMesh& mesh) {
   io::Mesh file;
-  for (const Place& v : mesh.vertices)
+  for (const FilePoint& v : mesh.vertices)
     file.vertices.push_back(
         {io::number_of(v[0]), io::number_of(v[1]), io::number_of(v[2])});
   file.first_corner = mesh.first_corner;
@@ -162,8 +163,8 @@ Result<io::Imported> read_again(const fast::RoundedMesh& mesh) {
 
 /// The polygons in triangles.
 template <class Mesh>
-std::vector<std::array<Place, 3>> triangles_of(const Mesh& mesh) {
-  std::vector<std::array<Place, 3>> triangles;
+std::vector<std::array<FilePoint, 3>> triangles_of(const Mesh& mesh) {
+  std::vector<std::array<FilePoint, 3>> triangles;
   for (std::size_t p = 0; p < mesh.faces.size(); ++p) {
     const auto at = [&](std::size_t k) {
       return mesh.vertices[static_cast<std::size_t>(mesh.corners[k])];
@@ -175,34 +176,34 @@ std::vector<std::array<Place, 3>> triangles_of(const Mesh& mesh) {
   return triangles;
 }
 
-Place minus(const Place& p, const Place& q) {
+FilePoint minus(const FilePoint& p, const FilePoint& q) {
   return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
 }
-double dot(const Place& p, const Place& q) {
+double dot(const FilePoint& p, const FilePoint& q) {
   return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
 }
-Place cross(const Place& p, const Place& q) {
+FilePoint cross(const FilePoint& p, const FilePoint& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
           p[0] * q[1] - p[1] * q[0]};
 }
 
-double distance(const Place& p, const Place& a, const Place& b) {
-  const Place ab = minus(b, a);
+double distance(const FilePoint& p, const FilePoint& a, const FilePoint& b) {
+  const FilePoint ab = minus(b, a);
   const double length2 = dot(ab, ab);
   const double t =
       length2 > 0 ? std::clamp(dot(minus(p, a), ab) / length2, 0.0, 1.0) : 0;
-  const Place rest = {p[0] - a[0] - t * ab[0], p[1] - a[1] - t * ab[1],
-                      p[2] - a[2] - t * ab[2]};
+  const FilePoint rest = {p[0] - a[0] - t * ab[0], p[1] - a[1] - t * ab[1],
+                          p[2] - a[2] - t * ab[2]};
   return std::sqrt(dot(rest, rest));
 }
 
-double distance(const Place& p, const std::array<Place, 3>& t) {
-  const Place n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+double distance(const FilePoint& p, const std::array<FilePoint, 3>& t) {
+  const FilePoint n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
   bool inside = dot(n, n) > 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
-    const Place& a = t[i];
-    const Place& b = t[(i + 1) % 3];
+    const FilePoint& a = t[i];
+    const FilePoint& b = t[(i + 1) % 3];
     inside = inside && dot(cross(minus(b, a), minus(p, a)), n) >= 0;
     nearest = std::min(nearest, distance(p, a, b));
   }
@@ -216,15 +217,15 @@ constexpr double kSlack = 1e-12;
 
 TEST(S6Rounding, L16ARoundedSolidIsASolid) {
   law::Cases cases({"surfaces met", "no surfaces met"});
-  law::check(kPairs, [&cases] {
+  law::check(kRoundings, [&cases] {
     const Rounded rounded = some_rounded(cases);
-    for (const Place& v : rounded.mesh.vertices) {
+    for (const FilePoint& v : rounded.mesh.vertices) {
       for (const double c : v) {
         HALFSPACE_LAW(rounded.number == fast::FileNumber::kDouble ||
                       double{static_cast<float>(c)} == c);
       }
     }
-    std::vector<Place> places = rounded.mesh.vertices;
+    std::vector<FilePoint> places = rounded.mesh.vertices;
     std::sort(places.begin(), places.end());
     HALFSPACE_LAW(std::adjacent_find(places.begin(), places.end()) ==
                   places.end());
@@ -242,13 +243,13 @@ TEST(S6Rounding, L16ARoundedSolidIsASolid) {
 
 TEST(S6Rounding, L17VerticesAreAsNearAsReported) {
   law::Cases cases({"surfaces met", "no surfaces met"});
-  law::check(kPairs, [&cases] {
+  law::check(kRoundings, [&cases] {
     const Rounded rounded = some_rounded(cases);
     const auto exact =
         triangles_of(fast::to_mesh(rounded.solid, {.triangles = true}));
     // Along no axis is it farther, so it is at most the root of 3 times that.
     const double most = std::numbers::sqrt3 * rounded.mesh.max_move + kSlack;
-    for (const Place& v : rounded.mesh.vertices) {
+    for (const FilePoint& v : rounded.mesh.vertices) {
       HALFSPACE_LAW(std::any_of(
           exact.begin(), exact.end(),
           [&](const auto& triangle) { return distance(v, triangle) <= most; }));
@@ -259,19 +260,19 @@ TEST(S6Rounding, L17VerticesAreAsNearAsReported) {
 
 TEST(S6Rounding, L18VolumesDifferByWhatMoved) {
   law::Cases cases({"surfaces met", "no surfaces met"});
-  law::check(kPairs, [&cases] {
+  law::check(kRoundings, [&cases] {
     const Rounded rounded = some_rounded(cases);
     const auto before =
         triangles_of(fast::to_mesh(rounded.solid, {.triangles = true}));
     const auto after = triangles_of(rounded.mesh);
     if (before.empty()) return;
-    const Place from = before[0][0];
+    const FilePoint from = before[0][0];
     double area = 0, volume = 0;
     for (const auto* triangles : {&before, &after}) {
       for (const auto& t : *triangles) {
-        const Place a = minus(t[0], from), b = minus(t[1], from),
-                    c = minus(t[2], from);
-        const Place n = cross(minus(b, a), minus(c, a));
+        const FilePoint a = minus(t[0], from), b = minus(t[1], from),
+                        c = minus(t[2], from);
+        const FilePoint n = cross(minus(b, a), minus(c, a));
         area += std::sqrt(dot(n, n)) / 2;
         volume += (triangles == &before ? 1 : -1) * dot(a, cross(b, c)) / 6;
       }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "halfspace/assert.hpp"
 #include "halfspace/csg/plan.hpp"
 #include "halfspace/result.hpp"
 
@@ -159,17 +160,26 @@ class Evaluator {
     first.size += last.size;
   }
 
+  /// A connected part; the empty solid by an algebra that has none, whose plans
+  /// name none.
+  Value component_of(const Step& step) {
+    Value whole = take(step.terms.front());
+    if (!goes_on()) return {};
+    const Numbers3& point = plan_.points[static_cast<std::size_t>(step.item)];
+    if constexpr (requires { algebra_.component(whole, point); }) {
+      Result<Value> part = algebra_.component(std::move(whole), point);
+      if (!part) error_ = part.error();
+      return part ? *std::move(part) : Value{};
+    } else {
+      HALFSPACE_ASSERT(false);
+      return {};
+    }
+  }
+
   Value value_of(const Step& step) {
     if (step.kind == NodeKind::kComplement)
       return algebra_.complement(take(step.terms.front()));
-    if (step.kind == NodeKind::kComponent) {
-      Value whole = take(step.terms.front());
-      if (!goes_on()) return {};
-      Result<Value> part = algebra_.component(
-          std::move(whole), plan_.points[static_cast<std::size_t>(step.item)]);
-      if (!part) error_ = part.error();
-      return part ? *std::move(part) : Value{};
-    }
+    if (step.kind == NodeKind::kComponent) return component_of(step);
     const std::span<const std::int32_t> terms(step.terms);
     const auto halves = terms.last(step.halves);
     auto solids = terms.first(terms.size() - step.halves);
