@@ -38,7 +38,7 @@ struct Arc {
 };
 using Arcs = std::vector<Arc>;
 
-Integer to_integer(const fast::MapLine::Integer& words) {
+Integer integer_of(const fast::MapLine::Integer& words) {
   Integer value = 0;
   for (std::size_t k = words.size(); k-- > 0;) value = (value << 64) + words[k];
   if (words.back() >> 63 != 0) value -= Integer(1) << 512;
@@ -128,9 +128,9 @@ struct FastMap {
         return map->lines[static_cast<std::size_t>(vertex.lines[k])];
       };
       const auto [a, b, c] = std::tuple{
-          to_integer(line(0).a), to_integer(line(0).b), to_integer(line(0).c)};
+          integer_of(line(0).a), integer_of(line(0).b), integer_of(line(0).c)};
       const auto [d, e, f] = std::tuple{
-          to_integer(line(1).a), to_integer(line(1).b), to_integer(line(1).c)};
+          integer_of(line(1).a), integer_of(line(1).b), integer_of(line(1).c)};
       const Integer w = 2 * (a * e - b * d);
       places.push_back({Fraction(b * f - c * e) / Fraction(w),
                         Fraction(c * d - a * f) / Fraction(w)});
@@ -435,7 +435,7 @@ Fraction value_at(const SceneFile& view, std::int32_t id, const Place& at,
   return sum / weights;
 }
 
-std::uint8_t rounded(const Fraction& value) {
+std::uint8_t rounded_level(const Fraction& value) {
   const Integer twice = 2 * numerator(value) + denominator(value);
   return static_cast<std::uint8_t>(twice / (2 * denominator(value)));
 }
@@ -478,7 +478,7 @@ TYPED_TEST(S7Map, L7APixelIsTheIntegralOfWhatIsSeenInIt) {
                 const Place centroid = {own.x / own.area, own.y / own.area};
                 sum += own.area * value_at(view, key, centroid, channel);
               }
-              HALFSPACE_LAW(image.at(i, j).*channel == rounded(sum));
+              HALFSPACE_LAW(image.at(i, j).*channel == rounded_level(sum));
             }
           }
         }

@@ -155,7 +155,7 @@ class S9Drawing : public ::testing::Test {};
 using DrawingImplementations = ::testing::Types<RefDrawing, FastDrawing>;
 TYPED_TEST_SUITE(S9Drawing, DrawingImplementations);
 
-DrawingOptions options_of(const SceneFile& view) {
+DrawingOptions drawing_options_of(const SceneFile& view) {
   DrawingOptions options;
   options.cull = view.options.cull;
   return options;
@@ -165,7 +165,7 @@ TYPED_TEST(S9Drawing, L1IntervalsAreWhatIsInTheView) {
   std::size_t hidden = 0;
   law::for_all_views(
       [&](const SceneFile& view) {
-        const Drawn drawn = TypeParam::draw(view, options_of(view));
+        const Drawn drawn = TypeParam::draw(view, drawing_options_of(view));
         // With nothing in front an edge has one interval: the part in view.
         std::map<std::array<double, 6>, std::vector<Interval>> edges;
         for (const Interval& i : drawn.intervals) {
@@ -247,7 +247,7 @@ TYPED_TEST(S9Drawing, L2StrokesCoverTheIntervalsOnce) {
   std::size_t pairs = 0;  // of strokes on one line
   law::for_all_views(
       [&](const SceneFile& view) {
-        const Drawn drawn = TypeParam::draw(view, options_of(view));
+        const Drawn drawn = TypeParam::draw(view, drawing_options_of(view));
         for (const Interval& i : drawn.intervals)
           HALFSPACE_LAW(is_covered(i.from, i.to, drawn.strokes, i.layers == 0));
         for (const Pen& s : drawn.strokes) {
@@ -294,7 +294,7 @@ TYPED_TEST(S9Drawing, L3BordersOfTheMapAreDrawn) {
         MapOptions keys;
         keys.cull = view.options.cull;
         keys.keys = fast::intern_planes(view.scene).plane_of;
-        const Drawn drawn = TypeParam::draw(view, options_of(view));
+        const Drawn drawn = TypeParam::draw(view, drawing_options_of(view));
         for (const ref::MapArc& arc :
              ref::visible_map(view.scene, *view.camera, keys)) {
           if (arc.left == kOutsideKey || arc.right == kOutsideKey) continue;
@@ -312,12 +312,12 @@ TYPED_TEST(S9Drawing, L3BordersOfTheMapAreDrawn) {
 TYPED_TEST(S9Drawing, L4CornersAndOrientationDoNotMatter) {
   law::for_all_views(
       [](const SceneFile& view) {
-        Drawn drawn = TypeParam::draw(view, options_of(view));
+        Drawn drawn = TypeParam::draw(view, drawing_options_of(view));
         drawn.sort();
         const auto same = [&](const Scene& scene) {
           SceneFile changed = view;
           changed.scene = scene;
-          Drawn other = TypeParam::draw(changed, options_of(view));
+          Drawn other = TypeParam::draw(changed, drawing_options_of(view));
           other.sort();
           HALFSPACE_LAW(other == drawn);
         };
@@ -339,7 +339,7 @@ TEST(S9DrawingAgree, RefAndFastDrawTheSame) {
   law::for_all_views(
       [&met](const SceneFile& view) {
         for (const std::int32_t cosine : {1 << kCosineBits, 0, 759250125}) {
-          DrawingOptions options = options_of(view);
+          DrawingOptions options = drawing_options_of(view);
           options.crease_cosine = cosine;
           if (cosine == 0) {
             for (std::size_t p = 0; p < view.scene.polygon_count(); ++p)

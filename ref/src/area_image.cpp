@@ -97,7 +97,7 @@ ColorImage render_area(const Scene& scene, const Camera& camera,
                 : exact_color_at(scene, camera, key, centroid, options.shading);
         for (std::size_t c = 0; c < 3; ++c) sum[c] += seen.area * color[c];
       }
-      image.at(i, j) = rounded(sum);
+      image.at(i, j) = rounded_color(sum);
     }
   }
   return image;

@@ -73,7 +73,7 @@ Rendering render_samples(const Scene& scene, const BspTree& tree,
       ColorImage(camera->width_px, camera->height_px, options.background);
   for (std::int32_t j = 0; j < camera->height_px; ++j) {
     for (std::int32_t i = 0; i < camera->width_px; ++i) {
-      image.colors.at(i, j) = rounded(
+      image.colors.at(i, j) = rounded_color(
           mean_color(scene, camera, image.items, options, i, j, samples));
     }
   }

@@ -57,7 +57,7 @@ Rational blend(const std::array<Rational, 3>& weight,
 
 ExactColor exact(const Rgb& color) { return {color.r, color.g, color.b}; }
 
-Rgb rounded(const ExactColor& color) {
+Rgb rounded_color(const ExactColor& color) {
   const auto channel = [](const Rational& value) {
     const Rational half = Rational(1) / Rational(2);
     return static_cast<std::uint8_t>(floor(value + half).to_int64());
@@ -99,7 +99,7 @@ Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
   // the bounded polygon.
   const Rational half = Rational(1) / Rational(2);
   const ImagePoint centre = {Rational(i) + half, Rational(j) + half};
-  return rounded(exact_color_at(scene, camera, polygon, centre, shading));
+  return rounded_color(exact_color_at(scene, camera, polygon, centre, shading));
 }
 
 ColorImage colors_of(const Scene& scene, const Camera& camera,

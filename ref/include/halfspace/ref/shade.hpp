@@ -23,7 +23,7 @@ ExactColor exact_color_at(const Scene& scene, const Camera& camera,
                           Shading shading);
 
 /// Each channel rounded half up.
-Rgb rounded(const ExactColor& color);
+Rgb rounded_color(const ExactColor& color);
 ExactColor exact(const Rgb& color);
 
 /// The colour of a polygon at pixel (i, j) (S5.4).
