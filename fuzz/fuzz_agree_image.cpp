@@ -4,12 +4,10 @@
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
-#include "halfspace/fast/samples.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
-#include "halfspace/ref/samples.hpp"
 #include "views.hpp"
 
 /// The four algorithms of the reference, those of the fast library over trees

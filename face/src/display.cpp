@@ -16,7 +16,6 @@
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
-#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/io/clip.hpp"

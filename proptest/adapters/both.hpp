@@ -19,7 +19,6 @@
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
-#include "halfspace/ref/samples.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/split.hpp"

@@ -9,7 +9,6 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
-#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/split.hpp"

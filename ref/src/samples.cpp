@@ -1,7 +1,6 @@
-#include "halfspace/ref/samples.hpp"
-
 #include "halfspace/assert.hpp"
 #include "halfspace/ref/projection.hpp"
+#include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/shade.hpp"

@@ -8,7 +8,7 @@
 
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
-#include "halfspace/fast/samples.hpp"
+#include "halfspace/fast/render.hpp"
 #include "raster/render_pass.hpp"
 #include "raster/sample_means.hpp"
 

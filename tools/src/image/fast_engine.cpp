@@ -8,7 +8,6 @@
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
-#include "halfspace/fast/samples.hpp"
 #include "halfspace/fast/tree_file.hpp"
 #include "image/engine.hpp"
 

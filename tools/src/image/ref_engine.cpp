@@ -7,7 +7,6 @@
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
-#include "halfspace/ref/samples.hpp"
 #include "image/engine.hpp"
 
 namespace halfspace::tools {

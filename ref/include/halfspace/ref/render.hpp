@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "halfspace/camera.hpp"
 #include "halfspace/image.hpp"
@@ -28,5 +29,16 @@ struct Rendering {
 /// Ties:  coplanar polygons: the lowest id is seen.
 Rendering render(const Scene& scene, const BspTree& tree, const Camera& camera,
                  const ImageOptions& options);
+
+/// The image with `samples` x `samples` samples a pixel (S5.7): the item image
+/// of the samples, and for each pixel of `camera` the mean of its
+/// samples' colours.
+///
+/// Requires: samples is 1, 2, 4 or 8; an image of that many times the size has
+///           at most 65,536 columns and rows; no clip planes.
+/// Exact:    yes: colours are added up before they are rounded.
+Rendering render_samples(const Scene& scene, const BspTree& tree,
+                         const Camera& camera, const ImageOptions& options,
+                         std::int32_t samples);
 
 }  // namespace halfspace::ref
