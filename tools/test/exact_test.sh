@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Exact solids in files: what leaves comes back, and chains are one script.
+# Exact solids in files: what leaves comes back.
 . "$(dirname "$0")/expect.sh"
 reader=${0%/*}/../../examples/read_solid.py
 
@@ -23,7 +23,8 @@ OFF
 END
 expect 0 closed csg 'translate(C, 0.1, 0.2, 0.3)' C=c.off -o d.off
 
-# Chains of commands give the bytes of one script, in every order of operations.
+# These chains give the bytes of one script, for the script's booleans are done
+# in the same order; that is so for most chains, not for all.
 for first in '|' '&' '-' '^'; do
   for second in '|' '-' '^'; do
     for third in '&' '-'; do
