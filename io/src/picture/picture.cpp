@@ -1,5 +1,7 @@
 #include "halfspace/io/picture.hpp"
 
+#include <vector>
+
 #include "picture/png_rows.hpp"
 
 namespace halfspace::io {
@@ -11,6 +13,24 @@ Result<Done> write_png(const std::filesystem::path& path,
   PngWriter writer(path, image.width_px, image.height_px, part);
   for (std::int32_t j = 0; j < image.height_px; ++j) {
     if (!writer.write_row(&image.at(0, j).r)) break;
+  }
+  return writer.finish();
+}
+
+Result<Done> write_png_cut_out(const std::filesystem::path& path,
+                               const ColorImage& image,
+                               const ItemImage& items) {
+  PngWriter writer(path, image.width_px, image.height_px, {}, true);
+  std::vector<std::uint8_t> row;
+  for (std::int32_t j = 0; j < image.height_px; ++j) {
+    row.clear();
+    for (std::int32_t i = 0; i < image.width_px; ++i) {
+      const Rgb& color = image.at(i, j);
+      const bool is_seen = items.at(i, j) != kBackground;
+      row.insert(row.end(), {color.r, color.g, color.b,
+                             static_cast<std::uint8_t>(is_seen ? 255 : 0)});
+    }
+    if (!writer.write_row(row.data())) break;
   }
   return writer.finish();
 }

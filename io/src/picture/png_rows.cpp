@@ -20,7 +20,7 @@ void ignore(png_structp, png_const_charp) {}
 
 PngWriter::PngWriter(const std::filesystem::path& path, std::int32_t width_px,
                      std::int32_t height_px,
-                     const std::optional<PartOfPicture>& part)
+                     const std::optional<PartOfPicture>& part, bool has_alpha)
     : file_(path) {
   if (part) {
     part_ = std::to_string(part->first_row) + " of " +
@@ -33,7 +33,8 @@ PngWriter::PngWriter(const std::filesystem::path& path, std::int32_t width_px,
     trouble_ = "there is not enough memory";
     return;
   }
-  begin(width_px, height_px);
+  begin(width_px, height_px,
+        has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB);
 }
 
 PngWriter::~PngWriter() { png_destroy_write_struct(&png_, &info_); }
@@ -51,11 +52,12 @@ void PngWriter::write(png_structp png, png_bytep bytes, std::size_t count) {
 
 void PngWriter::flush(png_structp) {}
 
-void PngWriter::begin(std::int32_t width_px, std::int32_t height_px) {
+void PngWriter::begin(std::int32_t width_px, std::int32_t height_px,
+                      int color_type) {
   if (setjmp(png_jmpbuf(png_)) != 0) return;
   png_set_write_fn(png_, this, write, flush);
   png_set_IHDR(png_, info_, static_cast<png_uint_32>(width_px),
-               static_cast<png_uint_32>(height_px), 8, PNG_COLOR_TYPE_RGB,
+               static_cast<png_uint_32>(height_px), 8, color_type,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -69,10 +71,10 @@ void PngWriter::begin(std::int32_t width_px, std::int32_t height_px) {
   png_write_info(png_, info_);
 }
 
-bool PngWriter::write_row(const std::uint8_t* rgb) {
+bool PngWriter::write_row(const std::uint8_t* channels) {
   if (info_ == nullptr || !trouble_.empty()) return false;
   if (setjmp(png_jmpbuf(png_)) != 0) return false;
-  png_write_row(png_, rgb);
+  png_write_row(png_, channels);
   return true;
 }
 

@@ -14,7 +14,8 @@
 
 namespace halfspace::io {
 
-/// A picture being written row by row, 8 bits a channel, red, green and blue.
+/// A picture being written row by row, 8 bits a channel, red, green and blue,
+/// and alpha if it has one.
 ///
 /// The rows alone decide the bytes, and not how they came to be there: parts
 /// joined are the picture made in one piece.
@@ -22,19 +23,20 @@ class PngWriter {
  public:
   /// `part` is noted in the file.
   PngWriter(const std::filesystem::path& path, std::int32_t width_px,
-            std::int32_t height_px, const std::optional<PartOfPicture>& part);
+            std::int32_t height_px, const std::optional<PartOfPicture>& part,
+            bool has_alpha = false);
   ~PngWriter();
   PngWriter(const PngWriter&) = delete;
   PngWriter& operator=(const PngWriter&) = delete;
 
   /// False where that failed; then finish() tells why.
-  bool write_row(const std::uint8_t* rgb);
+  bool write_row(const std::uint8_t* channels);
 
   /// Errors: those of NewFile.
   Result<Done> finish();
 
  private:
-  void begin(std::int32_t width_px, std::int32_t height_px);
+  void begin(std::int32_t width_px, std::int32_t height_px, int color_type);
   void end();
   static void fail(png_structp png, png_const_charp why);
   static void write(png_structp png, png_bytep bytes, std::size_t count);

@@ -248,6 +248,10 @@ Status run_draw(DrawArguments arguments) {
   if (!loaded) return fail(arguments.paths[0], loaded.error());
   // Reading leaves holes that large arrays do not fit.
   malloc_trim(0);
+  if (arguments.view.background &&
+      arguments.view.background->style != Background::Style::kColor) {
+    return fail("--background: a figure has one colour behind it");
+  }
   const ImageOptions image = choose_options(loaded->file, arguments.view);
   Figures figures(arguments, *loaded, image.cull, image.background);
   const Result<Done> drawn = arguments.sheet.is_used()

@@ -105,8 +105,14 @@ std::string file_complaint(const RenderArguments& arguments,
 Status run_film(Engine& engine, const io::LoadedScene& loaded,
                 const RenderArguments& arguments) {
   const Result<CameraPath> path =
-      read_camera_path(*arguments.camera_path_file, arguments.view);
-  if (!path) return fail(*arguments.camera_path_file, path.error());
+      arguments.turntable
+          ? turntable(loaded.file.scene, *arguments.turntable, arguments.view)
+          : read_camera_path(*arguments.camera_path_file, arguments.view);
+  if (!path) {
+    return arguments.turntable
+               ? fail("--turntable: " + path.error().message)
+               : fail(*arguments.camera_path_file, path.error());
+  }
   const Result<Range> frames = frames_of(*path, arguments);
   if (!frames) return fail(frames.error().message);
   for (std::int64_t k = *frames->first; k < *frames->end; ++k) {
@@ -165,8 +171,9 @@ Status run_render(const RenderArguments& arguments) {
   wrong = cap_complaint(loaded->file.scene, arguments.clip);
   if (!wrong.empty()) return fail(wrong);
   progress(engine->warning(loaded->file.scene.polygon_count()));
-  return arguments.camera_path_file ? run_film(*engine, *loaded, arguments)
-                                    : run_still(*engine, *loaded, arguments);
+  return arguments.camera_path_file || arguments.turntable
+             ? run_film(*engine, *loaded, arguments)
+             : run_still(*engine, *loaded, arguments);
 }
 
 constexpr const char* kRangeForm =
@@ -180,6 +187,12 @@ void add_film_options(CLI::App& app, RenderArguments& arguments) {
                  "it moves evenly. -o and --ids name each frame: "
                  "frame-%05d.png")
       ->type_name("FILE")
+      ->group(group);
+  add_number(app, "--turntable", "N", arguments.turntable, 2u, 1'000'000u,
+             "A film of N frames once round the model, about the vertical, "
+             "beginning at --orbit or --view")
+      ->excludes("--eye")
+      ->excludes("--path")
       ->group(group);
   add_parsed(app, "--frames", "A:B", kRangeForm, arguments.frames, parse_range,
              "Only the frames from A up to but not including B")

@@ -52,7 +52,7 @@ Result<viewer::State> state_of(const ViewCommandArguments& arguments) {
   const ViewArguments& view = arguments.view;
   if (view.shading) looks.is_smooth = *view.shading == Shading::kGouraud;
   looks.cull = view.cull.value_or(looks.cull);
-  looks.background = view.background.value_or(looks.background);
+  if (view.background) looks.background = view.background->color;
   if (view.light) looks.light = {view.light->x, view.light->y, view.light->z};
   return state;
 }

@@ -1,7 +1,10 @@
 #include "image/camera_path.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -133,6 +136,54 @@ ViewArguments CameraPath::at(std::int64_t frame) const {
   view.ortho_height = between(a.view.ortho_height, b.view.ortho_height, share);
   view.near = between(a.view.near, b.view.near, share);
   return view;
+}
+
+Result<CameraPath> turntable(const Scene& scene, std::uint32_t frames,
+                             const ViewArguments& start) {
+  const io::ViewDirection first = start.view.value_or(io::ViewDirection());
+  const Size size = start.size.value_or(Size{640, 480});
+  const bool is_parallel = start.orthographic || start.ortho_height;
+  std::vector<glm::dvec3> directions;
+  double distance = 0;
+  double height = 0;
+  double fov_deg = 0;
+  const glm::dvec3 up = start.up.value_or(glm::dvec3(0, 0, 1));
+  if (up == glm::dvec3(0)) {
+    return Error{ErrorCode::kBadCamera,
+                 "the camera's up is zero, which points nowhere"};
+  }
+  for (std::uint32_t k = 0; k < frames; ++k) {
+    const double angle = 2 * std::numbers::pi * k / frames;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const auto turn = [&](const glm::dvec3& v) {
+      return glm::dvec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
+    };
+    const io::ViewDirection direction =
+        io::turned({turn(first.to_eye), turn(first.up)}, up);
+    const Result<io::ViewOptions> fitted = io::automatic_options(
+        scene, direction, size.width_px, size.height_px, is_parallel);
+    if (!fitted) return fitted.error();
+    distance = std::max(distance, glm::distance(fitted->eye, fitted->target));
+    height = std::max(height, fitted->ortho_height);
+    fov_deg = start.fov_deg.value_or(fitted->fov_deg);
+    directions.push_back(glm::normalize(direction.to_eye));
+  }
+  // So far from the middle that each picture has its own fit and some more.
+  constexpr double kMargin = 1.15;
+  const glm::dvec3 middle = io::middle_of(scene);
+  std::vector<KeyFrame> keys;
+  for (std::uint32_t k = 0; k < frames; ++k) {
+    KeyFrame key{std::int64_t{k}, start};
+    key.view.view = std::nullopt;
+    key.view.target = middle;
+    key.view.eye = middle + kMargin * distance * directions[k];
+    if (start.fov_deg || !is_parallel) key.view.fov_deg = fov_deg;
+    if (is_parallel && !start.ortho_height)
+      key.view.ortho_height = kMargin * height;
+    keys.push_back(std::move(key));
+  }
+  return CameraPath(std::move(keys));
 }
 
 Result<CameraPath> parse_camera_path(const std::string& text,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -33,6 +34,13 @@ class CameraPath {
  private:
   std::vector<KeyFrame> keys_;
 };
+
+/// The way once round the scene in so many frames, about the z axis or --up,
+/// with all of it in every picture.
+///
+/// Errors: those of io::automatic_options().
+Result<CameraPath> turntable(const Scene& scene, std::uint32_t frames,
+                             const ViewArguments& start);
 
 /// The path that the text describes (docs/guide.md). What its lines do not say
 /// is as the line before says, at first as `start` does.

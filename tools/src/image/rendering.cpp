@@ -16,14 +16,15 @@ std::string name_of(Method method) {
 
 /// What is wrong with a film's options, or with their absence.
 std::string film_complaint(const RenderArguments& arguments) {
-  if (!arguments.camera_path_file) {
+  if (!arguments.camera_path_file && !arguments.turntable) {
     return arguments.frames ? "--frames: needs --path, which tells the cameras"
                             : "";
   }
   for (const auto& name : {arguments.picture_file, arguments.ids_file}) {
     if (name && !NumberedName::parse(*name)) {
       return *name +
-             ": with --path the name needs one %d or %05d, for the frame's "
+             ": with --path or --turntable the name needs one %d or %05d, for "
+             "the frame's "
              "number; %% is a percent sign";
     }
   }
@@ -115,6 +116,18 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.alpha && arguments.shadow) {
     return "--shadow: checks opaque images, none with --alpha";
   }
+  const auto style = arguments.view.background
+                         ? arguments.view.background->style
+                         : Background::Style::kColor;
+  if (style != Background::Style::kColor && arguments.alpha) {
+    return "--background: a gradient or none is not blended; leave out --alpha";
+  }
+  if (style == Background::Style::kNone && arguments.rows)
+    return "--background: parts of pictures have one; leave out none or --rows";
+  if (style != Background::Style::kColor && arguments.shadow)
+    return "--background: --shadow checks pictures with one colour behind";
+  if (style != Background::Style::kColor && arguments.anti_aliasing)
+    return "--background: a gradient or none has no samples; leave out --aa";
   if (arguments.clip.caps && (arguments.alpha || arguments.shadow)) {
     return "--cap: not together with --alpha or --shadow";
   }
@@ -147,6 +160,28 @@ Status make_tree(Engine& engine, const Scene& scene,
   progress("tree: " + to_string(tree, scene.polygon_count()));
   return Status::kFine;
 }
+
+namespace {
+
+/// Paints a gradient behind the picture, or takes what is there away.
+void add_background(const RenderArguments& arguments, std::int32_t height_px,
+                    Frame& frame) {
+  if (!arguments.view.background) return;
+  const Background::Style style = arguments.view.background->style;
+  frame.cut_out = style == Background::Style::kNone;
+  if (style != Background::Style::kGradient) return;
+  const std::int32_t first = frame.part ? frame.part->first_row : 0;
+  Picture& picture = frame.picture;
+  for (std::int32_t j = 0; j < picture.items.height_px; ++j) {
+    const Rgb color = gradient_color(first + j, height_px);
+    for (std::int32_t i = 0; i < picture.items.width_px; ++i) {
+      if (picture.items.at(i, j) == kBackground)
+        picture.colors.at(i, j) = color;
+    }
+  }
+}
+
+}  // namespace
 
 Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
                          const Camera& camera,
@@ -197,6 +232,7 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
     times_ms.push_back(watch.elapsed_ms());
   }
   frame.frame_ms = median(std::move(times_ms));
+  add_background(arguments, camera->height_px, frame);
   return frame;
 }
 
@@ -204,7 +240,11 @@ Status write_frame(const Frame& frame, const Outputs& outputs) {
   if (outputs.picture_file) {
     note_part(*outputs.picture_file);
     const Result<Done> written =
-        io::write_png(*outputs.picture_file, frame.picture.colors, frame.part);
+        frame.cut_out
+            ? io::write_png_cut_out(*outputs.picture_file, frame.picture.colors,
+                                    frame.picture.items)
+            : io::write_png(*outputs.picture_file, frame.picture.colors,
+                            frame.part);
     if (!written) return fail(*outputs.picture_file, written.error());
   }
   if (outputs.ids_file) {

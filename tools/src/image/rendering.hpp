@@ -23,6 +23,7 @@ struct RenderArguments {
   std::optional<std::string> ids_file;
   std::optional<std::string> tree_file;
   std::optional<std::string> camera_path_file;
+  std::optional<std::uint32_t> turntable;  ///< so many frames once round
   std::optional<Range> frames;
   std::optional<Range> rows;
   std::optional<std::uint8_t> alpha;
@@ -59,6 +60,7 @@ struct Frame {
   Picture picture;
   ImageOptions options;                   ///< that it was made with
   std::optional<io::PartOfPicture> part;  ///< nothing: it is the whole
+  bool cut_out = false;                   ///< the background is not there
   double frame_ms = 0;                    ///< median of the repeats
 };
 

@@ -77,6 +77,27 @@ std::optional<Rgb> parse_color(std::string_view text) {
 
 namespace {
 
+std::optional<Background> parse_background(std::string_view text) {
+  if (text == "gradient") return Background{Background::Style::kGradient, {}};
+  if (text == "none") return Background{Background::Style::kNone, {}};
+  const std::optional<Rgb> color = parse_color(text);
+  return color ? std::optional(Background{Background::Style::kColor, *color})
+               : std::nullopt;
+}
+
+/// A direction by its angles: how far round from the front, counterclockwise
+/// from above, and how high. Units: degrees.
+std::optional<io::ViewDirection> parse_orbit(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto azimuth = parse_number<double>(text.substr(0, comma));
+  const auto elevation = parse_number<double>(text.substr(comma + 1));
+  if (!azimuth || !elevation || std::abs(*azimuth) > 1e6 ||
+      std::abs(*elevation) > 90)
+    return std::nullopt;
+  return orbit(*azimuth, *elevation);
+}
+
 CLI::Option* add_color(CLI::App& app, const std::string& name,
                        std::optional<Rgb>& color, const std::string& meaning) {
   return add_parsed(app, name, "R,G,B",
@@ -148,9 +169,12 @@ void add_picture_options(CLI::App& app, ViewArguments& arguments) {
              "Colours: one a polygon, or between the corners; `file` is what "
              "a .scene says, else flat")
       ->group("Picture");
-  add_color(app, "--background", arguments.background,
-            "Colour where nothing is; white, or that of the .scene, if not "
-            "said")
+  add_parsed(app, "--background", "R,G,B|gradient|none",
+             "R,G,B, three whole numbers of at least 0 and at most 255, "
+             "#rrggbb, gradient or none",
+             arguments.background, parse_background,
+             "Colour where nothing is, a gradient, or nothing: an alpha "
+             "channel; white, or that of the .scene, if not said")
       ->group("Picture");
   add_color(app, "--color", arguments.surface,
             "Colour of the mesh, instead of its own")
@@ -166,6 +190,11 @@ void add_picture_options(CLI::App& app, ViewArguments& arguments) {
              "From where the light comes to a mesh; from above, the left and "
              "the front if not said")
       ->group("Picture");
+  app.add_flag("--headlight", arguments.headlight,
+               "The light comes to a mesh from where the eye is; with --eye "
+               "and no --target, as if it looked at 0,0,0")
+      ->excludes("--light")
+      ->group("Picture");
 }
 
 }  // namespace
@@ -175,6 +204,30 @@ std::optional<io::ViewDirection> view_direction(std::string_view word) {
     if (view.word == word) return view.value;
   }
   return std::nullopt;
+}
+
+io::ViewDirection orbit(double azimuth_deg, double elevation_deg) {
+  constexpr double kRadians = std::numbers::pi / 180;
+  const double a = azimuth_deg * kRadians;
+  const double e = elevation_deg * kRadians;
+  const glm::dvec3 to_eye = {std::cos(e) * std::sin(a),
+                             -std::cos(e) * std::cos(a), std::sin(e)};
+  if (std::abs(elevation_deg) < 90) return {to_eye, {0, 0, 1}};
+  const double down = elevation_deg > 0 ? 1 : -1;
+  return {{0, 0, down}, {-down * std::sin(a), down * std::cos(a), 0}};
+}
+
+Rgb gradient_color(std::int32_t row, std::int32_t height_px) {
+  constexpr Rgb kTop = {170, 198, 228};
+  constexpr Rgb kBottom = {250, 250, 248};
+  const auto channel = [&](std::int64_t top, std::int64_t bottom) {
+    const std::int64_t twice = 2 * std::int64_t{height_px};
+    const std::int64_t value =
+        top * twice + (bottom - top) * (2 * std::int64_t{row} + 1);
+    return static_cast<std::uint8_t>((value + height_px) / twice);
+  };
+  return {channel(kTop.r, kBottom.r), channel(kTop.g, kBottom.g),
+          channel(kTop.b, kBottom.b)};
 }
 
 void add_view_options(CLI::App& app, ViewArguments& arguments) {
@@ -194,6 +247,13 @@ void add_view_options(CLI::App& app, ViewArguments& arguments) {
              "See the whole from this side; iso, which is usual, is from above "
              "to one side. Turns with --up")
       ->excludes("--eye")
+      ->group(group);
+  add_parsed(app, "--orbit", "AZIMUTH,ELEVATION",
+             "AZIMUTH,ELEVATION in degrees, the second from -90 to 90",
+             arguments.view, parse_orbit,
+             "See the whole from there: degrees round from the front, and up")
+      ->excludes("--eye")
+      ->excludes("--view")
       ->group(group);
   add_vector(app, "--up", arguments.up,
              "What points upwards; 0,0,1 if not said")
@@ -271,7 +331,7 @@ std::string camera_error(const std::string& path, const Error& error) {
 }
 
 bool changes_colors(const ViewArguments& arguments) {
-  return arguments.surface || arguments.light;
+  return arguments.surface || arguments.light || arguments.headlight;
 }
 
 ImageOptions choose_options(const SceneFile& file,
@@ -279,7 +339,7 @@ ImageOptions choose_options(const SceneFile& file,
   ImageOptions options = file.options;
   if (arguments.cull) options.cull = *arguments.cull;
   options.shading = arguments.shading.value_or(options.shading);
-  options.background = arguments.background.value_or(options.background);
+  if (arguments.background) options.background = arguments.background->color;
   return options;
 }
 
@@ -291,8 +351,20 @@ io::ImportOptions import_options(const ViewArguments& arguments,
   options.gouraud = arguments.shading == Shading::kGouraud;
   options.surface = arguments.surface;
   options.light_colors = true;
-  if (arguments.light) {
-    const glm::dvec3 light = glm::normalize(*arguments.light);
+  std::optional<glm::dvec3> to_light = arguments.light;
+  if (arguments.headlight) {
+    const io::ViewDirection usual =
+        arguments.view.value_or(io::ViewDirection());
+    to_light = arguments.up && *arguments.up != glm::dvec3(0)
+                   ? io::turned(usual, *arguments.up).to_eye
+                   : usual.to_eye;
+    if (arguments.eye) {
+      const glm::dvec3 from = arguments.target.value_or(glm::dvec3(0));
+      if (*arguments.eye != from) to_light = *arguments.eye - from;
+    }
+  }
+  if (to_light) {
+    const glm::dvec3 light = glm::normalize(*to_light);
     options.to_light = {light.x, light.y, light.z};
   }
   return options;

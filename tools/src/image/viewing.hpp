@@ -18,6 +18,18 @@ class App;
 
 namespace halfspace::tools {
 
+/// What is seen where nothing is.
+struct Background {
+  enum class Style : std::uint8_t { kColor, kGradient, kNone };
+  Style style = Style::kColor;
+  Rgb color = ImageOptions{}.background;
+};
+
+/// The colour of a gradient's row `row` of `height_px`: from light blue at the
+/// top to nearly white at the bottom, each channel the exact value at the row's
+/// middle, rounded half up.
+Rgb gradient_color(std::int32_t row, std::int32_t height_px);
+
 /// The camera and the picture, as far as the command line describes them.
 struct ViewArguments {
   std::optional<glm::dvec3> eye;
@@ -29,12 +41,17 @@ struct ViewArguments {
   std::optional<double> near;
   std::optional<Size> size;
   std::optional<bool> cull;
-  std::optional<Rgb> background;
+  std::optional<Background> background;
   std::optional<Rgb> surface;
   std::optional<glm::dvec3> light;
+  bool headlight = false;  ///< the light comes from where the eye is
   std::optional<io::ViewDirection> view;  ///< a direction of --view
   std::optional<Shading> shading;         ///< nothing: as the file says
 };
+
+/// The direction from `azimuth` degrees round from the front, counterclockwise
+/// from above, and `elevation` degrees up.
+io::ViewDirection orbit(double azimuth_deg, double elevation_deg);
 
 /// The colour that `R,G,B` or `#rrggbb` spells.
 std::optional<Rgb> parse_color(std::string_view text);

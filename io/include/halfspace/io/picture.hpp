@@ -22,6 +22,13 @@ Result<Done> write_png(const std::filesystem::path& path,
                        const ColorImage& image,
                        const std::optional<PartOfPicture>& part = {});
 
+/// The same with an alpha channel: pixels that show the background are seen
+/// through, all others hide what is behind.
+/// Requires: images of one size.
+/// Errors: kUnwritable.
+Result<Done> write_png_cut_out(const std::filesystem::path& path,
+                               const ColorImage& image, const ItemImage& items);
+
 /// Writes an item image as a NumPy array: `<i4`, C order, shape (height,
 /// width), -1 where there is background (S5.1).
 /// Errors: kUnwritable.

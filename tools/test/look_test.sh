@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Backgrounds, orbits, turntables and the headlight: what they change, and
+# nothing else.
+. "$(dirname "$0")/expect.sh"
+
+"$make_model" interlocking-cubes -o cubes.off || exit 1
+size=(--size 64x48)
+expect 0 'span' render cubes.off "${size[@]}" -o plain.png --ids plain.npy
+for ground in gradient none; do
+  expect 0 'span' render cubes.off "${size[@]}" --background $ground \
+    -o $ground.png --ids $ground.npy
+  same plain.npy $ground.npy
+  cmp -s plain.png $ground.png && wrong "--background $ground changes nothing"
+done
+# Byte 25 of a PNG is its colour type: 6 has an alpha channel, 2 has none.
+[ "$(od -An -tu1 -j25 -N1 none.png | tr -d ' ')" = 6 ] || wrong "no alpha"
+[ "$(od -An -tu1 -j25 -N1 gradient.png | tr -d ' ')" = 2 ] || wrong "alpha"
+# The rows of a gradient are those of the whole picture.
+expect 0 'span' render cubes.off "${size[@]}" --background gradient \
+  --rows 0:20 -o rows-0.png
+expect 0 'span' render cubes.off "${size[@]}" --background gradient \
+  --rows 20:48 -o rows-1.png
+expect 0 '' join rows-0.png rows-1.png -o joined.png
+same joined.png gradient.png
+
+expect 0 'span' render cubes.off "${size[@]}" --orbit 0,0 --ids orbit.npy
+expect 0 'span' render cubes.off "${size[@]}" --view front --ids front.npy
+same orbit.npy front.npy
+expect 0 'span' render cubes.off "${size[@]}" --orbit 0,90 --ids orbit.npy
+expect 0 'span' render cubes.off "${size[@]}" --view top --ids top.npy
+same orbit.npy top.npy
+expect 0 'span' render cubes.off "${size[@]}" --headlight -o head.png \
+  --ids head.npy
+same plain.npy head.npy
+cmp -s plain.png head.png && wrong "--headlight changes nothing"
+
+expect 0 '6 frames' render cubes.off "${size[@]}" --turntable 6 -o t-%d.png \
+  --ids t-%d.npy
+for k in 0 1 2 3 4 5; do [ -s t-$k.png ] || wrong "no frame $k"; done
+cmp -s t-0.npy t-3.npy && wrong "the turntable does not turn"
+expect 2 'needs one %d' render cubes.off --turntable 6 -o t.png
+expect 2 'excludes' render cubes.off --turntable 6 -o t-%d.png --eye 1,2,3
+expect 2 'AZIMUTH,ELEVATION' render cubes.off --orbit 1 -o no.png
+expect 2 'AZIMUTH,ELEVATION' render cubes.off --orbit 1,91 -o no.png
+expect 2 'gradient or none' render cubes.off --background sky -o no.png
+expect 2 'not blended' render cubes.off --background none --alpha 9 -o no.png
+expect 2 'no samples' render cubes.off --background none --aa 4 -o no.png
+expect 2 'one colour' draw cubes.off --background none -o no.svg
+[ -e no.png ] && wrong "a picture was written for bad input"
+
+finish
