@@ -17,7 +17,7 @@ template <class Impl>
 class S5Samples : public ::testing::Test {};
 TYPED_TEST_SUITE(S5Samples, Implementations);
 
-constexpr int kFewViews = 60;
+constexpr int kFewViews = 140;
 
 /// The view of L20: all scaled by `k` but the steps from pixel to pixel, and so
 /// many times as large; nothing where the scene or the camera has no room.

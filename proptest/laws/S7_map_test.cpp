@@ -483,7 +483,7 @@ TYPED_TEST(S7Map, L7APixelIsTheIntegralOfWhatIsSeenInIt) {
           }
         }
       },
-      kMaps / 2);
+      kMaps);
   EXPECT_GT(mixed, 100u);
 }
 
