@@ -4,7 +4,7 @@
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/seen_areas.hpp"
+#include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/seen_areas.hpp"

@@ -1,4 +1,4 @@
-#include "halfspace/fast/seen_areas.hpp"
+#include "halfspace/fast/image/seen_areas.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <map>

@@ -19,7 +19,7 @@
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/seen_areas.hpp"
+#include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/number.hpp"
 #include "halfspace/panorama.hpp"

@@ -8,7 +8,7 @@
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
-#include "halfspace/fast/seen_areas.hpp"
+#include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/panorama.hpp"
 #include "halfspace/ref/seen_areas.hpp"
 #include "laws/law.hpp"
