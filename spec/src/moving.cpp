@@ -16,7 +16,7 @@ using BigInt = boost::multiprecision::cpp_int;
 constexpr std::size_t kMostOccurrences = std::size_t{1} << 24;
 constexpr std::size_t kMostPolygons = 2147483647;
 
-std::int64_t coordinate(const GridPoint& p, std::size_t axis) {
+std::int64_t coordinate_on(const GridPoint& p, std::size_t axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
@@ -27,8 +27,8 @@ std::string name_of_object(std::int32_t model, std::size_t object) {
 
 bool share_space(const Region& a, const Region& b) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (coordinate(a.high, k) <= coordinate(b.low, k) ||
-        coordinate(b.high, k) <= coordinate(a.low, k)) {
+    if (coordinate_on(a.high, k) <= coordinate_on(b.low, k) ||
+        coordinate_on(b.high, k) <= coordinate_on(a.low, k)) {
       return false;
     }
   }
@@ -41,8 +41,8 @@ std::optional<Error> fault_of_regions(const Model& model, std::int32_t index) {
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const Region& r = objects[k].region;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::int64_t low = coordinate(r.low, axis);
-      const std::int64_t high = coordinate(r.high, axis);
+      const std::int64_t low = coordinate_on(r.low, axis);
+      const std::int64_t high = coordinate_on(r.high, axis);
       if (low < high && fits(low, model.scene.grid_bits()) &&
           fits(high, model.scene.grid_bits())) {
         continue;
@@ -104,8 +104,8 @@ struct Totals {
   int depth = 0;
 };
 
-Int128 magnitude(Int128 value) { return value < 0 ? -value : value; }
-Int128 power(int exponent) { return Int128{1} << exponent; }
+Int128 map_size(Int128 value) { return value < 0 ? -value : value; }
+Int128 map_power(int exponent) { return Int128{1} << exponent; }
 
 /// The eight corners of a box.
 std::array<GridPoint, 8> corners_of(const Region& box) {
@@ -128,8 +128,8 @@ bool stays_in(const GridPoint& p, const AffineMap& map, const Region& region,
     const std::int64_t* m = &map.m[3 * row];
     const Int128 at = Int128{m[0]} * p.x + Int128{m[1]} * p.y +
                       Int128{m[2]} * p.z + map.t[row];
-    if (at - margin < coordinate(region.low, row) * power(map.shift) ||
-        at + margin > coordinate(region.high, row) * power(map.shift)) {
+    if (at - margin < coordinate_on(region.low, row) * map_power(map.shift) ||
+        at + margin > coordinate_on(region.high, row) * map_power(map.shift)) {
       return false;
     }
   }
@@ -161,11 +161,11 @@ bool stays_in(const Model& model, const std::optional<Region>& extent,
 std::string fault_of_map(const AffineMap& map, ErrorCode& code) {
   code = ErrorCode::kOutOfRange;
   for (const std::int64_t entry : map.m) {
-    if (magnitude(entry) >= power(kMapBits))
+    if (map_size(entry) >= map_power(kMapBits))
       return "has a map with an entry of 2^31 or more; use a smaller shift";
   }
   for (const Int128 offset : map.t) {
-    if (magnitude(offset) >= power(kMapOffsetBits))
+    if (map_size(offset) >= map_power(kMapOffsetBits))
       return "has a map that moves by 2^86 or more";
   }
   if (map.shift < 0 || map.shift > kMapBits)
