@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "boolean/conform.hpp"
 #include "halfspace/assert.hpp"
@@ -149,6 +150,10 @@ void Arrangement::index() {
   for (std::size_t o = 0; o < 2; ++o) {
     sort_records(o);
     mark_touched(o);
+    for (const EdgeFaceIntersection& cut : operands[o].cuts)
+      HALFSPACE_CHECK(is_touched(1 - o, cut.face));
+    for (const EdgeInFace& cover : operands[o].covers)
+      HALFSPACE_CHECK(cover.left || cover.right);
   }
 }
 
