@@ -91,10 +91,25 @@ class ObjectFilm {
     return std::nullopt;
   }
 
+  /// The error of a placement, with the object's name in the file.
+  Error named(Error error) const {
+    const auto& occurrences = file_.assembly.occurrences();
+    if (error.index < 0 || error.index >= std::ssize(occurrences)) return error;
+    const Occurrence& here = occurrences[static_cast<std::size_t>(error.index)];
+    const Occurrence& owner = occurrences[static_cast<std::size_t>(here.owner)];
+    for (const NamedObject& object : file_.objects) {
+      if (static_cast<std::int32_t>(object.owner) == owner.model &&
+          static_cast<std::int32_t>(object.object) == here.object) {
+        error.message = object.name + ": " + error.message;
+      }
+    }
+    return error;
+  }
+
   Result<Frame> draw(const Camera& camera, const std::vector<Stand>& stands) {
     const Result<Placement> placement =
         make_placement(file_.assembly, pose_of(file_, stands));
-    if (!placement) return placement.error();
+    if (!placement) return named(placement.error());
     Frame frame;
     frame.options = choose_options(file_.world.file, arguments_.view);
     std::vector<double> times_ms;
@@ -261,7 +276,7 @@ Status render_objects(const RenderArguments& arguments) {
         film.file().assembly, pose_of(film.file(), film.stands_at(&*path, k)));
     if (!placed) {
       return fail(arguments.path + ": frame " + std::to_string(k) + ": " +
-                  placed.error().message);
+                  film.named(placed.error()).message);
     }
   }
   return draw_frames(film, &*path, frames, arguments);
