@@ -10,6 +10,7 @@
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/image/moving.hpp"
+#include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
@@ -27,6 +28,7 @@
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/moving.hpp"
+#include "halfspace/panorama.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/boolean.hpp"
@@ -45,6 +47,7 @@
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
+#include "halfspace/ref/seen_areas.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/ref/split.hpp"
 #include "halfspace/ref/splitter.hpp"
@@ -260,6 +263,9 @@ void take_all() {
   take(&fast::visible_map);  // S7.5
   take(&ref::render_area);  // S7.6
   take(&fast::render_area);  // S7.6
+  take(&ref::seen_areas);  // S7.7
+  take(&panorama);  // S7.7
+  take(&fast::seen_areas);  // S7.7
   take(&make_ray);  // S8.1
   take(&ref::all_hits);  // S8.2
   take(&ref::distance_of);  // S8.2
@@ -321,5 +327,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 147 ? 0 : 1;
+  return halfspace::taken == 150 ? 0 : 1;
 }

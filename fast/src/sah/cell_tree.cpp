@@ -14,13 +14,13 @@ std::int64_t coordinate_at(const GridPoint& p, std::size_t axis) {
 }  // namespace
 
 void KeptCells::note_polygon(std::int32_t object, PolygonId polygon) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   const std::pair<std::int32_t, PolygonId> found = {object, polygon};
   if (!filled_ || found < *filled_) filled_ = found;
 }
 
 void KeptCells::note_locked(std::int32_t object) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   if (!locked_ || object < *locked_) locked_ = object;
 }
 

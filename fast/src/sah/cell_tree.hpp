@@ -2,13 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/moving.hpp"
+#include "halfspace/threads.hpp"
 #include "sah/primitive.hpp"
 
 namespace halfspace::fast {
@@ -40,7 +40,7 @@ class KeptCells {
  private:
   const std::vector<MovingObject>& objects_;
   bool cut_;
-  std::mutex mutex_;
+  Mutex mutex_;
   std::optional<std::pair<std::int32_t, PolygonId>> filled_;
   std::optional<std::int32_t> locked_;
 };
