@@ -43,7 +43,7 @@ def laws_in(spec):
 def tests_in(proptest):
     """The numbered tests, as {(clause file, number): [where and name]}."""
     tests = {}
-    for path in sorted(proptest.glob("laws/S*_test.cpp")):
+    for path in sorted(proptest.glob("laws/**/S*_test.cpp")):
         for match in TEST.finditer(path.read_text()):
             number = NUMBERED.match(match[2])
             if number:

@@ -19,12 +19,15 @@
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
+#include "halfspace/fast/shade/lines.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/splitter.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/line_style.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/boolean.hpp"
@@ -32,6 +35,7 @@
 #include "halfspace/ref/classify.hpp"
 #include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/drawing.hpp"
+#include "halfspace/ref/lines.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -40,6 +44,7 @@
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scalars.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/shade.hpp"
@@ -48,6 +53,7 @@
 #include "halfspace/ref/traverse.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "halfspace/ref/winding.hpp"
+#include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/scene_file.hpp"
 
@@ -297,6 +303,26 @@ void take_all() {
     take<Kind>(&fast::render);
   }
   take(&cap_color);  // S10.4
+  take(&make_scalars);  // S11.1
+  take(&ref::scalar_at);  // S11.2
+  {  // S11.2
+    using namespace fast;
+    using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
+    take<Kind>(&fast::color_scalars);
+  }
+  take(&ref::color_of);  // S11.3
+  take(&fast::prepare_scalars);  // S11.3
+  take(&ref::color_scalars);  // S11.4
+  {  // S11.4
+    using namespace fast;
+    using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
+    take<Kind>(&fast::color_scalars);
+  }
+  take(&with_line);  // S12.1
+  take(&ref::is_on_line);  // S12.2
+  take(&fast::add_lines);  // S12.2
+  take(&ref::add_lines);  // S12.3
+  take(&fast::add_lines);  // S12.3
 }
 
 }  // namespace
@@ -305,5 +331,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 134 ? 0 : 1;
+  return halfspace::taken == 146 ? 0 : 1;
 }
