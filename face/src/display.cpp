@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
-#include <mutex>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -26,6 +25,7 @@
 #include "halfspace/io/ray.hpp"
 #include "halfspace/io/read_mesh.hpp"
 #include "halfspace/io/view.hpp"
+#include "halfspace/threads.hpp"
 #include "import.hpp"
 #include "node.hpp"
 #include "number.hpp"
@@ -193,7 +193,7 @@ struct Display::State {
   std::vector<std::int32_t> solid_starts = {0};  ///< its first polygon
 
   /// The tree for pictures, and one without leaves; made when first needed.
-  std::mutex mutex;
+  Mutex mutex;
   std::optional<fast::BspTree> tree;
   std::optional<fast::BspTree> ordered;
   std::optional<bool> closed;
@@ -208,7 +208,7 @@ struct Display::State {
     options.clips = *clips;
     if (!view.caps) return options;
     options.caps = view.caps;
-    const std::lock_guard lock(mutex);
+    const Lock lock(mutex);
     if (!closed) closed = bad_edges(scene).empty();
     if (*closed) return options;
     return Error{ErrorCode::kOpen,
@@ -233,7 +233,7 @@ struct Display::State {
 
   /// Null where view.progress stopped it.
   const fast::BspTree* picture_tree(const View& view) {
-    const std::lock_guard lock(mutex);
+    const Lock lock(mutex);
     if (tree) return &*tree;
     fast::DisplayTreeOptions options;
     options.threads = std::max(view.threads, 0);
@@ -247,7 +247,7 @@ struct Display::State {
   const fast::BspTree* ordered_tree(const View& view) {
     const fast::BspTree* made = picture_tree(view);
     if (made == nullptr) return nullptr;
-    const std::lock_guard lock(mutex);
+    const Lock lock(mutex);
     if (!ordered) {
       ordered = *made;
       fast::divide_leaves(*ordered, scene);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <unordered_map>
 #include <utility>
 
@@ -153,7 +152,7 @@ SolidNode::~SolidNode() {
 
 Result<std::shared_ptr<Evaluation>> SolidNode::evaluation(
     const WorkOptions& options) const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   if (evaluation_) return *evaluation_;
   // Its own owner lives as long as this call.
   const Node self(Node(), this);
@@ -164,7 +163,7 @@ Result<std::shared_ptr<Evaluation>> SolidNode::evaluation(
 }
 
 void SolidNode::set_evaluation(std::shared_ptr<Evaluation> evaluation) const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   evaluation_.emplace(std::move(evaluation));
 }
 
@@ -184,7 +183,7 @@ Solid faulty_solid(std::string name, ErrorCode code, std::string message) {
 
 int thread_count(int threads) {
   if (threads > 0) return threads;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return machine_threads();
 }
 
 }  // namespace halfspace::detail

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <cstddef>
 
+#include "base/threads.hpp"
 #include "base/tsan.hpp"
 
 namespace halfspace::fast {
@@ -24,14 +21,10 @@ void for_blocks(int threads, std::size_t count, std::size_t size, Work&& work) {
     for (std::size_t b = 0; b < blocks; ++b) one(b);
     return;
   }
-  // oneTBB prints a warning where more threads are asked for than there are.
-  oneapi::tbb::task_arena arena(
-      std::min(threads, oneapi::tbb::info::default_concurrency()));
   const TsanForkJoin shared;
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-      shared.task([&] { one(b); });
-    });
+  threads::in_arena(threads, [&] {
+    threads::for_each_index(
+        blocks, [&](std::size_t b) { shared.task([&] { one(b); }); });
   });
 }
 

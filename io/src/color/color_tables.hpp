@@ -5,7 +5,8 @@
 /// Colours of maps that have no formula, 256 a map, as hexadecimal digits.
 namespace halfspace::io {
 
-/// Viridis, by S. van der Walt and N. Smith (2015), in the public domain by CC0.
+/// Viridis, by S. van der Walt and N. Smith (2015), in the public domain by
+/// CC0.
 inline constexpr std::string_view kViridisColors =
     "44015444025645045745055946075a46085c460a5d460b5e470d60470e61471063471164"
     "47136548146748166848176948186a481a6c481b6d481c6e481d6f481f70482071482173"
@@ -56,8 +57,8 @@ inline constexpr std::string_view kCividisColors =
     "f0d846f1d945f2da44f3db42f5dc41f6dd3ff7de3ef8df3cf9e03afbe138fce236fde334"
     "fee434fee535fee636fee838";
 
-/// Turbo, by A. Mikhailov (2019): a rainbow without false edges. Its 256 colours
-/// are those that the author published.
+/// Turbo, by A. Mikhailov (2019): a rainbow without false edges. Its 256
+/// colours are those that the author published.
 inline constexpr std::string_view kTurboColors =
     "30123b32154333184a341b51351e5836215f37246638276d392a733a2d793b2f803c3286"
     "3d358b3e38913f3b973f3e9c4040a24143a74146ac4249b1424bb5434eba4451bf4454c3"
