@@ -9,6 +9,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/moving.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -29,6 +30,7 @@
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/line_style.hpp"
+#include "halfspace/moving.hpp"
 #include "halfspace/panorama.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/ref/area_image.hpp"
@@ -38,6 +40,7 @@
 #include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/lines.hpp"
+#include "halfspace/ref/moving.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -254,6 +257,7 @@ void take_all() {
   take(&ref::resolve);  // S6.7
   take(&fast::resolve);  // S6.7
   take(&fast::rounded_mesh);  // S6.8
+  take(&fast::settled_scene);  // S6.8
   take(&ref::visible_map);  // S7.1
   take(&fast::visible_map);  // S7.1
   take(&ref::visible_map);  // S7.2
@@ -324,11 +328,24 @@ void take_all() {
     using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
     take<Kind>(&fast::color_scalars);
   }
-  take(&with_line);  // S12.1
-  take(&ref::is_on_line);  // S12.2
-  take(&fast::add_lines);  // S12.2
-  take(&ref::add_lines);  // S12.3
-  take(&fast::add_lines);  // S12.3
+  take(&with_line);  // S14.1
+  take(&ref::is_on_line);  // S14.2
+  take(&fast::add_lines);  // S14.2
+  take(&ref::add_lines);  // S14.3
+  take(&fast::add_lines);  // S14.3
+  take(&make_assembly);  // S12.1
+  take(&make_placement);  // S12.2
+  take(&ref::moved_polygons);  // S12.2
+  take(&fast::render_moving);  // S12.2
+  take(&make_placement);  // S12.3
+  take(&ref::check_free);  // S12.4
+  take(&ref::moved_polygons);  // S12.4
+  take(&fast::build_moving_trees);  // S12.4
+  take(&ref::render_moving);  // S12.5
+  take(&ref::flat_scene);  // S12.5
+  take(&fast::render_moving);  // S12.5
+  take(&fast::build_moving_trees);  // S12.6
+  take(&fast::render_moving);  // S12.6
 }
 
 }  // namespace
@@ -337,5 +354,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 149 ? 0 : 1;
+  return halfspace::taken == 163 ? 0 : 1;
 }

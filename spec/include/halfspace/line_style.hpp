@@ -17,7 +17,7 @@ constexpr EdgeClasses set_of(EdgeClass edge_class) {
 }
 constexpr EdgeClasses kAllClasses = (EdgeClasses{1} << 5) - 1;
 
-/// How lines are drawn over an image (S12.1).
+/// How lines are drawn over an image (S14.1).
 struct LineStyle {
   std::int32_t width = 16;  ///< sixteenths of a pixel, 1 to kMostLineWidth
   Rgb color = {20, 20, 24};
@@ -25,7 +25,7 @@ struct LineStyle {
   friend bool operator==(const LineStyle&, const LineStyle&) = default;
 };
 
-/// A colour of which `part` of `whole` samples have the line's (S12.3).
+/// A colour of which `part` of `whole` samples have the line's (S14.3).
 /// Requires: 0 <= part <= whole <= 64.
 constexpr Rgb with_line(const Rgb& under, const Rgb& line, int part,
                         int whole) {

@@ -157,7 +157,7 @@ class Engine {
                                       const Shot& shot) const = 0;
 
   /// Draws lines over the picture of a scene, or over the rows of it that the
-  /// shot asks for (S12).
+  /// shot asks for (S14).
   /// Errors: those of fast::draw().
   virtual Result<Done> add_lines(const Scene& scene, const Camera& camera,
                                  const Shot& shot,

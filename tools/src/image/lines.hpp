@@ -17,7 +17,7 @@ namespace halfspace::tools {
 /// Which edges are drawn over a picture.
 enum class ShownEdges : std::uint8_t { kOutline, kFeatures, kWire };
 
-/// What the command line says about lines over a picture (S12).
+/// What the command line says about lines over a picture (S14).
 struct LineArguments {
   std::optional<ShownEdges> edges;
   std::optional<double> width_px;

@@ -63,6 +63,8 @@ std::string simd_complaint(const RenderArguments& arguments) {
 std::string scalars_complaint(const RenderArguments& arguments) {
   const std::string alone = scalar_complaint(arguments.scalars);
   if (!arguments.scalars.source || !alone.empty()) return alone;
+  if (io::has_extension(arguments.path, ".objects"))
+    return "--scalar: colours one mesh, no objects that move";
   if (arguments.alpha) return "--scalar: is not blended; leave out --alpha";
   if (arguments.anti_aliasing == AntiAliasing::kExact)
     return "--scalar: has colours of samples, no exact areas; take --aa 8";
@@ -80,6 +82,8 @@ std::string scalars_complaint(const RenderArguments& arguments) {
 std::string lines_complaint(const RenderArguments& arguments) {
   const std::string alone = line_complaint(arguments.lines);
   if (!arguments.lines.edges || !alone.empty()) return alone;
+  if (io::has_extension(arguments.path, ".objects"))
+    return "--lines: are drawn over one mesh, no objects that move";
   if (!arguments.clip.planes.empty() || arguments.clip.yon)
     return "--lines: are those of the whole model; leave out --clip and --yon";
   if (arguments.shadow) return "--shadow: checks pictures without --lines";

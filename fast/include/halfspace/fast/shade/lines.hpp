@@ -16,7 +16,7 @@ struct LineOptions {
 };
 
 /// Draws the visible strokes of a drawing over the image that it is of, or a
-/// part of that (S12.3).
+/// part of that (S14.3).
 ///
 /// Exact: yes: in doubles with a bound, and in rationals where a sample is as
 ///        far from a stroke as its half width, or nearly so.

@@ -37,9 +37,9 @@ struct FastLines {
 };
 
 template <class Impl>
-class S12Lines : public ::testing::Test {};
+class S14Lines : public ::testing::Test {};
 using LineImplementations = ::testing::Types<RefLines, FastLines>;
-TYPED_TEST_SUITE(S12Lines, LineImplementations);
+TYPED_TEST_SUITE(S14Lines, LineImplementations);
 
 constexpr int kFewViews = 150;
 
@@ -77,7 +77,7 @@ LineStyle style_of(std::size_t round) {
   return style;
 }
 
-TYPED_TEST(S12Lines, L1APixelIsOnALineWithinHalfItsWidth) {
+TYPED_TEST(S14Lines, L1APixelIsOnALineWithinHalfItsWidth) {
   std::size_t round = 0;
   std::size_t on = 0;
   std::size_t ties = 0;
@@ -122,7 +122,7 @@ TYPED_TEST(S12Lines, L1APixelIsOnALineWithinHalfItsWidth) {
   EXPECT_GT(ties, 100u);
 }
 
-TYPED_TEST(S12Lines, L2WiderLinesAndMoreClassesCoverMore) {
+TYPED_TEST(S14Lines, L2WiderLinesAndMoreClassesCoverMore) {
   std::size_t round = 0;
   law::for_all_views(
       [&](const SceneFile& view) {
