@@ -3,7 +3,7 @@
 /// fault.
 ///
 /// Numbers are doubles as CGAL reads them, predicates are exact. Surfaces may
-/// touch themselves: pairs of triangles with a corner in one place are left to
+/// touch themselves. Pairs of triangles with a corner in one place are left to
 /// tools/round_trips.py.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iostream>
 #include <iterator>
@@ -55,13 +56,48 @@ bool is_closed(const std::vector<std::vector<std::size_t>>& triangles) {
                      [](const auto& use) { return use.second == 0; });
 }
 
-bool have_corner_in_common(const Mesh& mesh, Face a, Face b) {
-  for (const auto u : vertices_around_face(mesh.halfedge(a), mesh)) {
-    for (const auto v : vertices_around_face(mesh.halfedge(b), mesh)) {
-      if (mesh.point(u) == mesh.point(v)) return true;
-    }
+using Corners = std::array<Point, 3>;
+
+Corners corners_of(const Mesh& mesh, Face f) {
+  Corners corners;
+  std::size_t i = 0;
+  for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+    corners[i++] = mesh.point(v);
+  return corners;
+}
+
+/// Whether corners of `a` are on both sides of the plane of `b`.
+bool straddles(const Corners& a, const Corners& b) {
+  bool above = false, below = false;
+  for (const Point& p : a) {
+    const auto side = CGAL::orientation(b[0], b[1], b[2], p);
+    above = above || side == CGAL::POSITIVE;
+    below = below || side == CGAL::NEGATIVE;
   }
-  return false;
+  return above && below;
+}
+
+/// Whether two triangles that meet cross: each has corners on both sides of the
+/// other. Others touch, or are in one plane.
+bool cross(const Corners& a, const Corners& b) {
+  return straddles(a, b) && straddles(b, a);
+}
+
+bool have_corner_in_common(const Corners& a, const Corners& b) {
+  return std::any_of(a.begin(), a.end(), [&](const Point& p) {
+    return std::find(b.begin(), b.end(), p) != b.end();
+  });
+}
+
+/// Whether two triangles that meet are in one plane, and face the same way.
+bool overlap(const Corners& a, const Corners& b) {
+  if (!CGAL::coplanar(a[0], a[1], a[2], b[0]) ||
+      !CGAL::coplanar(a[0], a[1], a[2], b[1]) ||
+      !CGAL::coplanar(a[0], a[1], a[2], b[2]))
+    return false;
+  const Point top = a[0] + CGAL::normal(a[0], a[1], a[2]);
+  return CGAL::orientation(a[0], a[1], a[2], top) ==
+         CGAL::orientation(b[0], b[1], b[2], top);
 }
 
 /// What is wrong with the file; empty: nothing.
@@ -85,8 +121,11 @@ std::string fault_of(const std::string& path) {
   std::vector<std::pair<Face, Face>> pairs;
   PMP::self_intersections(mesh, std::back_inserter(pairs));
   std::size_t crossing = 0;
-  for (const auto& [a, b] : pairs)
-    crossing += have_corner_in_common(mesh, a, b) ? 0 : 1;
+  for (const auto& [f, g] : pairs) {
+    const Corners a = corners_of(mesh, f), b = corners_of(mesh, g);
+    if (have_corner_in_common(a, b)) continue;
+    crossing += cross(a, b) || overlap(a, b) ? 1 : 0;
+  }
   if (crossing > 0) return std::to_string(crossing) + " pairs cross";
   return {};
 }
