@@ -2,12 +2,14 @@
 #include "fuzz.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/screens.hpp"
 #include "views.hpp"
 
 /// The four algorithms of the reference, those of the fast library over trees
@@ -54,6 +56,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   expect_fast(fast::render(view.scene,
                            fast::build_display_tree(view.scene, display),
                            *view.camera, view.options, portable));
+  const auto screen = static_cast<ScreenKind>(options.seed % 4);
+  expect_fast(
+      fast::render_on(view.scene, other, *view.camera, view.options, screen));
+  HALFSPACE_FUZZ_EXPECT(
+      ref::render_on(view.scene, tree, *view.camera, view.options, screen)
+              .items == span.items,
+      text);
   const std::int32_t samples = 2 << (options.seed % 3);
   const auto means = ref::render_samples(view.scene, tree, *view.camera,
                                          view.options, samples);

@@ -6,6 +6,7 @@
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/tree_file.hpp"
@@ -105,6 +106,9 @@ class FastEngine : public Engine {
       own.items = shot.items;
       return fast::render_samples(scene, tree_, camera, shot.options, samples,
                                   own);
+    }
+    if (shot.screen) {
+      return fast::render_on(scene, tree_, camera, shot.options, *shot.screen);
     }
     if (shot.method == Method::kSpan) {
       return fast::render(scene, tree_, camera, shot.options, how);
