@@ -22,12 +22,15 @@
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
+#include "halfspace/fast/shade/lines.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/splitter.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/line_style.hpp"
 #include "halfspace/moving.hpp"
 #include "halfspace/panorama.hpp"
 #include "halfspace/ray.hpp"
@@ -37,6 +40,7 @@
 #include "halfspace/ref/classify.hpp"
 #include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/drawing.hpp"
+#include "halfspace/ref/lines.hpp"
 #include "halfspace/ref/moving.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
@@ -46,6 +50,7 @@
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scalars.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/screens.hpp"
@@ -56,6 +61,7 @@
 #include "halfspace/ref/traverse.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "halfspace/ref/winding.hpp"
+#include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/scene_file.hpp"
 
@@ -255,6 +261,7 @@ void take_all() {
   take(&ref::resolve);  // S6.7
   take(&fast::resolve);  // S6.7
   take(&fast::rounded_mesh);  // S6.8
+  take(&fast::settled_scene);  // S6.8
   take(&ref::visible_map);  // S7.1
   take(&fast::visible_map);  // S7.1
   take(&ref::visible_map);  // S7.2
@@ -310,6 +317,26 @@ void take_all() {
     take<Kind>(&fast::render);
   }
   take(&cap_color);  // S10.4
+  take(&make_scalars);  // S11.1
+  take(&ref::scalar_at);  // S11.2
+  {  // S11.2
+    using namespace fast;
+    using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
+    take<Kind>(&fast::color_scalars);
+  }
+  take(&ref::color_of);  // S11.3
+  take(&fast::prepare_scalars);  // S11.3
+  take(&ref::color_scalars);  // S11.4
+  {  // S11.4
+    using namespace fast;
+    using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
+    take<Kind>(&fast::color_scalars);
+  }
+  take(&with_line);  // S14.1
+  take(&ref::is_on_line);  // S14.2
+  take(&fast::add_lines);  // S14.2
+  take(&ref::add_lines);  // S14.3
+  take(&fast::add_lines);  // S14.3
   take(&make_assembly);  // S12.1
   take(&make_placement);  // S12.2
   take(&ref::moved_polygons);  // S12.2
@@ -331,5 +358,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 152 ? 0 : 1;
+  return halfspace::taken == 165 ? 0 : 1;
 }
