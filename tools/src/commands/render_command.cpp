@@ -321,6 +321,11 @@ void add_render(CLI::App& program, Status& status) {
   add_choice(*app, "--method", kMethodWords, arguments->method,
              "Span buffer, front to back (usual); painter's algorithm, back "
              "to front; z-buffer; ray casting. All give the same image");
+  add_choice(*app, "--screen", kScreenWords, arguments->screen,
+             "What keeps the unlit part of the image of --method span: F2B's "
+             "lists, a 1-D BSP tree a line, a quadtree, or a 2-D BSP tree of "
+             "the edges' images. All give the same image; the usual screen of "
+             "tiles is quicker");
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
   add_clip_options(*app, arguments->clip);
