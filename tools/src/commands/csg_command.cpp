@@ -240,6 +240,7 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
   options.triangles = is_stl;
   if (is_stl) options.number = fast::FileNumber::kFloat;
   options.max_move = arguments_.max_move;
+  options.keep_origins = !arguments_.origin.empty();
   options.build = build_options(arguments_.build);
   options.threads = thread_count(arguments_.build);
   options.combine = checked_combine();
