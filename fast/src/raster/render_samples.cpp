@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "base/parallel.hpp"
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/render.hpp"
@@ -92,7 +93,8 @@ class SampledImage {
 Rendering render_samples(const Scene& scene, const BspTree& tree,
                          const Camera& camera, const ImageOptions& image,
                          std::int32_t samples, const RenderOptions& options) {
-  HALFSPACE_ASSERT(options.threads >= 1);
+  HALFSPACE_ASSERT(options.threads >= 0);
+  const int threads = thread_count(options.threads);
   HALFSPACE_ASSERT(samples == 1 || samples == 2 || samples == 4 ||
                    samples == 8);
   HALFSPACE_ASSERT(camera->width_px * samples <= kMaxImageSize &&
@@ -115,14 +117,14 @@ Rendering render_samples(const Scene& scene, const BspTree& tree,
     const std::int32_t top = rectangle.top + s * lines;
     sampled.fill(top, std::min(top + lines, rectangle.bottom), strip);
   };
-  if (options.threads == 1) {
+  if (threads == 1) {
     Rendering strip;
     for (std::int32_t s = 0; s < strips; ++s) fill(s, strip);
     return result;
   }
   const TsanForkJoin shared;
   oneapi::tbb::task_arena arena(
-      std::min(options.threads, oneapi::tbb::info::default_concurrency()));
+      std::min(threads, oneapi::tbb::info::default_concurrency()));
   arena.execute([&] {
     oneapi::tbb::parallel_for(
         0, strips,

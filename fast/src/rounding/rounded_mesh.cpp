@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "rounding/file_grid.hpp"
 #include "rounding/grid_mesh.hpp"
@@ -38,7 +39,9 @@ constexpr std::size_t kMany = 1000;
 class Rounding {
  public:
   Rounding(const Solid& solid, const RoundingOptions& options)
-      : solid_(solid), options_(options) {}
+      : solid_(solid), options_(options) {
+    options_.threads = thread_count(options.threads);
+  }
 
   Result<RoundedMesh> run() {
     exported_ = to_mesh(solid_, {.triangles = options_.triangles,
@@ -111,7 +114,7 @@ class Rounding {
   void count_losses(RoundedMesh& result) const;
 
   const Solid& solid_;
-  const RoundingOptions& options_;
+  RoundingOptions options_;
   ExportedMesh exported_;
   FileGrid grid_;
   GridMesh exact_;  ///< polygons in fans, loose points not yet rounded
