@@ -31,8 +31,12 @@ function(halfspace_unity_group target group)
 endfunction()
 
 # The tests of a room, beside which this CMakeLists.txt stands: they are listed
-# there and nowhere else. Each is compiled alone, for what they name for
-# themselves is often the same.
+# there and nowhere else. They are one unity group, unless they are kept APART.
 function(halfspace_test_room target)
-  target_sources(${target} PRIVATE ${ARGN})
+  cmake_parse_arguments(room APART "" "" ${ARGN})
+  target_sources(${target} PRIVATE ${room_UNPARSED_ARGUMENTS})
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME name)
+  if(NOT room_APART)
+    halfspace_unity_group(${target} ${name} ${room_UNPARSED_ARGUMENTS})
+  endif()
 endfunction()

@@ -57,7 +57,7 @@ auto answer(const Solid& solid, const Ask& ask)
     -> Result<decltype(ask(std::declval<const fast::Solid&>()))> {
   const auto evaluation = evaluation_of(solid);
   if (!evaluation) return evaluation.error();
-  const std::lock_guard lock((*evaluation)->mutex);
+  const Lock lock((*evaluation)->mutex);
   return ask((*evaluation)->solid);
 }
 
@@ -67,7 +67,7 @@ auto answer_of_some(const Solid& solid, const Ask& ask)
     -> Result<decltype(ask(std::declval<const fast::Solid&>()))> {
   const auto evaluation = evaluation_of(solid);
   if (!evaluation) return evaluation.error();
-  const std::lock_guard lock((*evaluation)->mutex);
+  const Lock lock((*evaluation)->mutex);
   if ((*evaluation)->solid.faces.empty())
     return Error{ErrorCode::kEmpty, solid.name() + ": it is empty"};
   return ask((*evaluation)->solid);
@@ -126,7 +126,7 @@ Result<Mesh> Solid::mesh(const MeshOptions& options) const {
   const auto evaluation =
       evaluation_of(*this, {options.threads, options.progress});
   if (!evaluation) return evaluation.error();
-  const std::lock_guard lock((*evaluation)->mutex);
+  const Lock lock((*evaluation)->mutex);
   const fast::Solid solid = merged_by((*evaluation)->solid, options.merge);
   fast::ExportedMesh exported =
       fast::to_mesh(solid, {options.triangles, options.threads});
@@ -151,7 +151,7 @@ Result<Done> Solid::save(const std::filesystem::path& path,
   const auto evaluation =
       evaluation_of(*this, {options.threads, options.progress});
   if (!evaluation) return evaluation.error();
-  const std::lock_guard lock((*evaluation)->mutex);
+  const Lock lock((*evaluation)->mutex);
   fast::Solid solid = (*evaluation)->solid;
   color_faces(**evaluation, solid);
   if (io::is_solid_name(path)) {

@@ -10,7 +10,7 @@ Result<std::vector<Solid>> Solid::decompose() const {
   const auto whole = node_->evaluation({});
   if (!whole) return whole.error();
   std::vector<Solid> parts;
-  const std::lock_guard lock((*whole)->mutex);
+  const Lock lock((*whole)->mutex);
   for (fast::Solid& component : csg::components_of((*whole)->solid)) {
     // The part of an expression that has a point: it stays that one wherever
     // the expression is moved to.

@@ -70,7 +70,7 @@ Result<std::unique_ptr<Display::State>> Display::State::of(io::Mesh mesh) {
 }
 
 const fast::BspTree* Display::State::picture_tree(const View& view) {
-  const std::lock_guard lock(mutex);
+  const Lock lock(mutex);
   if (tree) return &*tree;
   fast::DisplayTreeOptions options;
   options.threads = std::max(view.threads, 0);
@@ -84,7 +84,7 @@ const fast::BspTree* Display::State::picture_tree(const View& view) {
 const fast::BspTree* Display::State::ordered_tree(const View& view) {
   const fast::BspTree* made = picture_tree(view);
   if (made == nullptr) return nullptr;
-  const std::lock_guard lock(mutex);
+  const Lock lock(mutex);
   if (!ordered) {
     ordered = *made;
     fast::divide_leaves(*ordered, scene);

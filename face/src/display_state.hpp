@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "halfspace/fast/render.hpp"
 #include "halfspace/io/mesh.hpp"
 #include "halfspace/ray.hpp"
+#include "halfspace/threads.hpp"
 
 namespace halfspace {
 
@@ -25,7 +25,7 @@ struct Display::State {
   std::vector<std::int32_t> solid_starts = {0};  ///< its first polygon
 
   /// The tree for pictures, and one without leaves; made when first needed.
-  std::mutex mutex;
+  Mutex mutex;
   std::optional<fast::BspTree> tree;
   std::optional<fast::BspTree> ordered;
   std::optional<bool> closed;

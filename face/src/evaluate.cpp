@@ -151,7 +151,7 @@ SolidNode::~SolidNode() {
 
 Result<std::shared_ptr<Evaluation>> SolidNode::evaluation(
     const WorkOptions& options) const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   if (evaluation_) return *evaluation_;
   // Its own owner lives as long as this call.
   const Node self(Node(), this);
@@ -162,7 +162,7 @@ Result<std::shared_ptr<Evaluation>> SolidNode::evaluation(
 }
 
 void SolidNode::set_evaluation(std::shared_ptr<Evaluation> evaluation) const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   evaluation_.emplace(std::move(evaluation));
 }
 

@@ -74,7 +74,11 @@ class Carrier {
 
  private:
   Part* part_of(const fast::Face& face);
+  /// Polygons between the one that is worked on and the one asked for.
+  static constexpr std::size_t kAhead = 8;
+
   void carry_fields(std::size_t polygon);
+  void prefetch(std::size_t polygon);
   std::optional<Base> base_of(const fast::Face& face, Part& part);
   std::size_t axis_of(const fast::Face& face) const;
   bool has_area(const Base& base, Part& part);
@@ -115,7 +119,7 @@ Carrier::Carrier(const Evaluation& evaluation, const fast::Solid& solid,
     const LeafData& data = *use.node->leaf->data();
     parts_[i].properties = data.properties.get();
     if (parts_[i].properties && parts_[i].properties->field_count > 0)
-      parts_[i].vertices.emplace(use.matrix, solid_.unit, data.vertices);
+      parts_[i].vertices.emplace(use.matrix, solid_.unit, data);
   }
 }
 
@@ -154,10 +158,31 @@ void Carrier::carry() {
   mesh_.fields.reserve(rounded_.corners.size() * mesh_.field_count);
   vertices_.resize(rounded_.points.size());
   for (std::size_t p = 0; p < rounded_.faces.size(); ++p) {
+    prefetch(p + kAhead);
     mesh_.fields.resize(rounded_.first_corner[p + 1] * mesh_.field_count,
                         kNoField);
     carry_fields(p);
   }
+}
+
+/// Asks for the operand's numbers of a polygon that is soon to come: they are
+/// anywhere, for results are in another order.
+void Carrier::prefetch(std::size_t polygon) {
+#if defined(__GNUC__)
+  if (polygon >= rounded_.faces.size()) return;
+  const fast::Face& face =
+      solid_.faces[static_cast<std::size_t>(rounded_.faces[polygon])];
+  const Part* part = part_of(face);
+  if (!part || !part->vertices) return;
+  const Mesh& from = *part->properties;
+  const std::size_t first =
+      from.first_corner[static_cast<std::size_t>(face.polygon)];
+  const double* const fields = from.fields.data() + first * from.field_count;
+  // A line of the cache has 8 doubles.
+  for (std::size_t i = 0; i < 3 * from.field_count; i += 8)
+    __builtin_prefetch(fields + i);
+  __builtin_prefetch(from.corners.data() + first);
+#endif
 }
 
 /// Gives the corners of a polygon of the result their values: those of a corner

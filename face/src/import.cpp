@@ -178,8 +178,13 @@ Result<LeafData> mesh_leaf(const std::string& name,
   made.corners = mesh->corners;
   const bool has_properties = !mesh->colors.empty() ||
                               !mesh->materials.empty() || mesh->field_count > 0;
-  return imported_leaf(name, std::move(made), has_properties ? mesh : nullptr,
-                       how);
+  Result<LeafData> data = imported_leaf(name, std::move(made),
+                                        has_properties ? mesh : nullptr, how);
+  if (data) {
+    data->from = exact.decimal ? LeafData::From::kShortDecimals
+                               : LeafData::From::kDoubles;
+  }
+  return data;
 }
 
 Result<LeafData> mesh_leaf(const std::string& name, Mesh mesh,

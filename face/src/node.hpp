@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "halfspace/csg/script.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/solid.hpp"
+#include "halfspace/threads.hpp"
 
 namespace halfspace::detail {
 
@@ -24,6 +24,10 @@ struct LeafData {
   std::shared_ptr<const Mesh> properties;
   /// By vertex of those, its point exactly; empty where there are no fields.
   std::vector<csg::Numbers3> vertices;
+  /// What these are made from: the doubles of `properties`, each as it is, or
+  /// each as the short decimal that it stands for; or neither.
+  enum class From : std::uint8_t { kDoubles, kShortDecimals, kOthers };
+  From from = From::kOthers;
 };
 
 /// A leaf of an expression: made, or read, when it is first needed.
@@ -34,14 +38,14 @@ class Leaf {
 
   /// The data; the same at each call, from any thread.
   const Result<LeafData>& data() const {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     if (!data_) data_.emplace(load_());
     return *data_;
   }
 
  private:
   Load load_;
-  mutable std::mutex mutex_;
+  mutable Mutex mutex_;
   mutable std::optional<Result<LeafData>> data_;
 };
 
@@ -63,7 +67,7 @@ struct Evaluation {
   };
   std::vector<Cut> cuts;
   RoundingReport rounding;
-  std::mutex mutex;
+  Mutex mutex;
 };
 
 /// A node of an expression. Immutable, but for what it remembers.
@@ -99,7 +103,7 @@ struct SolidNode {
   void set_evaluation(std::shared_ptr<Evaluation> evaluation) const;
 
  private:
-  mutable std::mutex mutex_;
+  mutable Mutex mutex_;
   mutable std::optional<Result<std::shared_ptr<Evaluation>>> evaluation_;
 };
 

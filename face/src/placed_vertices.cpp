@@ -65,46 +65,55 @@ PlacedVertices::Factor PlacedVertices::factor_of(const io::Number& number) {
 }
 
 PlacedVertices::PlacedVertices(const csg::Matrix& matrix, const Unit& unit,
-                               const std::vector<csg::Numbers3>& vertices)
-    : matrix_(matrix), unit_(unit), from_(vertices), placed_(vertices.size()) {
+                               const LeafData& data)
+    : matrix_(matrix),
+      unit_(unit),
+      from_(data.vertices),
+      data_(data),
+      placed_(data.vertices.size()) {
   for (std::size_t i = 0; i < 3; ++i) {
+    std::size_t used = 0, only = 3;
     for (std::size_t j = 0; j < 4; ++j) {
       Factor& factor = rows_[i][j];
       factor = factor_of(matrix.rows[i][j]);
       if (factor.mantissa.high == 0) continue;
       factor.two -= unit.exponent;
       factor.five -= unit.base == 10 ? unit.exponent : 0;
-    }
-    std::size_t used = 0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (rows_[i][j].mantissa.high == 0) continue;
       ++used;
-      if (std::abs(rows_[i][j].mantissa.high) == 1) only_[i] = j;
+      only = j;
     }
-    if (used != 1) only_[i] = 3;
+    constexpr std::int32_t kMostTwo = 200, kMostFive = 22;
+    if (used != 1 || only == 3 || data.from == LeafData::From::kOthers)
+      continue;
+    const Factor& factor = rows_[i][only];
+    if (std::abs(factor.mantissa.high) != 1 || factor.five < 0 ||
+        factor.five > kMostFive || std::abs(factor.two) > kMostTwo ||
+        (factor.five > 0 && factor.two < 0))
+      continue;
+    only_[i] = only;
+    has_five_[i] = factor.five > 0;
+    factor_[i] =
+        scaled(factor.mantissa * power_of_five(factor.five), factor.two).high;
   }
 }
 
-/// The coordinate where it is a whole number of steps, and easily known to be.
+/// The coordinate where it is a whole number of steps, and a double tells.
 std::optional<double> PlacedVertices::whole_coordinate(std::size_t vertex,
                                                        std::size_t axis) const {
   const std::size_t j = only_[axis];
   if (j == 3) return std::nullopt;
-  const Factor& factor = rows_[axis][j];
-  const io::Number& number = from_[vertex][j];
-  if (number.mantissa == 0) return 0.0;
-  std::int32_t two = factor.two + number.two;
-  std::int32_t five = factor.five + number.five;
-  const auto& digits = number.mantissa.backend();
-  if (digits.size() != 1 || two < 0 || two > 53 || five < 0)
-    return std::nullopt;
-  // Products of whole numbers are exact below 2^53, and are not rounded to less
-  // than that where they are beyond it.
-  double value = static_cast<double>(*digits.limbs());
-  for (; five > 0 && value < 0x1p53; --five) value *= 5;
-  value *= static_cast<double>(std::int64_t{1} << two);
-  if (value >= 0x1p53) return std::nullopt;
-  return number.mantissa.sign() * factor.mantissa.high * value;
+  const Point& p = data_.properties->vertices[vertex];
+  const double from = j == 0 ? p.x : (j == 1 ? p.y : p.z);
+  const double at = from * factor_[axis];
+  if (std::floor(at) != at || !(std::abs(at) < 0x1p53)) return std::nullopt;
+  if (at == 0 && from != 0) return std::nullopt;  // maybe an underflow
+  // Below 10^15 a whole number is the short decimal, too. The product is exact
+  // where the factor is a power of two, and where both are whole and it is
+  // below 2^53.
+  const bool is_whole = std::abs(from) < 1e15 && std::floor(from) == from;
+  const bool is_double = data_.from == LeafData::From::kDoubles;
+  if (is_whole || (is_double && !has_five_[axis])) return at;
+  return std::nullopt;
 }
 
 Bounded PlacedVertices::product_of(const Factor& a, const Factor& b) {

@@ -10,6 +10,7 @@
 #include "halfspace/csg/matrix.hpp"
 #include "halfspace/csg/surface.hpp"
 #include "halfspace/fast/solid.hpp"
+#include "node.hpp"
 
 namespace halfspace::detail {
 
@@ -20,7 +21,7 @@ using BoundedPoint = std::array<Bounded, 3>;
 class PlacedVertices {
  public:
   PlacedVertices(const csg::Matrix& matrix, const Unit& unit,
-                 const std::vector<csg::Numbers3>& vertices);
+                 const LeafData& data);
 
   /// The point of the grid that the vertex certainly is; null where it is none,
   /// or bounds do not tell.
@@ -55,10 +56,13 @@ class PlacedVertices {
   const csg::Matrix& matrix_;
   const Unit& unit_;
   const std::vector<csg::Numbers3>& from_;
+  const LeafData& data_;
   std::array<std::array<Factor, 4>, 3> rows_;  ///< in steps
-  /// By axis the only coordinate that it has, times a sign and powers of two
-  /// and five, and not shifted; 3 where there is more to it.
+  /// By axis the only coordinate that it has, and that one's factor: a sign and
+  /// powers of two and five; 3 where there is more to it.
   std::array<std::size_t, 3> only_ = {3, 3, 3};
+  std::array<double, 3> factor_{};
+  std::array<bool, 3> has_five_{};
   std::vector<Vertex> placed_;
   std::unordered_map<std::size_t, csg::ExactPoint> exact_;
 };

@@ -196,7 +196,7 @@ Result<std::vector<Region>> Solid::section(const Plane& plane) const {
   const Solid half = half_space(plane);
   const auto evaluation = SolidNode::of(*this & half).evaluation({});
   if (!evaluation) return evaluation.error();
-  const std::lock_guard lock((*evaluation)->mutex);
+  const Lock lock((*evaluation)->mutex);
   std::vector<Region> regions;
   const fast::Solid solid =
       fast::merge_faces((*evaluation)->solid, fast::Merge::kPlane);

@@ -155,7 +155,7 @@ Result<bool> Solid::touches(const Solid& other) const {
   const auto b = other.node_->evaluation({});
   if (!b) return b.error();
   if (*a == *b) return false;  // it is empty: it does not overlap itself
-  const std::scoped_lock lock((*a)->mutex, (*b)->mutex);
+  const Lock lock((*a)->mutex, (*b)->mutex);
   return surfaces_meet((*a)->solid, (*b)->solid);
 }
 

@@ -92,7 +92,7 @@ Result<ImageOptions> Display::State::options_of(const View& view) {
   options.clips = *clips;
   if (!view.caps) return options;
   options.caps = view.caps;
-  const std::lock_guard lock(mutex);
+  const Lock lock(mutex);
   if (!closed) closed = bad_edges(scene).empty();
   if (*closed) return options;
   return Error{ErrorCode::kOpen,

@@ -85,7 +85,7 @@ bool HugePagePool::is_kept(std::size_t bytes) const {
 
 /// A block of just that size, or nothing.
 void* HugePagePool::take(std::size_t bytes) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   // The block that was given back last is most likely in the cache.
   for (std::size_t i = count_; i-- > 0;) {
     if (blocks_[i].bytes == bytes) return removed(i).memory;
@@ -95,7 +95,7 @@ void* HugePagePool::take(std::size_t bytes) {
 
 /// The oldest blocks make room.
 void HugePagePool::keep(const Block& block) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   while (count_ > 0 &&
          (count_ == kMostBlocks || bytes_ + block.bytes > most_kept_)) {
     const Block oldest = removed(0);

@@ -1,19 +1,16 @@
 #pragma once
 
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <cstddef>
 
+#include "base/threads.hpp"
 #include "base/tsan.hpp"
 
 namespace halfspace::fast {
 
 /// How many threads `threads` asks for: 0 for as many as the machine has.
 inline int thread_count(int threads) {
-  return threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
+  return threads > 0 ? threads : threads::default_threads();
 }
 
 /// Calls `work(block, first, last)` for blocks of `size` of the indices 0 to
@@ -30,14 +27,10 @@ void for_blocks(int threads, std::size_t count, std::size_t size, Work&& work) {
     for (std::size_t b = 0; b < blocks; ++b) one(b);
     return;
   }
-  // oneTBB prints a warning where more threads are asked for than there are.
-  oneapi::tbb::task_arena arena(
-      std::min(threads, oneapi::tbb::info::default_concurrency()));
   const TsanForkJoin shared;
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-      shared.task([&] { one(b); });
-    });
+  threads::in_arena(threads, [&] {
+    threads::for_each_index(
+        blocks, [&](std::size_t b) { shared.task([&] { one(b); }); });
   });
 }
 

@@ -1,12 +1,12 @@
 #include "boolean/arrangement.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
+#include "base/check.hpp"
 #include "base/parallel.hpp"
+#include "base/threads.hpp"
 #include "boolean/conform.hpp"
 #include "halfspace/assert.hpp"
 #include "intersect/face_intersection.hpp"
@@ -55,7 +55,7 @@ void Arrangement::find_contacts() {
 /// that ids do not depend on threads.
 void Arrangement::drop_disjoint_pairs(
     std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
-  oneapi::tbb::enumerable_thread_specific<FaceIntersector> contacts([this] {
+  threads::PerThread<FaceIntersector> contacts([this] {
     return FaceIntersector(operands[0], operands[1], table, segments);
   });
   std::vector<std::uint8_t> stays(pairs.size());
@@ -149,6 +149,10 @@ void Arrangement::index() {
   for (std::size_t o = 0; o < 2; ++o) {
     sort_records(o);
     mark_touched(o);
+    for (const EdgeFaceIntersection& cut : operands[o].cuts)
+      HALFSPACE_CHECK(is_touched(1 - o, cut.face));
+    for (const EdgeInFace& cover : operands[o].covers)
+      HALFSPACE_CHECK(cover.left || cover.right);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.hpp"
 #include "boolean/classify.hpp"
 #include "boolean/emit.hpp"
 #include "halfspace/assert.hpp"
@@ -120,6 +121,8 @@ void Assembler::add_edge(const DirectedEdge& piece, Solid& result) {
   }
   const Operand& operand =
       operands_[static_cast<std::size_t>(piece.bucket >> 40)];
+  HALFSPACE_CHECK(result.faces.back().source ==
+                  static_cast<std::int32_t>(piece.bucket >> 1));
   const auto run =
       std::span(operand.solid->edges).subspan(piece.run_first, piece.run_count);
   if (piece.bucket % 2 != 0) {
@@ -148,6 +151,8 @@ void Assembler::add_edge(const DirectedEdge& piece, Solid& result) {
 /// Finds the last face's box, from that of its blocks if it has any.
 void Assembler::end_face(Solid& result) {
   Face& face = result.faces.back();
+  HALFSPACE_CHECK(face.edge_count != 0);
+  HALFSPACE_CHECK(face.first_edge + face.edge_count == result.edges.size());
   if (EdgePackets::has_many(face)) {
     auto list = std::make_shared<const PacketList>(result, face, known_blocks_);
     face.box = list->box();
@@ -176,6 +181,8 @@ void Assembler::add_run(std::size_t o, std::int32_t f, bool beyond,
                         const FarRows::Row& row) {
   const Face& face = operands_[o].face(f);
   const SolidEdge* edges = operands_[o].edges_of(f);
+  HALFSPACE_CHECK(row.first < row.last && row.last <= face.edge_count);
+  HALFSPACE_CHECK(operands_[o].edge_of[face.first_edge + row.first] < 0);
   DirectedEdge run{bucket_of(o, f, beyond), face.plane, edges[row.first].from,
                    edges[row.last - 1].to};
   if (beyond) std::swap(run.from, run.to);
@@ -274,7 +281,9 @@ void Assembler::copy_row(std::size_t o, std::int32_t first, std::int32_t last,
   const std::size_t before = result.faces.size();
   result.edges.insert(result.edges.end(), edges.begin(), edges.end());
   result.faces.insert(result.faces.end(), faces.begin(), faces.end());
+  HALFSPACE_CHECK(edges.size() >= faces.size());
   for (std::int32_t f = first; f < last; ++f) {
+    HALFSPACE_CHECK(!common_.is_touched(o, f));
     const std::size_t copy = before + static_cast<std::size_t>(f - first);
     Face& face = result.faces[copy];
     face.from_first = o == 0;

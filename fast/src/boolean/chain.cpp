@@ -213,9 +213,11 @@ void Chain::State::drop_gone_edges() {
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     if (index.is_gone(static_cast<std::int32_t>(f))) continue;
     Face& face = solid.faces[f];
-    const auto from = solid.edges.begin() + std::ptrdiff_t{face.first_edge};
-    std::copy(from, from + std::ptrdiff_t{face.edge_count},
-              solid.edges.begin() + std::ptrdiff_t{kept});
+    const auto at = [this](std::uint32_t edge) {
+      return solid.edges.begin() + static_cast<std::ptrdiff_t>(edge);
+    };
+    std::copy(at(face.first_edge), at(face.first_edge + face.edge_count),
+              at(kept));
     face.first_edge = kept;
     kept += face.edge_count;
   }

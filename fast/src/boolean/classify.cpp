@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "halfspace/assert.hpp"
+#include "base/check.hpp"
 
 namespace halfspace::fast {
 
@@ -117,6 +117,9 @@ const std::vector<std::int32_t>& Classifier::points_on(std::size_t o,
             [&](std::int32_t u, std::int32_t v) {
               return table_.compare(edge.axis, u, v) < 0;
             });
+  HALFSPACE_CHECK(points_.front() == edge.low && points_.back() == edge.high);
+  HALFSPACE_CHECK(std::adjacent_find(points_.begin(), points_.end()) ==
+                  points_.end());
   return points_;
 }
 
@@ -166,6 +169,7 @@ std::optional<bool> Classifier::inside_from_end(std::size_t o, std::int32_t id,
 
 bool Classifier::is_part_inside(std::size_t o, std::int32_t id,
                                 std::int32_t low, std::int32_t high) {
+  HALFSPACE_CHECK(low != high);
   if (const auto inside = inside_from_end(o, id, low, high)) return *inside;
   return locator(1 - o).is_inside(low, high);
 }
@@ -173,6 +177,8 @@ bool Classifier::is_part_inside(std::size_t o, std::int32_t id,
 bool Classifier::is_part_inside(std::size_t o, std::int32_t id,
                                 std::size_t part,
                                 const std::optional<KnownPart>& before) {
+  HALFSPACE_CHECK(part + 1 < points_.size());
+  HALFSPACE_CHECK(!before || before->part < part);
   auto inside = inside_from_end(o, id, points_[part], points_[part + 1]);
   if (!inside && before) inside = inside_from_part(o, id, *before, part);
   return inside ? *inside

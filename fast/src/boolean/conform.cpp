@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/check.hpp"
 #include "boolean/resolve.hpp"
 #include "box/bvh.hpp"
 #include "halfspace/fast/bad_edges.hpp"
@@ -192,6 +193,8 @@ bool Conformer::add_points(std::int32_t id, std::int32_t f) {
   const auto edges = edges_near(f, across);
   if (low != 0) {
     const std::int32_t at = table_.meet(planes[0], planes[1], face.plane);
+    HALFSPACE_CHECK(is_between(edge.axis, edge.low, at, edge.high));
+    HALFSPACE_CHECK(across != face.plane);
     int axis = 0;
     table_.line_axis(face.plane, across, axis);
     section_.find(face, edges, across, axis);
@@ -225,6 +228,7 @@ void Conformer::split_segments() {
   for (const auto& [t, vertex] : nodes_) {
     // The part up to the point stands aside, what is left here.
     IntersectionSegment part = segments_[t];
+    HALFSPACE_CHECK(is_between(part.axis, part.low, vertex, part.high));
     part.high = vertex;
     segments_[t].low = vertex;
     segments_.push_back(part);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "base/check.hpp"
 #include "halfspace/assert.hpp"
 #include "intersect/transversal_plane.hpp"
 
@@ -38,6 +39,7 @@ void Emitter::emit_whole(std::size_t o, std::int32_t id) {
   const OperandEdge& edge = operands_[o].edge(id);
   const auto uses =
       std::span(operand.uses).subspan(edge.first_use, edge.use_count);
+  HALFSPACE_CHECK(!uses.empty());
   const auto is_touched = [&](const EdgeUse& use) {
     return operand.touched[static_cast<std::size_t>(use.face)] != 0;
   };
@@ -153,6 +155,10 @@ void Emitter::emit(const Segment& segment, const std::array<bool, 2>& member) {
   HALFSPACE_ASSERT(segment.low != segment.high);
   // Step 1: the half-faces counter-clockwise round the segment.
   radial_sort(half_faces_, segment.axis, table_);
+  for (const HalfFace& half_face : half_faces_) {
+    HALFSPACE_CHECK(table_.side(half_face.plane, segment.low) == 0 &&
+                    table_.side(half_face.plane, segment.high) == 0);
+  }
   // Step 2: inside which operands the wedge before the first half_face is.
   std::array<bool, 2> inside{is_before_inside(0, member[0]),
                              is_before_inside(1, member[1])};
@@ -174,6 +180,7 @@ void Emitter::emit(const Segment& segment, const std::array<bool, 2>& member) {
                                    source.face, source.flipped != flipped),
                          source.plane, segment.low, segment.high,
                          other_than(source.plane, segment.planes)};
+      HALFSPACE_CHECK(piece.other != piece.plane);
       if (!before) std::swap(piece.from, piece.to);
       pieces_.push_back(piece);
     }

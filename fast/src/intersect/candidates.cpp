@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "base/radix_sort.hpp"
 #include "solid/grid_prefilter.hpp"
@@ -65,6 +66,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> candidate_pairs(
   for (const Pairs& some : found)
     pairs.insert(pairs.end(), some.begin(), some.end());
   for (const auto& [f, g] : pairs) {
+    HALFSPACE_CHECK(overlap(a.face(f).box, b.face(g).box));
     std::uint8_t& is_active = a.is_active[static_cast<std::size_t>(f)];
     if (is_active == 0) a.active.push_back(f);
     is_active = 1;
@@ -73,6 +75,9 @@ std::vector<std::pair<std::int32_t, std::int32_t>> candidate_pairs(
   for (std::size_t g = 0; g < b.is_active.size(); ++g) {
     if (b.is_active[g]) b.active.push_back(static_cast<std::int32_t>(g));
   }
+  // No face stands there twice.
+  HALFSPACE_CHECK(a.active.size() <= faces.size());
+  HALFSPACE_CHECK(b.active.size() <= others.size());
   return pairs;
 }
 
@@ -120,6 +125,10 @@ void add_edges(Operand& operand, const GeometryTable& table) {
     edge.axis = table.edge_axis(edge.low, edge.high);
     if (table.compare(edge.axis, edge.low, edge.high) > 0)
       std::swap(edge.low, edge.high);
+    HALFSPACE_CHECK(table.compare(edge.axis, edge.low, edge.high) < 0);
+    HALFSPACE_CHECK(!is_beyond(operand.reach,
+                               table.vertex(edge.low).approximate,
+                               table.vertex(edge.high).approximate));
     edge.owner = first.face;
     edge.first_edge = first.edge;
     edge.plane = operand.face(first.face).plane;

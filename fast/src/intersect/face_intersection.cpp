@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "halfspace/assert.hpp"
+#include "base/check.hpp"
 #include "intersect/line_section.hpp"
 #include "intersect/transversal_plane.hpp"
 
@@ -271,8 +271,10 @@ void FaceIntersector::meet_across() {
     // Where no edge is along the line, both of its sides are alike.
     const SweepEvent& m = events_[i];
     if (m.after[0][0] && m.after[1][0] && !m.along[0] && !m.along[1]) {
-      segments_.push_back(
-          {faces_[0], faces_[1], m.vertex, events_[i + 1].vertex, axis_});
+      const std::int32_t high = events_[i + 1].vertex;
+      HALFSPACE_CHECK(table_.compare(axis_, m.vertex, high) < 0);
+      HALFSPACE_CHECK(face(0).plane != face(1).plane);
+      segments_.push_back({faces_[0], faces_[1], m.vertex, high, axis_});
     }
   }
   for (std::size_t o = 0; o < 2; ++o) {
@@ -375,6 +377,9 @@ void FaceIntersector::report_along(std::size_t o, std::int32_t id,
     cover.left = event.after[p][positive_is_left ? 0 : 1];
     cover.right = event.after[p][positive_is_left ? 1 : 0];
     cover.on_edge = event.along[p];
+    HALFSPACE_CHECK(table_.side(face(p).plane, cover.low) == 0 &&
+                    table_.side(face(p).plane, cover.high) == 0);
+    HALFSPACE_CHECK(table_.compare(edge.axis, cover.low, cover.high) < 0);
     // The faces are touched: this one has the edge's end, or a cut, at the
     // event where the cover begins, and the other one is there.
     operands_[o]->covers.push_back(cover);
@@ -383,6 +388,9 @@ void FaceIntersector::report_along(std::size_t o, std::int32_t id,
 
 void FaceIntersector::cut(std::size_t o, std::int32_t edge,
                           std::int32_t vertex) {
+  HALFSPACE_CHECK(table_.side(face(1 - o).plane, vertex) == 0);
+  HALFSPACE_CHECK(vertex != operands_[o]->edge(edge).low &&
+                  vertex != operands_[o]->edge(edge).high);
   operands_[o]->touched[static_cast<std::size_t>(faces_[o])] = 1;
   operands_[1 - o]->touched[static_cast<std::size_t>(faces_[1 - o])] = 1;
   if (operands_[o]->edge(edge).owner == faces_[o])
@@ -390,6 +398,8 @@ void FaceIntersector::cut(std::size_t o, std::int32_t edge,
 }
 
 void FaceIntersector::put_on_other(std::size_t o, std::int32_t vertex) {
+  HALFSPACE_CHECK(table_.side(face(0).plane, vertex) == 0);
+  HALFSPACE_CHECK(table_.side(face(1).plane, vertex) == 0);
   operands_[o]->touched[static_cast<std::size_t>(faces_[o])] = 1;
   operands_[1 - o]->touched[static_cast<std::size_t>(faces_[1 - o])] = 1;
   operands_[o]->put_on_other(vertex);

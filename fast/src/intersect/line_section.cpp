@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "halfspace/assert.hpp"
+#include "base/check.hpp"
 #include "intersect/transversal_plane.hpp"
 
 namespace halfspace::fast {
@@ -30,6 +30,9 @@ void LineFaceSection::find(const Face& face, std::span<const SolidEdge> edges,
     // Beyond the last one there is nothing, unless the face is open.
     const bool goes_on = (positive || negative) && i + 1 < turns_.size();
     parts_.emplace_back(turns_[i].vertex, turns_[goes_on ? i + 1 : i].vertex);
+    HALFSPACE_CHECK(table_.side(across, turns_[i].vertex) == 0);
+    HALFSPACE_CHECK(
+        table_.compare(axis, parts_.back().first, parts_.back().second) <= 0);
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/check.hpp"
+
 namespace halfspace::fast {
 
 PointLocator::PointLocator(const Operand& operand, const GeometryTable& table)
@@ -56,6 +58,7 @@ int PointLocator::ray_contribution(int axis, std::int32_t f,
                                    std::int32_t vertex,
                                    std::int32_t target) const {
   const Face& face = solid_.faces[static_cast<std::size_t>(f)];
+  HALFSPACE_CHECK(face.edge_count != 0);
   const int along = table_.normal_sign(face.plane, axis);
   if (along == 0) return 0;
   int side = table_.side(face.plane, vertex);
@@ -127,6 +130,7 @@ bool PointLocator::passes_over(int axis, const Face& face, std::uint32_t first,
     if (from == to) continue;
     const std::int32_t low = from ? edge.to : edge.from;
     const std::int32_t high = from ? edge.from : edge.to;
+    HALFSPACE_CHECK(table_.compare(right, low, high) <= 0);
     int turn = table_.turn(axis, low, high, vertex);
     if (turn == 0) turn = table_.turn(axis, low, high, target);
     // The edge goes to the right; the point is lower where it turns so too.

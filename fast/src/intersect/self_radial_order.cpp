@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/disjoint_sets.hpp"
 #include "intersect/line_section.hpp"
 #include "intersect/transversal_plane.hpp"
@@ -57,6 +58,9 @@ const std::vector<HalfFace>& SelfRadialOrder::at(const Segment& segment) {
 void SelfRadialOrder::add_half_faces(std::int32_t f, const Segment& segment) {
   const Face& of = face(f);
   const std::int32_t across = other_than(of.plane, segment.planes);
+  HALFSPACE_CHECK(table_.side(across, segment.low) == 0 &&
+                  table_.side(across, segment.high) == 0);
+  HALFSPACE_CHECK(across != of.plane);
   bool positive = false, negative = false;
   for (std::uint32_t i = 0; i < of.edge_count; ++i) {
     const SolidEdge& edge = solid_.edges[of.first_edge + i];

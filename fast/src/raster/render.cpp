@@ -1,15 +1,11 @@
 #include "halfspace/fast/render.hpp"
 
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/threads.hpp"
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -163,13 +159,7 @@ void for_bands(std::size_t count, int threads, const Work& work) {
       }
     });
   };
-  // Asking for more threads than there are makes the library complain.
-  oneapi::tbb::task_arena arena(
-      std::min(threads, oneapi::tbb::info::default_concurrency()));
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(0, threads, work_on,
-                              oneapi::tbb::simple_partitioner{});
-  });
+  threads::in_arena(threads, [&] { threads::for_each_task(threads, work_on); });
 }
 
 template <class T>

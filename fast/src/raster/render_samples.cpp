@@ -1,15 +1,11 @@
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
-#include <mutex>
 
 #include "base/parallel.hpp"
+#include "base/threads.hpp"
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/threads.hpp"
 #include "raster/render_pass.hpp"
 #include "raster/sample_means.hpp"
 
@@ -68,7 +64,7 @@ class SampledImage {
       }
       stats.add(means.stats());
     }
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     result_.pixels_painted += strip.pixels_painted;
     result_.fragments_displayed += strip.fragments_displayed;
     result_.decisions.add(stats);
@@ -85,7 +81,7 @@ class SampledImage {
   TreeReader reader_;
   View view_;
   std::int32_t samples_;
-  std::mutex mutex_;
+  Mutex mutex_;
 };
 
 }  // namespace
@@ -123,18 +119,13 @@ Rendering render_samples(const Scene& scene, const BspTree& tree,
     return result;
   }
   const TsanForkJoin shared;
-  oneapi::tbb::task_arena arena(
-      std::min(threads, oneapi::tbb::info::default_concurrency()));
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(
-        0, strips,
-        [&](std::int32_t s) {
-          shared.task([&] {
-            Rendering strip;
-            fill(s, strip);
-          });
-        },
-        oneapi::tbb::simple_partitioner{});
+  threads::in_arena(threads, [&] {
+    threads::for_each_task(strips, [&](std::int32_t s) {
+      shared.task([&] {
+        Rendering strip;
+        fill(s, strip);
+      });
+    });
   });
   return result;
 }

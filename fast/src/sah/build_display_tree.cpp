@@ -1,15 +1,11 @@
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_group.h>
-
 #include <deque>
 #include <utility>
 
+#include "base/threads.hpp"
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/threads.hpp"
 #include "sah/sah_builder.hpp"
 #include "tree/leaf_packets.hpp"
 
@@ -45,16 +41,14 @@ class JobRunner {
     job.primitives.resize(state_.scene.polygon_count());
     {
       const TsanForkJoin shared;
-      const auto read = [&](const tbb::blocked_range<std::size_t>& range) {
+      const auto read = [&](std::size_t first, std::size_t end) {
         shared.task([&] {
-          for (std::size_t p = range.begin(); p < range.end(); ++p) {
+          for (std::size_t p = first; p < end; ++p) {
             job.primitives[p] = state_.primitive_of(static_cast<PolygonId>(p));
           }
         });
       };
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, job.primitives.size(), kBlock),
-          read);
+      threads::for_ranges(job.primitives.size(), kBlock, read);
     }
     for (const Primitive& p : job.primitives) extend(job.box, p);
     job.cut_budget = kFreeCuts + state_.options.most_cuts *
@@ -63,7 +57,7 @@ class JobRunner {
   }
 
   BuildJob* add(BuildJob job) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     return &jobs_.emplace_back(std::move(job));
   }
 
@@ -97,8 +91,8 @@ class JobRunner {
   }
 
   BuildState& state_;
-  tbb::task_group group_;
-  std::mutex mutex_;
+  threads::TaskGroup group_;
+  Mutex mutex_;
   std::deque<BuildJob> jobs_;  // entries stay where they are
 };
 
@@ -133,7 +127,7 @@ class PieceJoiner {
     tree_.free_planes.resize(end_.free_planes);
     tree_.boxes.resize(end_.nodes);
     const TsanForkJoin shared;
-    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
+    threads::for_each_index(pieces_.size(), [&](std::size_t i) {
       shared.task([&] { copy(pieces_[i]); });
     });
   }
@@ -262,11 +256,7 @@ BspTree build_display_tree(const Scene& scene,
   HALFSPACE_ASSERT(options.threads >= 0);
   BspTree tree;
   if (scene.polygon_count() == 0) return tree;
-  // Asking for more threads than there are makes the library complain.
-  const int most = tbb::info::default_concurrency();
-  tbb::task_arena arena(options.threads == 0 ? most
-                                             : std::min(options.threads, most));
-  arena.execute([&] {
+  threads::in_arena(options.threads, [&] {
     BuildState state(scene, options);
     JobRunner runner(state);
     BuildJob* root = runner.run();

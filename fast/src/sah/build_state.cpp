@@ -60,7 +60,7 @@ Primitive BuildState::primitive_of(PolygonId polygon) const {
 }
 
 void BuildState::add_done(double share) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   done_ += share;
   if (is_stopped() || done_ < reported_ + kReportedShare) return;
   reported_ = done_;

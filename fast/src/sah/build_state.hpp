@@ -1,9 +1,9 @@
 #pragma once
 
 #include <atomic>
-#include <mutex>
 
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/threads.hpp"
 #include "sah/primitive.hpp"
 
 namespace halfspace::fast {
@@ -28,7 +28,7 @@ class BuildState {
   double scene_size = 1;
 
  private:
-  std::mutex mutex_;
+  Mutex mutex_;
   double done_ = 0;
   double reported_ = 0;
   std::atomic<bool> stopped_ = false;

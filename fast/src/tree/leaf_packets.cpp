@@ -1,10 +1,9 @@
 #include "tree/leaf_packets.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <cmath>
 #include <limits>
 
+#include "base/threads.hpp"
 #include "base/tsan.hpp"
 #include "box/box.hpp"
 #include "tree/tree_reader.hpp"
@@ -145,7 +144,7 @@ void add_blocks(BspTree& tree, const Scene& scene) {
   const TreeReader reader(scene, tree);
   const BlockMaker maker(reader);
   const TsanForkJoin shared;
-  tbb::parallel_for(std::size_t{0}, tree.nodes.size(), [&](std::size_t n) {
+  threads::for_each_index(tree.nodes.size(), [&](std::size_t n) {
     shared.task([&] {
       const FirstBlocks& at = tree.first_blocks[n];
       if (at == tree.first_blocks[n + 1]) return;

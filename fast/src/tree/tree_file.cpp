@@ -1,10 +1,12 @@
 #include "halfspace/fast/tree_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
-#include <fstream>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -261,6 +263,25 @@ class IndexCheck {
   std::vector<bool> is_listed_;
 };
 
+/// All of a file; nothing where it cannot be read.
+std::optional<std::vector<std::byte>> bytes_of_file(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) return std::nullopt;
+  std::vector<std::byte> bytes;
+  std::size_t got = 0;
+  do {
+    const std::size_t before = bytes.size();
+    bytes.resize(std::max<std::size_t>(2 * before, std::size_t{1} << 16));
+    got =
+        std::fread(bytes.data() + before, 1, bytes.size() - before, file.get());
+    bytes.resize(before + got);
+  } while (got > 0);
+  // A directory opens, but cannot be read.
+  if (std::ferror(file.get()) != 0) return std::nullopt;
+  return bytes;
+}
+
 Error at_path(const std::string& path, Error error) {
   error.message = path + ": " + error.message;
   return error;
@@ -338,32 +359,22 @@ Result<BspTree> decode_tree(std::span<const std::byte> bytes,
 Result<Done> save_tree(const std::string& path, const BspTree& tree,
                        const Scene& scene) {
   const std::vector<std::byte> bytes = encode_tree(tree, scene);
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) {
-    return Error{ErrorCode::kUnwritable, path + ": cannot be written", -1};
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  bool good = file != nullptr;
+  if (good) {
+    good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    good = std::fclose(file) == 0 && good;
   }
-  return Done{};
+  if (good) return Done{};
+  return Error{ErrorCode::kUnwritable, path + ": cannot be written", -1};
 }
 
 Result<BspTree> load_tree(const std::string& path, const Scene& scene) {
-  std::ifstream file(path, std::ios::binary);
-  // A directory opens and has a size, but cannot be read.
-  file.peek();
-  file.seekg(0, std::ios::end);
-  const std::streamoff size = file.tellg();
-  if (size < 0) {
+  const auto bytes = bytes_of_file(path);
+  if (!bytes) {
     return Error{ErrorCode::kUnreadable, path + ": cannot be read", -1};
   }
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  file.seekg(0);
-  file.read(reinterpret_cast<char*>(bytes.data()), size);
-  if (!file) {
-    return Error{ErrorCode::kUnreadable, path + ": cannot be read", -1};
-  }
-  Result<BspTree> tree = decode_tree(bytes, scene);
+  Result<BspTree> tree = decode_tree(*bytes, scene);
   if (!tree) return at_path(path, tree.error());
   return tree;
 }

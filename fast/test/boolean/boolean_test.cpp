@@ -163,8 +163,9 @@ Cubes cubes_of(const std::array<int, 3>& low, const std::array<int, 3>& high) {
 }
 
 /// A block in six faces of one colour.
-Solid block(const std::array<int, 3>& low, const std::array<int, 3>& high,
-            Rgb color, const Solid* with) {
+Solid colored_block(const std::array<int, 3>& low,
+                    const std::array<int, 3>& high, Rgb color,
+                    const Solid* with) {
   const auto surface = lattice::surface(cubes_of(low, high));
   Solid solid = merge_faces(
       with != nullptr ? to_solid(surface, *with) : to_solid(surface),
@@ -181,14 +182,14 @@ std::size_t count_color(const Solid& solid, Rgb color) {
 
 TEST(FastBoolean, WhatIsLeftOfAFaceIsOneFaceAndTheFirstOnesWhereTheyMeet) {
   const Rgb red{255, 0, 0}, blue{0, 0, 255};
-  const Solid large = block({0, 0, 0}, {4, 4, 4}, red, nullptr);
-  const Solid corner = block({2, 2, 2}, {6, 6, 6}, blue, &large);
+  const Solid large = colored_block({0, 0, 0}, {4, 4, 4}, red, nullptr);
+  const Solid corner = colored_block({2, 2, 2}, {6, 6, 6}, blue, &large);
   const Solid across = boolean(BooleanOp::kUnion, large, corner);
   // Three squares and three L of each.
   EXPECT_EQ(across.faces.size(), 12u);
   EXPECT_EQ(across.edges.size(), 2 * (3u * 4 + 3 * 6));
   // One that stands in the other, on its floor.
-  const Solid small = block({1, 1, 0}, {3, 3, 2}, blue, &large);
+  const Solid small = colored_block({1, 1, 0}, {3, 3, 2}, blue, &large);
   const Solid same = boolean(BooleanOp::kUnion, large, small);
   EXPECT_EQ(same.faces.size(), 6u);
   EXPECT_EQ(same.edges.size(), 24u);

@@ -20,8 +20,8 @@
 namespace halfspace::fast {
 namespace {
 
-constexpr std::int32_t kWidth = 75;
-constexpr std::int32_t kHeight = 19;
+constexpr std::int32_t kSampleWidth = 75;
+constexpr std::int32_t kSampleHeight = 19;
 
 /// Gradients, and what was asked.
 struct Asked : NoFallback {
@@ -30,11 +30,11 @@ struct Asked : NoFallback {
              std::uint32_t bits, std::uint8_t*, std::int64_t) override {
     for (std::int32_t k = 0; k < 32; ++k) {
       if (((bits >> k) & 1u) == 0) continue;
-      pixels[static_cast<std::size_t>(y * kWidth + x + k)] = true;
+      pixels[static_cast<std::size_t>(y * kSampleWidth + x + k)] = true;
     }
   }
   Gradient colors{};
-  std::vector<bool> pixels = std::vector<bool>(kWidth * kHeight);
+  std::vector<bool> pixels = std::vector<bool>(kSampleWidth * kSampleHeight);
 };
 
 class Random {
@@ -48,8 +48,8 @@ class Random {
     Gradient g{};
     const auto enter = [&g](std::size_t f, double at, double right,
                             double down) {
-      g.a[f] = (right - at) / kWidth;
-      g.b[f] = (down - at) / kHeight;
+      g.a[f] = (right - at) / kSampleWidth;
+      g.b[f] = (down - at) / kSampleHeight;
       g.c[f] = at;
     };
     // Totals that hardly change are often meant, and seldom told apart.
@@ -81,18 +81,19 @@ void expect_told(const TileKernel& kernel, const Gradient& gradient,
   Asked asked;
   asked.colors = gradient;
   Rendering result;
-  result.colors = ColorImage(kWidth, kHeight, Rgb{});
-  TileBuffer buffer({0, 0, kWidth, kHeight}, {0, kHeight}, result, false);
-  const double x[4] = {-9, kWidth + 9, kWidth + 9, -9};
-  const double y[4] = {-9, -9, kHeight + 9, kHeight + 9};
+  result.colors = ColorImage(kSampleWidth, kSampleHeight, Rgb{});
+  TileBuffer buffer({0, 0, kSampleWidth, kSampleHeight}, {0, kSampleHeight},
+                    result, false);
+  const double x[4] = {-9, kSampleWidth + 9, kSampleWidth + 9, -9};
+  const double y[4] = {-9, -9, kSampleHeight + 9, kSampleHeight + 9};
   buffer.view().exact = &asked;
   PixelSource source;
   source.color = PixelSource::kSmooth;
   kernel.draw(buffer.view(), {x, y, 4, 0, 1}, source);
   kernel.fill_rest(buffer.view(), {});
   const Gradient& g = gradient;
-  for (std::int32_t j = 0; j < kHeight; ++j) {
-    for (std::int32_t i = 0; i < kWidth; ++i) {
+  for (std::int32_t j = 0; j < kSampleHeight; ++j) {
+    for (std::int32_t i = 0; i < kSampleWidth; ++i) {
       const auto at = [&](std::size_t f) {
         return g.a[f] * i + g.b[f] * j + g.c[f];
       };
@@ -106,7 +107,8 @@ void expect_told(const TileKernel& kernel, const Gradient& gradient,
                      std::floor(half_up - doubt) != std::floor(half_up + doubt);
       }
       doubtful += may_change ? 1 : 0;
-      if (asked.pixels[static_cast<std::size_t>(j * kWidth + i)]) continue;
+      if (asked.pixels[static_cast<std::size_t>(j * kSampleWidth + i)])
+        continue;
       ASSERT_FALSE(may_change) << i << ", " << j;
       ++told;
       for (std::size_t c = 0; c < 3; ++c) {

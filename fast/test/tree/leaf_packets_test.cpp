@@ -41,7 +41,7 @@ Scene strewn(int count, int grid_bits) {
   return made(std::move(data));
 }
 
-BspTree tree_of(const Scene& scene) {
+BspTree tree_with_packets(const Scene& scene) {
   DisplayTreeOptions options;
   options.leaf_size = 100;
   return build_display_tree(scene, options);
@@ -139,7 +139,7 @@ Found expect_blocks(const Scene& scene, const BspTree& tree) {
 
 TEST(FragmentBlocks, AreCopiesOfWhatLeavesBeginWith) {
   const Scene scene = strewn(20000, 26);
-  const Found found = expect_blocks(scene, tree_of(scene));
+  const Found found = expect_blocks(scene, tree_with_packets(scene));
   // Those that are cut have vertices in doubt, and no others.
   EXPECT_EQ(found.exact, found.whole);
   EXPECT_GT(found.whole, 15'000u);
@@ -149,7 +149,7 @@ TEST(FragmentBlocks, AreCopiesOfWhatLeavesBeginWith) {
 /// Floats are too short for these, so that all are in doubt.
 TEST(FragmentBlocks, BoundWhatFloatsLeaveOutOnTheWidestGrid) {
   const Scene scene = strewn(20000, 54);
-  const Found found = expect_blocks(scene, tree_of(scene));
+  const Found found = expect_blocks(scene, tree_with_packets(scene));
   EXPECT_EQ(found.whole, 0u);
   EXPECT_GT(found.doubtful, 2000u);
 }
@@ -238,7 +238,7 @@ TEST(FragmentBlocks, AreNotCalledWholeWhereCornersBeginElsewhere) {
 
 TEST(FragmentBlocks, AreMadeAgainFromFiles) {
   const Scene scene = strewn(2000, 26);
-  const BspTree tree = tree_of(scene);
+  const BspTree tree = tree_with_packets(scene);
   EXPECT_FALSE(tree.triangles.empty());
   const auto again = decode_tree(encode_tree(tree, scene), scene);
   ASSERT_TRUE(again.has_value()) << again.error().message;
@@ -249,7 +249,7 @@ TEST(FragmentBlocks, AreMadeAgainFromFiles) {
 
 TEST(FragmentBlocks, AreNoneWithoutLeaves) {
   const Scene scene = strewn(2000, 26);
-  BspTree tree = tree_of(scene);
+  BspTree tree = tree_with_packets(scene);
   EXPECT_FALSE(tree.triangles.empty());
   EXPECT_FALSE(tree.quadrangles.empty());
   EXPECT_GE(bytes_by_array(tree).blocks,

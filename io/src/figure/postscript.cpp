@@ -1,4 +1,6 @@
+#if defined(HALFSPACE_ZLIB)
 #include <zlib.h>
+#endif
 
 #include <cmath>
 
@@ -75,6 +77,7 @@ std::string operators_of(const Figure& figure, const FigureOptions& options,
   return text;
 }
 
+#if defined(HALFSPACE_ZLIB)
 std::string deflated(const std::string& text) {
   uLongf size = compressBound(static_cast<uLong>(text.size()));
   std::string result(size, '\0');
@@ -84,19 +87,30 @@ std::string deflated(const std::string& text) {
   result.resize(size);
   return result;
 }
+#endif
+
+/// The text as the stream of a PDF object: its entries, and its bytes.
+std::string stream_of(std::string bytes) {
+  std::string filter;
+#if defined(HALFSPACE_ZLIB)
+  filter = "/Filter/FlateDecode";
+  bytes = deflated(bytes);
+#endif
+  return "<</Length " + std::to_string(bytes.size()) + filter + ">>\nstream\n" +
+         bytes + "\nendstream";
+}
 
 }  // namespace
 
 std::string pdf_of(const Figure& figure, const FigureOptions& options) {
   const Words words = {" m\n", " l\n", "h\n", "f*\n", "B*\n"};
   const std::string stream =
-      deflated(operators_of(figure, options, words, true));
+      stream_of(operators_of(figure, options, words, true));
   const std::string objects[] = {
       "<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
       "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " + size_of(figure, 3) +
           "]/Contents 4 0 R/Resources<<>>>>",
-      "<</Length " + std::to_string(stream.size()) +
-          "/Filter/FlateDecode>>\nstream\n" + stream + "\nendstream"};
+      stream};
   std::string text = "%PDF-1.4\n%\xe2\xe3\xcf\xd3\n";
   std::string table = "xref\n0 5\n0000000000 65535 f \n";
   for (std::size_t k = 0; k < std::size(objects); ++k) {

@@ -3,7 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <memory_resource>
-#include <mutex>
+
+#include "halfspace/threads.hpp"
 
 namespace halfspace::fast {
 
@@ -53,7 +54,7 @@ class HugePagePool final : public std::pmr::memory_resource {
   Block removed(std::size_t i);
 
   std::size_t most_kept_;
-  std::mutex mutex_;
+  Mutex mutex_;
   std::array<Block, kMostBlocks> blocks_;  ///< the oldest first
   std::size_t count_ = 0;
   std::size_t bytes_ = 0;

@@ -124,6 +124,8 @@ extern const TileKernel kPortableKernel;
 #if defined(__x86_64__)
 extern const TileKernel kAvx2Kernel;
 extern const TileKernel kAvx512Kernel;
+#elif defined(__wasm_simd128__)
+extern const TileKernel kWasm128Kernel;
 #endif
 
 /// The kernel of the level, or the best below it that this processor has.
