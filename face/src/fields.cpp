@@ -73,10 +73,10 @@ class Carrier {
   void carry();
 
  private:
-  Part* part_of(const fast::Face& face);
   /// Polygons between the one that is worked on and the one asked for.
   static constexpr std::size_t kAhead = 8;
 
+  Part* part_of(const fast::Face& face);
   void carry_fields(std::size_t polygon);
   void prefetch(std::size_t polygon);
   std::optional<Base> base_of(const fast::Face& face, Part& part);
@@ -86,6 +86,8 @@ class Carrier {
   const ResultVertex& vertex_at(std::size_t v);
   std::optional<std::size_t> corner_at(const Base& base, Part& part,
                                        std::size_t v);
+  std::array<SeenPoint, 3> seen_triangle(const Base& base, Part& part,
+                                         const GridPoint& point);
   std::optional<BoundedWeights> bounded_weights(const Base& base, Part& part,
                                                 std::size_t v);
   void add_exactly(const Base& base, Part& part, std::size_t v,
@@ -272,6 +274,7 @@ bool Carrier::has_area(const Base& base, Part& part) {
     const GridPoint* q = part.vertices->on_grid(base.vertices[1]);
     const GridPoint* r = part.vertices->on_grid(base.vertices[2]);
     if (p && q && r) return normal_of(*p, *q, *r)[base.axis] != 0;
+    if (weights_at(seen_triangle(base, part, {}), SeenPoint{})) return true;
   }
   return exact_triangle(base, part).area2 != 0;
 }
@@ -326,19 +329,26 @@ std::optional<std::size_t> Carrier::corner_at(const Base& base, Part& part,
   return std::nullopt;
 }
 
+/// The base's corners less a point of the grid.
+std::array<SeenPoint, 3> Carrier::seen_triangle(const Base& base, Part& part,
+                                                const GridPoint& point) {
+  std::array<SeenPoint, 3> triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const BoundedPoint at = part.vertices->less(base.vertices[k], point);
+    triangle[k] = {at[(base.axis + 1) % 3], at[(base.axis + 2) % 3]};
+  }
+  return triangle;
+}
+
 std::optional<BoundedWeights> Carrier::bounded_weights(const Base& base,
                                                        Part& part,
                                                        std::size_t v) {
   const ResultVertex& vertex = vertex_at(v);
-  const std::size_t u = (base.axis + 1) % 3, w = (base.axis + 2) % 3;
-  std::array<SeenPoint, 3> triangle;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const BoundedPoint at = part.vertices->less(base.vertices[k], vertex.point);
-    triangle[k] = {at[u], at[w]};
-  }
+  const auto triangle = seen_triangle(base, part, vertex.point);
   if (vertex.is_grid) return weights_at(triangle, SeenPoint{});
   const BoundedPoint& less = less_.at(v);
-  return weights_at(triangle, {less[u], less[w]});
+  return weights_at(triangle,
+                    {less[(base.axis + 1) % 3], less[(base.axis + 2) % 3]});
 }
 
 /// The values that are not known yet.
