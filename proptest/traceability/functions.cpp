@@ -9,6 +9,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/moving.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -26,6 +27,7 @@
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/moving.hpp"
 #include "halfspace/panorama.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/ref/area_image.hpp"
@@ -34,6 +36,7 @@
 #include "halfspace/ref/classify.hpp"
 #include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/drawing.hpp"
+#include "halfspace/ref/moving.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -303,6 +306,19 @@ void take_all() {
     take<Kind>(&fast::render);
   }
   take(&cap_color);  // S10.4
+  take(&make_assembly);  // S12.1
+  take(&make_placement);  // S12.2
+  take(&ref::moved_polygons);  // S12.2
+  take(&fast::render_moving);  // S12.2
+  take(&make_placement);  // S12.3
+  take(&ref::check_free);  // S12.4
+  take(&ref::moved_polygons);  // S12.4
+  take(&fast::build_moving_trees);  // S12.4
+  take(&ref::render_moving);  // S12.5
+  take(&ref::flat_scene);  // S12.5
+  take(&fast::render_moving);  // S12.5
+  take(&fast::build_moving_trees);  // S12.6
+  take(&fast::render_moving);  // S12.6
 }
 
 }  // namespace
@@ -311,5 +327,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 137 ? 0 : 1;
+  return halfspace::taken == 150 ? 0 : 1;
 }

@@ -13,6 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "image/camera_path.hpp"
+#include "image/object_film.hpp"
 #include "image/rendering.hpp"
 #include "image/shadowing.hpp"
 
@@ -113,6 +114,10 @@ Status run_film(Engine& engine, const io::LoadedScene& loaded,
                ? fail("--turntable: " + path.error().message)
                : fail(*arguments.camera_path_file, path.error());
   }
+  if (!path->objects().empty()) {
+    return fail(*arguments.camera_path_file + ": there is no object " +
+                *path->objects().begin() + " in " + arguments.path);
+  }
   const Result<Range> frames = frames_of(*path, arguments);
   if (!frames) return fail(frames.error().message);
   for (std::int64_t k = *frames->first; k < *frames->end; ++k) {
@@ -161,6 +166,8 @@ Status run_render(const RenderArguments& arguments) {
         file_complaint(arguments, {arguments.picture_file, arguments.ids_file});
   }
   if (!wrong.empty()) return fail(wrong);
+  if (io::has_extension(arguments.path, ".objects"))
+    return render_objects(arguments);
   const Result<io::LoadedScene> loaded =
       load(arguments.path, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.path, loaded.error());
@@ -232,7 +239,8 @@ void add_shadow_options(CLI::App& app, RenderArguments& arguments) {
 void add_render(CLI::App& program, Status& status) {
   CLI::App* app = program.add_subcommand("render", "Make an image of a file");
   const auto arguments = std::make_shared<RenderArguments>();
-  app->add_option("FILE", arguments->path, "A mesh or a .scene")
+  app->add_option("FILE", arguments->path,
+                  "A mesh, a .scene, or .objects that move")
       ->required()
       ->type_name("");
   app->add_option("-o,--output", arguments->picture_file, "The picture")
