@@ -262,12 +262,12 @@ def try_steps(program, steps, seeds, formats, folder):
         rng = random.Random(seed)
         bars = []
         for k in range(steps):
-            solid = ("box(8, 0.6, 0.5)" if k % 2 == 0 else
-                     "cylinder(0.3, 8, 12)")
+            solid = ("translate(box(8, 0.6, 0.5), -4, -0.3, -0.25)"
+                     if k % 2 == 0 else
+                     "translate(cylinder(0.3, 8, 12), 0, 0, -4)")
             shift = ", ".join(number(round(rng.uniform(-1.5, 1.5), 3))
                               for _ in range(3))
-            bar = turned(f"translate({solid}, -4, -0.3, -0.25)", rng,
-                         round(rng.uniform(1, 89), 3))
+            bar = turned(solid, rng, round(rng.uniform(1, 89), 3))
             bars.append(f"translate({bar}, {shift})")
         block = "translate(box(4, 4, 4), -2, -2, -2)"
         said, error = run(program, "csg", " - ".join([block, *bars]), "-o",

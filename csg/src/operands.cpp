@@ -13,6 +13,7 @@
 #include "halfspace/csg/measure.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/csg/volume.hpp"
+#include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "step_map.hpp"
@@ -135,6 +136,14 @@ Result<Checked> checked(const GridSolid& solid,
     return with_advice(std::move(error), options);
   }
   return error;
+}
+
+Result<bool> needs_repair(const GridSolid& solid,
+                          const std::vector<PolygonId>& polygons,
+                          const OperandOptions& options) {
+  const Result<Checked> found = checked(solid, polygons, options);
+  if (!found) return found.error();
+  return found->to_repair;
 }
 
 }  // namespace
@@ -369,6 +378,34 @@ Error Operands::nothing_left(std::int32_t leaf) const {
            "turns its faces round"});
 }
 
+/// Whether a leaf that moving has bent is to be mended by moving it a little
+/// more: its surface was fine before, and no finer grid can be tried.
+bool Operands::may_settle(std::int32_t id, const Result<bool>& repairs) const {
+  if (!options_.find_crossings || source_of(id).to_repair || can_be_finer())
+    return false;
+  return repairs ? *repairs : repairs.error().code != ErrorCode::kStopped;
+}
+
+/// The solid of a leaf that crosses itself only because it was rounded.
+Result<GridSolid> Operands::settled(const Scene& scene,
+                                    std::vector<PolygonId>& polygons) {
+  Result<fast::SettledScene> made =
+      fast::settled_scene(scene, options_.check.threads);
+  if (!made) return made.error();
+  if (made->scene.polygon_count() == 0) {
+    return Error{ErrorCode::kOutOfRange, "rounding it to the grid of " +
+                                             io::to_string(report_.unit) +
+                                             " leaves nothing of it"};
+  }
+  settled_contacts_ += made->contacts;
+  report_.max_move +=
+      made->max_move *
+      std::pow(static_cast<double>(report_.unit.base), report_.unit.exponent);
+  for (PolygonId& p : made->polygons) p = polygons[static_cast<std::size_t>(p)];
+  polygons = std::move(made->polygons);
+  return make_solid(std::move(made->scene));
+}
+
 /// Whether a leaf's solid is that of its source, on the same grid.
 bool Operands::stays_in_place(std::int32_t id) const {
   const Source& source = source_of(id);
@@ -400,9 +437,14 @@ Result<std::shared_ptr<const GridSolid>> Operands::leaf(std::int32_t id) {
   bool repairs = source_of(id).to_repair;
   if (!is_exact) {
     lean_[static_cast<std::size_t>(id)] = false;
-    const Result<Checked> found = checked(*solid, polygons, options_);
-    if (!found) return located(found.error());
-    repairs = found->to_repair;
+    const Result<bool> found = needs_repair(*solid, polygons, options_);
+    if (may_settle(id, found)) {
+      solid = settled(solid->scene(), polygons);
+      if (!solid) return located(solid.error());
+    } else {
+      if (!found) return located(found.error());
+      repairs = *found;
+    }
   }
   repair_[static_cast<std::size_t>(id)] = repairs;
   return std::make_shared<const GridSolid>(*std::move(solid));
