@@ -43,9 +43,9 @@ TEST(FaceExact, NoThreadsAreAllThreadsOfTheMachine) {
   const Camera camera = *display->camera({.width_px = 64, .height_px = 48});
   const auto tree = fast::build_display_tree(display->scene());
   const auto image_by = [&](int threads) {
-    return exact::render(display->scene(), tree, camera, {},
-                         {.threads = threads})
-        .items;
+    exact::RenderOptions how;
+    how.threads = threads;
+    return exact::render(display->scene(), tree, camera, {}, how).items;
   };
   EXPECT_EQ(image_by(0), image_by(1));
 }
