@@ -21,12 +21,15 @@
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
+#include "halfspace/fast/shade/lines.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/splitter.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/line_style.hpp"
 #include "halfspace/moving.hpp"
 #include "halfspace/panorama.hpp"
 #include "halfspace/ray.hpp"
@@ -36,6 +39,7 @@
 #include "halfspace/ref/classify.hpp"
 #include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/drawing.hpp"
+#include "halfspace/ref/lines.hpp"
 #include "halfspace/ref/moving.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
@@ -45,6 +49,7 @@
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scalars.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
 #include "halfspace/ref/seen_areas.hpp"
@@ -54,6 +59,7 @@
 #include "halfspace/ref/traverse.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "halfspace/ref/winding.hpp"
+#include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/scene_file.hpp"
 
@@ -307,6 +313,26 @@ void take_all() {
     take<Kind>(&fast::render);
   }
   take(&cap_color);  // S10.4
+  take(&make_scalars);  // S11.1
+  take(&ref::scalar_at);  // S11.2
+  {  // S11.2
+    using namespace fast;
+    using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
+    take<Kind>(&fast::color_scalars);
+  }
+  take(&ref::color_of);  // S11.3
+  take(&fast::prepare_scalars);  // S11.3
+  take(&ref::color_scalars);  // S11.4
+  {  // S11.4
+    using namespace fast;
+    using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
+    take<Kind>(&fast::color_scalars);
+  }
+  take(&with_line);  // S14.1
+  take(&ref::is_on_line);  // S14.2
+  take(&fast::add_lines);  // S14.2
+  take(&ref::add_lines);  // S14.3
+  take(&fast::add_lines);  // S14.3
   take(&make_assembly);  // S12.1
   take(&make_placement);  // S12.2
   take(&ref::moved_polygons);  // S12.2
@@ -328,5 +354,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 151 ? 0 : 1;
+  return halfspace::taken == 163 ? 0 : 1;
 }

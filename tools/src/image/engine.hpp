@@ -12,7 +12,9 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/simd.hpp"
 #include "halfspace/image.hpp"
+#include "halfspace/line_style.hpp"
 #include "halfspace/result.hpp"
+#include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
 
 namespace halfspace::tools {
@@ -51,6 +53,11 @@ constexpr std::int32_t samples_of(AntiAliasing anti_aliasing) {
              : static_cast<std::int32_t>(anti_aliasing);
 }
 
+/// Samples of a pixel each way for lines: many where its area counts.
+constexpr std::int32_t line_samples_of(AntiAliasing anti_aliasing) {
+  return anti_aliasing == AntiAliasing::kExact ? 8 : samples_of(anti_aliasing);
+}
+
 /// Whether the method needs a tree.
 constexpr bool needs_tree(Method method) {
   return method == Method::kSpan || method == Method::kPainter;
@@ -83,6 +90,7 @@ struct Shot {
                       ///< wanted, and may be missing
   std::optional<Rows> rows;  ///< nothing: all
   std::uint8_t alpha = kOpaque;
+  bool by_scalars = false;  ///< the colours are those of set_scalars() (S11)
   int threads = 1;
   fast::SimdLevel simd = fast::SimdLevel::kBest;
 };
@@ -129,6 +137,10 @@ class Engine {
   /// Whether the library makes images this way.
   virtual bool has(Method method) const = 0;
 
+  /// The numbers that images of the scene are coloured by from now on.
+  virtual void set_scalars(const Scene& scene, ScalarField field,
+                           ColorScale scale) = 0;
+
   /// Requires: has(shot.method); the span buffer for anti-aliasing, with a
   /// number of samples that the camera has room for; where the method needs a
   /// tree, that is this scene's, and without leaves for the painter; an alpha
@@ -143,6 +155,15 @@ class Engine {
   /// Errors: kOutOfRange: the visible map is too large.
   virtual Result<Picture> render_area(const Scene& scene, const Camera& camera,
                                       const Shot& shot) const = 0;
+
+  /// Draws lines over the picture of a scene, or over the rows of it that the
+  /// shot asks for (S14).
+  /// Errors: those of fast::draw().
+  virtual Result<Done> add_lines(const Scene& scene, const Camera& camera,
+                                 const Shot& shot,
+                                 const DrawingOptions& drawing,
+                                 const LineStyle& style,
+                                 ColorImage& image) const = 0;
 
   /// What is said, to someone who waits, before a scene of so many polygons is
   /// built or rendered; empty where it takes no time.
