@@ -2,6 +2,7 @@
 #include "fuzz.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
@@ -10,6 +11,7 @@
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scalars.hpp"
+#include "halfspace/ref/screens.hpp"
 #include "views.hpp"
 
 namespace {
@@ -99,6 +101,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   expect_fast(fast::render(view.scene,
                            fast::build_display_tree(view.scene, display),
                            *view.camera, view.options, portable));
+  const auto screen = static_cast<ScreenKind>(options.seed % 4);
+  expect_fast(
+      fast::render_on(view.scene, other, *view.camera, view.options, screen));
+  HALFSPACE_FUZZ_EXPECT(
+      ref::render_on(view.scene, tree, *view.camera, view.options, screen)
+              .items == span.items,
+      text);
   const std::int32_t samples = 2 << (options.seed % 3);
   const auto means = ref::render_samples(view.scene, tree, *view.camera,
                                          view.options, samples);

@@ -10,6 +10,7 @@
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/image/moving.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -52,6 +53,7 @@
 #include "halfspace/ref/scalars.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
+#include "halfspace/ref/screens.hpp"
 #include "halfspace/ref/seen_areas.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/ref/split.hpp"
@@ -192,6 +194,8 @@ void take_all() {
   take(&fast::merge_case);  // S4.7
   take(&ref::merge);  // S4.8
   take(&fast::DynamicScreen::light);  // S4.8
+  take(&ref::render_on);  // S4.9
+  take(&fast::render_on);  // S4.9
   take(&ref::render);  // S5.1
   {  // S5.1
     using namespace fast;
@@ -354,5 +358,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 163 ? 0 : 1;
+  return halfspace::taken == 165 ? 0 : 1;
 }

@@ -69,7 +69,7 @@ Result<MovingTrees> build_moving_trees(const Assembly& assembly,
   for (const Model& model : assembly.models()) {
     KeptCells cells(model.objects, in_region == InRegion::kCut);
     FilterStats stats;
-    CellTree built = build_cell_tree(model.scene, cells, options, stats);
+    KeptTree built = build_cell_tree(model.scene, cells, options, stats);
     const auto index = static_cast<std::int32_t>(trees.models.size());
     if (const auto fault = fault_of_cells(cells, index)) return *fault;
     ModelTree tree;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "camera/clip_function.hpp"
@@ -27,6 +28,12 @@ class ExactScan {
     cuts_ = cuts;
     eye_sign_ = eye_sign;
     ready_ = false;
+  }
+
+  /// The functions that are positive at the samples it covers.
+  std::span<const EdgeFunction<Grid<kBits>::kWords>> lines() {
+    if (!ready_) prepare();
+    return lines_;
   }
 
   /// The pixels of line `j`, of those in `range`, that it covers.

@@ -268,12 +268,12 @@ BspTree build_display_tree(const Scene& scene,
   return build_cell_tree(scene, cells, options, stats).tree;
 }
 
-CellTree build_cell_tree(const Scene& scene, KeptCells& cells,
+KeptTree build_cell_tree(const Scene& scene, KeptCells& cells,
                          const DisplayTreeOptions& options,
                          FilterStats& stats) {
   HALFSPACE_ASSERT(options.leaf_size >= 1);
   HALFSPACE_ASSERT(options.threads >= 0);
-  CellTree result;
+  KeptTree result;
   BspTree& tree = result.tree;
   result.node_of_object.assign(cells.count(), kNoNode);
   if (scene.polygon_count() == 0 && cells.count() == 0) return result;

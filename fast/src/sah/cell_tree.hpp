@@ -70,11 +70,11 @@ std::optional<FaceChoice> best_face(const Region& region, std::uint32_t used,
 
 /// A display tree in which each region of `cells` is a leaf without fragments,
 /// and which node that is.
-struct CellTree {
+struct KeptTree {
   BspTree tree;
   std::vector<NodeId> node_of_object;  ///< kNoNode where the build stopped
 };
-CellTree build_cell_tree(const Scene& scene, KeptCells& cells,
+KeptTree build_cell_tree(const Scene& scene, KeptCells& cells,
                          const DisplayTreeOptions& options, FilterStats& stats);
 
 }  // namespace halfspace::fast

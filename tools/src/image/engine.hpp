@@ -16,6 +16,7 @@
 #include "halfspace/result.hpp"
 #include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
+#include "halfspace/screen_kind.hpp"
 
 namespace halfspace::tools {
 
@@ -30,6 +31,13 @@ inline constexpr Word<Method> kMethodWords[] = {{"span", Method::kSpan},
                                                 {"painter", Method::kPainter},
                                                 {"zbuffer", Method::kZBuffer},
                                                 {"raycast", Method::kRayCast}};
+
+/// What keeps the unlit part of the image (S4.9).
+inline constexpr Word<ScreenKind> kScreenWords[] = {
+    {"list", ScreenKind::kList},
+    {"bsp1", ScreenKind::kBsp1},
+    {"quad", ScreenKind::kQuad},
+    {"bsp2", ScreenKind::kBsp2}};
 
 /// What of a pixel its colour is taken from: one sample, so many samples each
 /// way (S5.7), or all of its area (S7.6).
@@ -91,6 +99,7 @@ struct Shot {
   std::optional<Rows> rows;  ///< nothing: all
   std::uint8_t alpha = kOpaque;
   bool by_scalars = false;  ///< the colours are those of set_scalars() (S11)
+  std::optional<ScreenKind> screen;  ///< nothing: the library's usual one
   int threads = 1;
   fast::SimdLevel simd = fast::SimdLevel::kBest;
 };

@@ -7,6 +7,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/shade/lines.hpp"
@@ -128,6 +129,9 @@ class FastEngine : public Engine {
       own.items = shot.items || shot.by_scalars;
       return fast::render_samples(scene, tree_, camera, shot.options, samples,
                                   own);
+    }
+    if (shot.screen) {
+      return fast::render_on(scene, tree_, camera, shot.options, *shot.screen);
     }
     if (shot.method == Method::kSpan) {
       return fast::render(scene, tree_, camera, shot.options, how);

@@ -27,6 +27,9 @@ std::string object_complaint(const RenderArguments& arguments) {
     return option + ": is not for objects; leave it out";
   };
   if (arguments.anti_aliasing) return not_for("--aa");
+  if (arguments.screen) return not_for("--screen");
+  if (arguments.scalars.source) return not_for("--scalar");
+  if (arguments.lines.edges) return not_for("--lines");
   if (arguments.alpha) return not_for("--alpha");
   if (arguments.shadow) return not_for("--shadow");
   if (arguments.rows) return not_for("--rows");

@@ -11,6 +11,7 @@
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scalars.hpp"
+#include "halfspace/ref/screens.hpp"
 #include "image/engine.hpp"
 
 namespace halfspace::tools {
@@ -119,6 +120,10 @@ class RefEngine : public Engine {
     ref::Rendering image;
     switch (shot.method) {
       case Method::kSpan:
+        if (shot.screen) {
+          image = ref::render_on(scene, tree_, camera, options, *shot.screen);
+          break;
+        }
         image = ref::render_samples(scene, tree_, camera, options,
                                     samples_of(shot.anti_aliasing));
         break;

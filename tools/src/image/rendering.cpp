@@ -165,6 +165,11 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.clip.caps && (arguments.alpha || arguments.shadow)) {
     return "--cap: not together with --alpha or --shadow";
   }
+  if (arguments.screen &&
+      (method != Method::kSpan || arguments.anti_aliasing || arguments.rows)) {
+    return "--screen: is for whole pictures by --method span; leave out --aa "
+           "and --rows";
+  }
   for (const std::string& wrong :
        {scalars_complaint(arguments), lines_complaint(arguments)}) {
     if (!wrong.empty()) return wrong;
@@ -181,7 +186,7 @@ Status make_tree(Engine& engine, const Scene& scene,
   const Library library = library_of(arguments);
   tree.library = word_of(kLibraryWords, library);
   if (!needs_tree(method)) return Status::kFine;
-  const bool leaves = method == Method::kSpan &&
+  const bool leaves = method == Method::kSpan && !arguments.screen &&
                       arguments.anti_aliasing != AntiAliasing::kExact;
   if (arguments.tree_file) {
     const std::string& path = *arguments.tree_file;
@@ -257,7 +262,12 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
     return Error{ErrorCode::kOutOfRange,
                  "--aa: is not for clip planes; leave out either"};
   }
+  if (arguments.screen && !shot.options.clips.empty()) {
+    return Error{ErrorCode::kOutOfRange,
+                 "--screen: is not for clip planes; leave out either"};
+  }
   shot.rows = *rows;
+  shot.screen = arguments.screen;
   shot.anti_aliasing = anti_aliasing;
   shot.items = arguments.ids_file.has_value();
   shot.alpha = arguments.alpha.value_or(kOpaque);

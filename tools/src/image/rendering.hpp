@@ -31,6 +31,7 @@ struct RenderArguments {
   std::optional<std::uint8_t> alpha;
   std::optional<AntiAliasing> anti_aliasing;
   std::optional<Method> method;
+  std::optional<ScreenKind> screen;
   std::optional<fast::SimdLevel> simd;
   std::optional<std::uint32_t> repeat;
   std::optional<int> grid_bits;
