@@ -1,5 +1,5 @@
 # Checks the shared LIBRARY: its SONAME is that, with a version; it needs no
-# other library of Halfspace; and it shows no symbols but those of its interface.
+# other library of Halfspace; it shows no symbols but those of its interface.
 #
 #   cmake -D LIBRARY=... -D SONAME=... -P shared_test.cmake
 find_program(READELF readelf REQUIRED)
