@@ -1,9 +1,13 @@
+#include <cmath>
+
 #include "fuzz.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/ref/area_image.hpp"
+#include "halfspace/ref/seen_areas.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "views.hpp"
 
@@ -31,6 +35,19 @@ void expect_same(const fast::VisibleMap& map,
     HALFSPACE_FUZZ_EXPECT(is_at(map.arcs[k].to, arcs[k].to), text);
     HALFSPACE_FUZZ_EXPECT(key_of(map.arcs[k].left) == arcs[k].left, text);
     HALFSPACE_FUZZ_EXPECT(key_of(map.arcs[k].right) == arcs[k].right, text);
+  }
+}
+
+void expect_same_areas(const std::vector<fast::SeenArea>& areas,
+                       const std::vector<ref::SeenArea>& expected,
+                       const std::string& text) {
+  HALFSPACE_FUZZ_EXPECT(areas.size() == expected.size(), text);
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    HALFSPACE_FUZZ_EXPECT(areas[k].key == expected[k].key, text);
+    HALFSPACE_FUZZ_EXPECT(
+        areas[k].area_px == nearest_double(expected[k].area_px), text);
+    HALFSPACE_FUZZ_EXPECT(
+        std::abs(areas[k].solid_angle - expected[k].solid_angle) < 1e-14, text);
   }
 }
 
@@ -62,8 +79,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   HALFSPACE_FUZZ_EXPECT(map->regions == other->regions, text);
   HALFSPACE_FUZZ_EXPECT(map->corners == other->corners, text);
   if (view.scene.polygon_count() <= kMostPolygonsOfRef) {
-    expect_same(*map, ref::visible_map(view.scene, *view.camera, options),
-                text);
+    const auto arcs = ref::visible_map(view.scene, *view.camera, options);
+    expect_same(*map, arcs, text);
+    expect_same_areas(fast::seen_areas(*map, *view.camera),
+                      ref::seen_areas(arcs, *view.camera), text);
     const auto areas =
         fast::render_area(view.scene, divided, *view.camera, view.options);
     HALFSPACE_FUZZ_EXPECT(areas.has_value(), text);

@@ -4,7 +4,7 @@
 A law is a paragraph of spec/S*.md that begins with **S4.L3**. Its test is a
 TYPED_TEST, TEST or TEST_P of the suite S4Screen (S and the number begin the
 name) whose name begins with L3 and goes on with a capital, in a file
-proptest/laws/S*_test.cpp. A law may have several tests: variants begin with its
+proptest/laws/**/S*_test.cpp. A law may have several tests: variants begin with its
 number as well.
 
 Exit status: 0 if every law has a test and every numbered test a law, else 1.
@@ -43,7 +43,7 @@ def laws_in(spec):
 def tests_in(proptest):
     """The numbered tests, as {(clause file, number): [where and name]}."""
     tests = {}
-    for path in sorted(proptest.glob("laws/S*_test.cpp")):
+    for path in sorted(proptest.glob("laws/**/S*_test.cpp")):
         for match in TEST.finditer(path.read_text()):
             number = NUMBERED.match(match[2])
             if number:

@@ -9,6 +9,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
@@ -25,6 +26,7 @@
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/panorama.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/boolean.hpp"
@@ -42,6 +44,7 @@
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
+#include "halfspace/ref/seen_areas.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/ref/split.hpp"
 #include "halfspace/ref/splitter.hpp"
@@ -257,6 +260,9 @@ void take_all() {
   take(&fast::visible_map);  // S7.5
   take(&ref::render_area);  // S7.6
   take(&fast::render_area);  // S7.6
+  take(&ref::seen_areas);  // S7.7
+  take(&panorama);  // S7.7
+  take(&fast::seen_areas);  // S7.7
   take(&make_ray);  // S8.1
   take(&ref::all_hits);  // S8.2
   take(&ref::distance_of);  // S8.2
@@ -305,5 +311,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 134 ? 0 : 1;
+  return halfspace::taken == 137 ? 0 : 1;
 }

@@ -4,13 +4,7 @@
 #include <vector>
 
 namespace halfspace::fast {
-namespace {
 
-struct ExactPoint {
-  BigRational x, y;
-};
-
-/// A vertex of the map, from the lines that meet there.
 ExactPoint point_of(const VisibleMap& map, std::int32_t v) {
   const MapVertex& vertex = map.vertices[static_cast<std::size_t>(v)];
   const MapLine& l = map.lines[static_cast<std::size_t>(vertex.lines[0])];
@@ -24,6 +18,8 @@ ExactPoint point_of(const VisibleMap& map, std::int32_t v) {
   return {quotient_of(minor(l.b, m.c, l.c, m.b), twice),
           quotient_of(minor(l.c, m.a, l.a, m.c), twice)};
 }
+
+namespace {
 
 /// The integrals of 1, x and y between an arc and the pixel's right side, in
 /// the pixel's rows; the arc goes down from `from` to `to`, both from the

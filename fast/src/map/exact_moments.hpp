@@ -16,6 +16,14 @@ struct ExactMoments {
   BigRational y = 0;
 };
 
+/// A point of the image. Units: pixels.
+struct ExactPoint {
+  BigRational x, y;
+};
+
+/// A vertex of the map, from the lines that meet there.
+ExactPoint point_of(const VisibleMap& map, std::int32_t vertex);
+
 /// The moments of all keys that arcs in or at a pixel bound (S7.6), in
 /// rationals.
 ///
