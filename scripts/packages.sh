@@ -122,6 +122,7 @@ need_test_packages() {
   need mypy "checks the package's annotations"
   need clang-19 "compiles the package for the web"
   need lld-19 "links it"
+  need xz-utils "packs it"
   need llvm-19 "its archives"
   need wasi-libc "the C library of WebAssembly"
   need libc++-19-dev-wasm32 "the C++ library of WebAssembly"
