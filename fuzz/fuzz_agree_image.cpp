@@ -2,13 +2,60 @@
 #include "fuzz.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scalars.hpp"
+#include "halfspace/ref/screens.hpp"
 #include "views.hpp"
+
+namespace {
+
+using namespace halfspace;
+
+/// Numbers at corners, or one a polygon, on steps of the scale and between.
+void expect_scalars(const SceneFile& view, const ItemImage& items,
+                    const ItemImage& fine, std::int32_t samples,
+                    std::uint64_t seed, const std::string& text) {
+  ScalarField field;
+  field.at_corners = seed % 3 != 0;
+  for (std::size_t p = 0; p < view.scene.polygon_count(); ++p) {
+    const auto id = static_cast<PolygonId>(p);
+    const std::size_t count = view.scene.corners(id).size();
+    for (std::size_t k = 0; k < (field.at_corners ? count : 1); ++k) {
+      const std::uint64_t number = seed / 3 + 5 * p + (count == 3 ? 11 * k : 0);
+      field.values.push_back(
+          number % 17 == 0 ? kNoData : 0.25 * static_cast<double>(number % 13));
+    }
+  }
+  ColorScale scale;
+  scale.steps = {0.5, 0.75, 1 + 0x1p-40, 2};
+  scale.colors = {
+      {255, 0, 0}, {0, 255, 9}, {3, 3, 250}, {99, 98, 97}, {254, 253, 1}};
+  if (seed % 2 == 0) scale.limits = ScaleLimits{0.25, 2.5, {1, 2, 3}};
+  const auto prepared = fast::prepare_scalars(view.scene, field, scale);
+  fast::ScalarOptions how;
+  HALFSPACE_FUZZ_EXPECT(
+      ref::color_scalars(view.scene, *view.camera, view.options, items, field,
+                         scale) == fast::color_scalars(view.scene, *view.camera,
+                                                       view.options, items,
+                                                       prepared, how),
+      text);
+  how.samples = samples;
+  HALFSPACE_FUZZ_EXPECT(
+      ref::color_scalars(view.scene, *view.camera, view.options, fine, field,
+                         scale, samples) ==
+          fast::color_scalars(view.scene, *view.camera, view.options, fine,
+                              prepared, how),
+      text);
+}
+
+}  // namespace
 
 /// The four algorithms of the reference, those of the fast library over trees
 /// of either kind, and the definition read pixel by pixel, give one image.
@@ -54,6 +101,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   expect_fast(fast::render(view.scene,
                            fast::build_display_tree(view.scene, display),
                            *view.camera, view.options, portable));
+  const auto screen = static_cast<ScreenKind>(options.seed % 4);
+  expect_fast(
+      fast::render_on(view.scene, other, *view.camera, view.options, screen));
+  HALFSPACE_FUZZ_EXPECT(
+      ref::render_on(view.scene, tree, *view.camera, view.options, screen)
+              .items == span.items,
+      text);
   const std::int32_t samples = 2 << (options.seed % 3);
   const auto means = ref::render_samples(view.scene, tree, *view.camera,
                                          view.options, samples);
@@ -61,6 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                                view.options, samples, portable);
   HALFSPACE_FUZZ_EXPECT(means.items == fast_means.items, text);
   HALFSPACE_FUZZ_EXPECT(means.colors == fast_means.colors, text);
+  expect_scalars(view, span.items, means.items, samples, options.seed, text);
   // The same with clip planes, in planes of polygons and through corners.
   SceneFile cut = view;
   for (std::size_t k = 0;

@@ -4,7 +4,9 @@
 
 #include "fuzz.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/ref/drawing.hpp"
+#include "halfspace/ref/lines.hpp"
 #include "views.hpp"
 
 namespace halfspace {
@@ -71,5 +73,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   std::sort(f.begin(), f.end());
   std::sort(r.begin(), r.end());
   HALFSPACE_FUZZ_EXPECT(f == r, text);
+  // Lines over an image, of a width and classes that the first byte chooses.
+  const auto chosen = static_cast<std::uint32_t>(options.crease_cosine >> 22);
+  LineStyle style;
+  style.width = 1 + static_cast<std::int32_t>(chosen % 64);
+  style.classes = kAllClasses - chosen % 3;
+  fast::LineOptions how;
+  how.samples = 1 << (chosen % 3);
+  ColorImage image((*view.camera)->width_px, (*view.camera)->height_px,
+                   view.options.background);
+  ColorImage expected_image = image;
+  fast::add_lines(*drawing, style, how, image);
+  ref::add_lines(expected, style, how.samples, expected_image);
+  HALFSPACE_FUZZ_EXPECT(image == expected_image, text);
   return 0;
 }

@@ -91,6 +91,8 @@ need_build_packages() {
   need libcli11-dev "command line of the program"
   need nlohmann-json3-dev "statistics as JSON"
   need libfmt-dev "messages of the program"
+  need libstb-dev "draws the letters of legends"
+  need fonts-dejavu-core "those letters"
   need libsdl2-dev "the window of the viewer"
   need libimgui-dev "the panels of the viewer"
   need pkg-config "finds both of them"

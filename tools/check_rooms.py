@@ -42,7 +42,7 @@ PROGRAMS = ("tools", "proptest", "fuzz", "bench", "examples", "python")
 # The rooms of folders: the file with their list, or the list.
 ROOMS = {"fast/src": "fast/CMakeLists.txt",
          "proptest": "proptest/CMakeLists.txt",
-         "io/src": ("base", "polygon", "mesh", "scene", "view", "picture",
+         "io/src": ("base", "polygon", "mesh", "scene", "color", "view", "picture",
                     "figure"),
          "tools/src": ("cli", "image", "commands"),
          "viewer/src": ("core", "window")}

@@ -2,6 +2,7 @@
 """Sends booleans through files and looks at what is in them.
 
   round_trips.py PROGRAM [--pairs N] [--steps N] [--seeds N] [--formats ...]
+                 [--parts FILE...] [--judge PROGRAM] [--first N]
 
 PROGRAM is `halfspace`. Two trials:
 
@@ -10,7 +11,10 @@ PROGRAM is `halfspace`. Two trials:
   program, and read and checked here, in integers and without the program's
   code: closed, no two vertices in one place, no triangle without area, no two
   triangles with more in common than corners and edges that both have, unless
-  they touch without crossing.
+  they touch without crossing. With --parts the solids are those in the files:
+  a part and a copy of it, or another part, scaled to the size of the first.
+  --judge is a program that has the last word: it gets the files, and ends with
+  status 1 where one is no solid's (bench/judge/judge_mesh.cpp, by CGAL).
 * steps: a block from which a turned bar is taken again and again, each time
   from the file of the step before; and the same in one run. All steps must
   end, and the volumes must agree within the sum of what was moved.
@@ -221,7 +225,7 @@ def volume_in(text):
     return float(match[1]) if match else 0.0
 
 
-def check_file(program, path, expected, reach):
+def check_file(program, path, expected, reach, judge=None):
     """What is wrong with a file whose solid should have this volume."""
     faults, volume = faults_of(*READERS[path.suffix[1:]](path.read_bytes()))
     _, error = run(program, "csg", "A", f"A={path}", "-o",
@@ -230,29 +234,77 @@ def check_file(program, path, expected, reach):
         faults.append(error)
     if abs(volume - expected) > reach:
         faults.append(f"volume {volume}, not {expected}")
+    if judge and volume != 0:
+        said = subprocess.run([judge, str(path)], capture_output=True,
+                              text=True)
+        if said.returncode:
+            faults.append(f"the judge: {said.stdout.strip()}")
     return faults
 
 
-def try_pairs(program, count, formats, folder):
-    rng = random.Random(1)
+def size_of(path):
+    """The greatest extent of a part, and its middle."""
+    points, _ = READERS[path.suffix[1:]](path.read_bytes())
+    low = [min(p[k] for p in points) for k in range(3)]
+    high = [max(p[k] for p in points) for k in range(3)]
+    return (max(h - l for l, h in zip(low, high)),
+            [(l + h) / 2 for l, h in zip(low, high)])
+
+
+class Parts:
+    """Solids of files, moved to the origin, 2 wide."""
+
+    def __init__(self, program, files, folder):
+        self.names, self.solids = {}, []
+        for i, file in enumerate(files):
+            # Written anew, for the reader here knows one kind of OFF.
+            path = folder / f"part{i}.off"
+            _, error = run(program, "csg", "P", f"P={file}", "-o", path)
+            if error:
+                sys.exit(error)
+            width, middle = size_of(path)
+            # A power of two moves no coordinate.
+            scale = 2.0 ** -round(math.log2(width / 2))
+            shift = ", ".join(number(-round(c, 3)) for c in middle)
+            self.names[f"P{i}"] = path
+            self.solids.append(
+                f"scale(translate(P{i}, {shift}), {number(scale)})")
+
+    def some(self, rng):
+        return rng.choice(self.solids) if self.solids else some_solid(rng)
+
+    def words_of(self, text):
+        return [f"{name}={path}" for name, path in self.names.items()
+                if re.search(rf"\b{name}\b", text)]
+
+
+def try_pairs(program, trials, formats, parts, judge, folder):
+    """Tries pairs; `trials` is a range of their numbers."""
     failed = collections.Counter()
-    for i in range(count):
-        a = some_solid(rng)
+    for i in trials:
+        rng = random.Random(i)
+        a = parts.some(rng)
         angle = rng.choice([rng.uniform(1, 89),
                             10.0 ** -rng.randint(3, 12)])
-        b = turned(a if rng.random() < 0.6 else some_solid(rng), rng, angle)
+        b = turned(a if rng.random() < 0.6 else parts.some(rng), rng, angle)
         text = f"{turned(a, rng, rng.uniform(0, 90))} " \
                f"{rng.choice(OPERATIONS)} {b}"
+        if rng.random() < 0.5:
+            text = f"{a} {rng.choice(OPERATIONS)} {b}"
         for name in formats:
             path = folder / f"pair.{name}"
-            said, error = run(program, "csg", text, "-o", path)
+            said, error = run(program, "csg", text, *parts.words_of(text),
+                              "-o", path)
             faults = [error] if error else check_file(
-                program, path, volume_in(said), 1e-5 + 200 * moved_in(said))
+                program, path, volume_in(said), 1e-5 + 200 * moved_in(said),
+                judge)
             if faults:
                 failed[name] += 1
-                print(f"pair {i}, {name}: {text}: {'; '.join(faults)}")
+                print(f"pair {i}, {name}: {text}: {'; '.join(faults)}",
+                      flush=True)
     for name in formats:
-        print(f"pairs through {name}: {count - failed[name]} of {count}")
+        print(f"pairs through {name}: {len(trials) - failed[name]} of "
+              f"{len(trials)}")
     return sum(failed.values())
 
 
@@ -262,12 +314,12 @@ def try_steps(program, steps, seeds, formats, folder):
         rng = random.Random(seed)
         bars = []
         for k in range(steps):
-            solid = ("box(8, 0.6, 0.5)" if k % 2 == 0 else
-                     "cylinder(0.3, 8, 12)")
+            solid = ("translate(box(8, 0.6, 0.5), -4, -0.3, -0.25)"
+                     if k % 2 == 0 else
+                     "translate(cylinder(0.3, 8, 12), 0, 0, -4)")
             shift = ", ".join(number(round(rng.uniform(-1.5, 1.5), 3))
                               for _ in range(3))
-            bar = turned(f"translate({solid}, -4, -0.3, -0.25)", rng,
-                         round(rng.uniform(1, 89), 3))
+            bar = turned(solid, rng, round(rng.uniform(1, 89), 3))
             bars.append(f"translate({bar}, {shift})")
         block = "translate(box(4, 4, 4), -2, -2, -2)"
         said, error = run(program, "csg", " - ".join([block, *bars]), "-o",
@@ -319,11 +371,17 @@ def main():
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--formats", nargs="+", choices=FORMATS,
                         default=FORMATS)
+    parser.add_argument("--parts", nargs="+", default=[])
+    parser.add_argument("--judge")
+    parser.add_argument("--first", type=int, default=0,
+                        help="the number of the first pair")
     arguments = parser.parse_args()
+    trials = range(arguments.first, arguments.first + arguments.pairs)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        failures = try_pairs(arguments.program, arguments.pairs,
-                             arguments.formats, folder)
+        parts = Parts(arguments.program, arguments.parts, folder)
+        failures = try_pairs(arguments.program, trials, arguments.formats,
+                             parts, arguments.judge, folder)
         failures += try_steps(arguments.program, arguments.steps,
                               arguments.seeds, arguments.formats, folder)
     return 1 if failures else 0

@@ -13,6 +13,7 @@
 #include "halfspace/csg/measure.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/csg/volume.hpp"
+#include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "step_map.hpp"
@@ -341,6 +342,34 @@ Error Operands::nothing_left(std::int32_t leaf) const {
            "turns its faces round"});
 }
 
+/// Whether a leaf that moving has bent is to be mended by moving it a little
+/// more: its surface was fine before, and no finer grid can be tried.
+bool Operands::may_settle(std::int32_t id, const Result<bool>& repairs) const {
+  if (!options_.find_crossings || source_of(id).to_repair || can_be_finer())
+    return false;
+  return repairs ? *repairs : repairs.error().code != ErrorCode::kStopped;
+}
+
+/// The solid of a leaf that crosses itself only because it was rounded.
+Result<GridSolid> Operands::settled(const Scene& scene,
+                                    std::vector<PolygonId>& polygons) {
+  Result<fast::SettledScene> made =
+      fast::settled_scene(scene, options_.check.threads);
+  if (!made) return made.error();
+  if (made->scene.polygon_count() == 0) {
+    return Error{ErrorCode::kOutOfRange, "rounding it to the grid of " +
+                                             io::to_string(report_.unit) +
+                                             " leaves nothing of it"};
+  }
+  settled_contacts_ += made->contacts;
+  report_.max_move +=
+      made->max_move *
+      std::pow(static_cast<double>(report_.unit.base), report_.unit.exponent);
+  for (PolygonId& p : made->polygons) p = polygons[static_cast<std::size_t>(p)];
+  polygons = std::move(made->polygons);
+  return make_solid(std::move(made->scene));
+}
+
 Result<GridSolid> Operands::leaf(std::int32_t id) {
   const Leaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
   const auto located = [&](Error error) {
@@ -356,8 +385,13 @@ Result<GridSolid> Operands::leaf(std::int32_t id) {
   bool repairs = source_of(id).to_repair;
   if (report_.moved != moved_before) {
     const Result<bool> found = needs_repair(*solid, polygons, options_);
-    if (!found) return located(found.error());
-    repairs = *found;
+    if (may_settle(id, found)) {
+      solid = settled(solid->scene(), polygons);
+      if (!solid) return located(solid.error());
+    } else {
+      if (!found) return located(found.error());
+      repairs = *found;
+    }
   }
   repair_[static_cast<std::size_t>(id)] = repairs;
   return solid;

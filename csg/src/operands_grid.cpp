@@ -34,9 +34,28 @@ void add_extent(const Extent& extent, std::vector<io::Number>& coordinates) {
                      {extent.step, extent.least, extent.greatest});
 }
 
-/// What is free is rounded to steps that are no more of its size than this: a
-/// grid of 40 bits has them for solids of one size or so.
-constexpr double kFineness = 0x1p-28;
+/// A grid to be tried, and the longest step that will do, as a share of the
+/// size of the least solid that is free to be rounded.
+struct GridTrial {
+  int bits;
+  int refine_bits;
+  double fineness;
+};
+
+/// The grids, the best first, for solids of which some are free. A grid of 40
+/// bits has steps of 2^-28 of a size for solids of one size or so. One of 54
+/// bits is made no finer than 2^-40, if need be, so that what comes of it still
+/// fits beside larger solids.
+std::vector<GridTrial> trials(bool any_free, bool only_finest) {
+  constexpr double kAnyStep = std::numeric_limits<double>::infinity();
+  if (!any_free) return {{26, 0, 0}, {40, 0, 0}, {54, 0, 0}};
+  if (only_finest) return {{54, 54, kAnyStep}};
+  return {{26, 26, 0x1p-28},
+          {40, 40, 0x1p-28},
+          {54, 0, 0x1p-40},
+          {54, 48, 0x1p-40},
+          {54, 54, kAnyStep}};
+}
 
 /// Whether the number is a decimal of at most 12 digits: not one that was
 /// computed in doubles, most likely.
@@ -219,17 +238,14 @@ bool Operands::choose_exact_grid(bool rounds_moved) {
   io::Mesh mesh = mesh_of_points(coordinates);
   mesh.decimal = decimal && any_exact;
   const bool any_free = std::isfinite(least_size);
-  for (const int bits : kGridBits) {
+  for (const GridTrial& trial : trials(any_free, options_.finest_grid)) {
     const auto imported = io::import_scene(
-        mesh, {.grid_bits = bits, .refine_bits = any_free ? bits : 0});
+        mesh, {.grid_bits = trial.bits, .refine_bits = trial.refine_bits});
     if (!imported || imported->report.moved > 0) continue;
     const Unit unit = imported->report.unit;
     const double step = std::pow(static_cast<double>(unit.base), unit.exponent);
-    const bool is_last = bits == std::end(kGridBits)[-1];
-    const bool is_coarse =
-        options_.finest_grid || step > least_size * kFineness;
-    if (any_free && is_coarse && !is_last) continue;
-    set_grid(unit, bits);
+    if (any_free && step > least_size * trial.fineness) continue;
+    set_grid(unit, trial.bits);
     return true;
   }
   return false;

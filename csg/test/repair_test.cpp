@@ -193,5 +193,56 @@ TEST(Repair, RefusesWhatHasNoSurface) {
   EXPECT_EQ(mended(pieces).error().code, ErrorCode::kEmpty);
 }
 
+/// The error of a repair without a step, which names it.
+ErrorCode code_without(RepairStep step, const std::string& word,
+                       const Pieces& pieces) {
+  const Result<Repaired> result = mended(pieces, {.without = {step}});
+  if (result) return ErrorCode::kEmpty;
+  EXPECT_NE(result.error().message.find("; left out was: " + word),
+            std::string::npos)
+      << result.error().message;
+  return result.error().code;
+}
+
+TEST(Repair, StepsThatAreLeftOutAreNotTakenAndNamed) {
+  Pieces open = box();
+  open.polygons.pop_back();
+  EXPECT_EQ(code_without(RepairStep::kClose, "close", open), ErrorCode::kOpen);
+  Pieces turned = box();
+  for (Polygon& polygon : turned.polygons)
+    std::reverse(polygon.begin(), polygon.end());
+  // What faces inwards holds nothing that could be kept.
+  EXPECT_NE(code_without(RepairStep::kOutwards, "outwards", turned),
+            ErrorCode::kSelfCrossing);
+  Pieces crossing = box();
+  add_box(crossing, {"1", "1", "1"}, {"4", "4", "4"});
+  EXPECT_EQ(code_without(RepairStep::kResolve, "resolve", crossing),
+            ErrorCode::kSelfCrossing);
+  Pieces against = box();
+  std::reverse(against.polygons[2].begin(), against.polygons[2].end());
+  const Result<Repaired> other =
+      mended(against, {.without = {RepairStep::kAgree, RepairStep::kClose}});
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().message.find("left out was: agree, close"),
+            std::string::npos);
+  Pieces twice = box();
+  twice.polygons.push_back(twice.polygons[3]);
+  const Result<Repaired> kept =
+      mended(twice, {.without = {RepairStep::kDuplicates, RepairStep::kClose}});
+  EXPECT_FALSE(kept);
+}
+
+TEST(Repair, StepsThatAreNotNeededMayBeLeftOut) {
+  const std::vector<RepairStep> all = {
+      RepairStep::kDuplicates, RepairStep::kWeld,     RepairStep::kAgree,
+      RepairStep::kClose,      RepairStep::kOutwards, RepairStep::kResolve};
+  EXPECT_EQ(told(box(), {.without = all}), "12");
+  Pieces pieces = box();
+  std::reverse(pieces.polygons[2].begin(), pieces.polygons[2].end());
+  EXPECT_EQ(told(pieces, {.without = {RepairStep::kWeld, RepairStep::kClose,
+                                      RepairStep::kResolve}}),
+            "1 polygon turned to agree with others; 12");
+}
+
 }  // namespace
 }  // namespace halfspace::csg

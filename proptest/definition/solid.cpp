@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -22,50 +23,29 @@ Affine beside(const Plane& plane, const Point& p) {
   return {value_at(plane, p), plane.b * p.w, plane.c * p.w};
 }
 
-struct FractionPoint {
-  Fraction x, y, z;
-};
-
-FractionPoint fractions(const Point& p) {
-  return {Fraction(p.x, p.w), Fraction(p.y, p.w), Fraction(p.z, p.w)};
+/// Numbers that mean the same times any common factor, without one, so that
+/// equal things are equal. The first that is not 0 is positive.
+template <std::size_t kCount>
+std::array<Integer, kCount> reduced(std::array<Integer, kCount> numbers) {
+  Integer common = 0;
+  for (const Integer& number : numbers) common = gcd(common, number);
+  const auto lead = std::find_if(numbers.begin(), numbers.end(),
+                                 [](const Integer& n) { return n != 0; });
+  if (lead != numbers.end() && *lead < 0) common = -common;
+  for (Integer& number : numbers) number /= common;
+  return numbers;
 }
 
-Fraction determinant(const FractionPoint& u, const FractionPoint& v,
-                     const FractionPoint& w) {
-  return u.x * (v.y * w.z - v.z * w.y) - u.y * (v.x * w.z - v.z * w.x) +
-         u.z * (v.x * w.y - v.y * w.x);
-}
+using PointKey = std::array<Integer, 4>;
+PointKey key_of(const Point& p) { return reduced<4>({p.w, p.x, p.y, p.z}); }
 
-bool operator<(const FractionPoint& p, const FractionPoint& q) {
-  if (p.x != q.x) return p.x < q.x;
-  if (p.y != q.y) return p.y < q.y;
-  return p.z < q.z;
-}
-
-FractionPoint minus(const FractionPoint& p, const FractionPoint& q) {
-  return {p.x - q.x, p.y - q.y, p.z - q.z};
-}
-
-/// A line, by its direction with first non-zero component 1 and by the point
-/// on it at which that component's coordinate is 0.
-struct Line {
-  FractionPoint direction;
-  FractionPoint origin;
-  friend bool operator<(const Line& l, const Line& m) {
-    if (l.direction < m.direction) return true;
-    if (m.direction < l.direction) return false;
-    return l.origin < m.origin;
-  }
-};
-
-Line line_through(const FractionPoint& p, const FractionPoint& q) {
-  const FractionPoint d = minus(q, p);
-  const Fraction& lead = d.x != 0 ? d.x : d.y != 0 ? d.y : d.z;
-  const Fraction& at = d.x != 0 ? p.x : d.y != 0 ? p.y : p.z;
-  const FractionPoint direction{d.x / lead, d.y / lead, d.z / lead};
-  return {
-      direction,
-      {p.x - at * direction.x, p.y - at * direction.y, p.z - at * direction.z}};
+/// A line by its direction and its moment about the origin (Pluecker's
+/// coordinates).
+using LineKey = std::array<Integer, 6>;
+LineKey line_through(const Point& p, const Point& q) {
+  return reduced<6>({q.x * p.w - p.x * q.w, q.y * p.w - p.y * q.w,
+                     q.z * p.w - p.z * q.w, p.y * q.z - p.z * q.y,
+                     p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x});
 }
 
 }  // namespace
@@ -100,11 +80,12 @@ Area operator+(const Area& a, const Area& b) {
 Area area_of(const std::vector<Point>& polygon) {
   Area area;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const FractionPoint p = fractions(polygon[k]);
-    const FractionPoint q = fractions(polygon[(k + 1) % polygon.size()]);
-    area.x += p.y * q.z - p.z * q.y;
-    area.y += p.z * q.x - p.x * q.z;
-    area.z += p.x * q.y - p.y * q.x;
+    const Point& p = polygon[k];
+    const Point& q = polygon[(k + 1) % polygon.size()];
+    const Integer w = p.w * q.w;
+    area.x += Fraction(p.y * q.z - p.z * q.y, w);
+    area.y += Fraction(p.z * q.x - p.x * q.z, w);
+    area.z += Fraction(p.x * q.y - p.y * q.x, w);
   }
   return area;
 }
@@ -112,27 +93,30 @@ Area area_of(const std::vector<Point>& polygon) {
 Fraction volume6(const std::vector<std::vector<Point>>& polygons) {
   Fraction sum = 0;
   for (const std::vector<Point>& polygon : polygons) {
-    const FractionPoint first = fractions(polygon[0]);
+    const Point& u = polygon[0];
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-      sum +=
-          determinant(first, fractions(polygon[k]), fractions(polygon[k + 1]));
+      const Point& v = polygon[k];
+      const Point& w = polygon[k + 1];
+      const Integer determinant = u.x * (v.y * w.z - v.z * w.y) -
+                                  u.y * (v.x * w.z - v.z * w.x) +
+                                  u.z * (v.x * w.y - v.y * w.x);
+      sum += Fraction(determinant, u.w * v.w * w.w);
     }
   }
   return sum;
 }
 
 bool is_closed(const std::vector<std::vector<Point>>& polygons) {
-  // On each line: by how much the number of edges that run forwards exceeds
-  // that of those that run backwards changes at each point.
-  std::map<Line, std::map<FractionPoint, int>> steps;
+  // On each line: by how much the number of edges that run one way exceeds that
+  // of those that run the other way changes at each point.
+  std::map<LineKey, std::map<PointKey, int>> steps;
   for (const std::vector<Point>& polygon : polygons) {
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const FractionPoint p = fractions(polygon[k]);
-      const FractionPoint q = fractions(polygon[(k + 1) % polygon.size()]);
+      const Point& p = polygon[k];
+      const Point& q = polygon[(k + 1) % polygon.size()];
       auto& on_line = steps[line_through(p, q)];
-      // Along a line the points are in lexicographic order, or all in reverse.
-      on_line[p] += 1;
-      on_line[q] -= 1;
+      on_line[key_of(p)] += 1;
+      on_line[key_of(q)] -= 1;
     }
   }
   for (const auto& [line, on_line] : steps) {

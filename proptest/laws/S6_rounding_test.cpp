@@ -283,5 +283,72 @@ TEST(S6Rounding, L18VolumesDifferByWhatMoved) {
   cases.expect_all();
 }
 
+/// The surface with its vertices on the grid of 26 bits, multiples of 2^-bits.
+std::optional<Scene> on_coarse_grid(const fast::RoundedMesh& mesh, int bits) {
+  io::Mesh file;
+  for (const FilePoint& v : mesh.vertices) {
+    std::array<io::Number, 3> at;
+    for (std::size_t k = 0; k < 3; ++k)
+      at[k] = io::number_of(std::nearbyint(std::ldexp(v[k], bits)));
+    file.vertices.push_back(at);
+  }
+  file.first_corner = mesh.first_corner;
+  file.corners = mesh.corners;
+  const Result<io::Imported> imported =
+      io::import_scene(file, {.grid_bits = 26});
+  if (!imported || imported->report.moved > 0) return std::nullopt;
+  return imported->scene;
+}
+
+/// The scene's polygons in triangles. Units: grid steps.
+std::vector<std::array<FilePoint, 3>> triangles_of(const Scene& scene) {
+  std::vector<std::array<FilePoint, 3>> triangles;
+  for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+    const auto corners = scene.corners(static_cast<PolygonId>(p));
+    const auto at = [&](std::size_t i) {
+      const GridPoint& v = scene.point(corners[i]);
+      return FilePoint{static_cast<double>(v.x), static_cast<double>(v.y),
+                       static_cast<double>(v.z)};
+    };
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      triangles.push_back({at(0), at(i), at(i + 1)});
+  }
+  return triangles;
+}
+
+TEST(S6Rounding, L19SurfacesOnACoarserGridBecomeSolids) {
+  law::Cases cases({"it crosses itself", "it is a solid's"});
+  law::check(kRoundings, [&cases] {
+    const Result<fast::RoundedMesh> fine =
+        fast::rounded_mesh(some_result(), {.triangles = true});
+    HALFSPACE_LAW(fine.has_value());
+    RC_PRE(!fine->faces.empty());
+    const auto scene = on_coarse_grid(*fine, *rc::gen::inRange(3, 10));
+    RC_PRE(scene.has_value() && scene->polygon_count() > 0);
+    const Result<GridSolid> before = make_solid(*scene);
+    RC_PRE(before.has_value());
+    const bool is_fine =
+        fast::check_operand(fast::to_solid(*before)).has_value();
+    cases.meet(is_fine ? "it is a solid's" : "it crosses itself");
+    const Result<fast::SettledScene> settled = fast::settled_scene(*scene);
+    HALFSPACE_LAW(settled.has_value());
+    HALFSPACE_LAW(!is_fine || settled->max_move == 0);
+    const Result<GridSolid> after = make_solid(settled->scene);
+    HALFSPACE_LAW(after.has_value());
+    HALFSPACE_LAW(after->scene().polygon_count() == 0 ||
+                  fast::check_operand(fast::to_solid(*after)).has_value());
+    const auto near = triangles_of(*scene);
+    const double most = std::numbers::sqrt3 * settled->max_move + 1e-6;
+    for (const GridPoint& v : settled->scene.data().vertices) {
+      const FilePoint p = {static_cast<double>(v.x), static_cast<double>(v.y),
+                           static_cast<double>(v.z)};
+      HALFSPACE_LAW(std::any_of(near.begin(), near.end(), [&](const auto& t) {
+        return distance(p, t) <= most;
+      }));
+    }
+  });
+  cases.expect_all();
+}
+
 }  // namespace
 }  // namespace halfspace

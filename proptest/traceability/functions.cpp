@@ -9,6 +9,8 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/moving.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -20,12 +22,16 @@
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
+#include "halfspace/fast/shade/lines.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/splitter.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/line_style.hpp"
+#include "halfspace/moving.hpp"
 #include "halfspace/panorama.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/ref/area_image.hpp"
@@ -34,6 +40,8 @@
 #include "halfspace/ref/classify.hpp"
 #include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/drawing.hpp"
+#include "halfspace/ref/lines.hpp"
+#include "halfspace/ref/moving.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -42,8 +50,10 @@
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scalars.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
+#include "halfspace/ref/screens.hpp"
 #include "halfspace/ref/seen_areas.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/ref/split.hpp"
@@ -51,6 +61,7 @@
 #include "halfspace/ref/traverse.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "halfspace/ref/winding.hpp"
+#include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/scene_file.hpp"
 
@@ -183,6 +194,8 @@ void take_all() {
   take(&fast::merge_case);  // S4.7
   take(&ref::merge);  // S4.8
   take(&fast::DynamicScreen::light);  // S4.8
+  take(&ref::render_on);  // S4.9
+  take(&fast::render_on);  // S4.9
   take(&ref::render);  // S5.1
   {  // S5.1
     using namespace fast;
@@ -248,6 +261,7 @@ void take_all() {
   take(&ref::resolve);  // S6.7
   take(&fast::resolve);  // S6.7
   take(&fast::rounded_mesh);  // S6.8
+  take(&fast::settled_scene);  // S6.8
   take(&ref::visible_map);  // S7.1
   take(&fast::visible_map);  // S7.1
   take(&ref::visible_map);  // S7.2
@@ -303,6 +317,39 @@ void take_all() {
     take<Kind>(&fast::render);
   }
   take(&cap_color);  // S10.4
+  take(&make_scalars);  // S11.1
+  take(&ref::scalar_at);  // S11.2
+  {  // S11.2
+    using namespace fast;
+    using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
+    take<Kind>(&fast::color_scalars);
+  }
+  take(&ref::color_of);  // S11.3
+  take(&fast::prepare_scalars);  // S11.3
+  take(&ref::color_scalars);  // S11.4
+  {  // S11.4
+    using namespace fast;
+    using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
+    take<Kind>(&fast::color_scalars);
+  }
+  take(&with_line);  // S14.1
+  take(&ref::is_on_line);  // S14.2
+  take(&fast::add_lines);  // S14.2
+  take(&ref::add_lines);  // S14.3
+  take(&fast::add_lines);  // S14.3
+  take(&make_assembly);  // S12.1
+  take(&make_placement);  // S12.2
+  take(&ref::moved_polygons);  // S12.2
+  take(&fast::render_moving);  // S12.2
+  take(&make_placement);  // S12.3
+  take(&ref::check_free);  // S12.4
+  take(&ref::moved_polygons);  // S12.4
+  take(&fast::build_moving_trees);  // S12.4
+  take(&ref::render_moving);  // S12.5
+  take(&ref::flat_scene);  // S12.5
+  take(&fast::render_moving);  // S12.5
+  take(&fast::build_moving_trees);  // S12.6
+  take(&fast::render_moving);  // S12.6
 }
 
 }  // namespace
@@ -311,5 +358,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 137 ? 0 : 1;
+  return halfspace::taken == 165 ? 0 : 1;
 }

@@ -40,19 +40,6 @@ Rational area(const Plane& n, const Point& p, const Point& q, const Point& r) {
   return turn.a * n.a + turn.b * n.b + turn.c * n.c;
 }
 
-/// The channel that is c[k] at corner k, at the point of barycentric
-/// coordinates weight[k] over their sum.
-Rational blend(const std::array<Rational, 3>& weight,
-               const std::array<std::uint8_t, 3>& c) {
-  Rational sum = 0;
-  Rational total = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    sum += weight[k] * Rational(c[k]);
-    total += weight[k];
-  }
-  return sum / total;
-}
-
 }  // namespace
 
 ExactColor exact(const Rgb& color) { return {color.r, color.g, color.b}; }
@@ -63,6 +50,24 @@ Rgb rounded_color(const ExactColor& color) {
     return static_cast<std::uint8_t>(floor(value + half).to_int64());
   };
   return {channel(color[0]), channel(color[1]), channel(color[2])};
+}
+
+std::array<Rational, 3> corner_shares(const Scene& scene, const Camera& camera,
+                                      PolygonId triangle,
+                                      const ImagePoint& point) {
+  std::array<Point, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point corner = to_point(scene.point(scene.corners(triangle)[k]));
+    p[k] = along({0, 0, 0}, Rational(1 << kLatticeBits), corner);
+  }
+  const Point seen = point_seen(camera, p, point);
+  const Plane plane = plane_of({p[0], p[1], p[2]});
+  std::array<Rational, 3> share = {area(plane, seen, p[1], p[2]),
+                                   area(plane, seen, p[2], p[0]),
+                                   area(plane, seen, p[0], p[1])};
+  const Rational total = share[0] + share[1] + share[2];
+  for (Rational& part : share) part = part / total;
+  return share;
 }
 
 ExactColor exact_color_at(const Scene& scene, const Camera& camera,
@@ -77,20 +82,14 @@ ExactColor exact_color_at(const Scene& scene, const Camera& camera,
   }
 
   // Colours differ: a triangle (S1.3).
-  std::array<Point, 3> p;
+  const std::array<Rational, 3> share =
+      corner_shares(scene, camera, polygon, point);
+  ExactColor sum = {0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point corner = to_point(scene.point(scene.corners(polygon)[k]));
-    p[k] = along({0, 0, 0}, Rational(1 << kLatticeBits), corner);
+    const ExactColor corner = exact(colors[k]);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += share[k] * corner[c];
   }
-  const Point seen = point_seen(camera, p, point);
-  const Plane plane = plane_of({p[0], p[1], p[2]});
-  const std::array<Rational, 3> weight = {area(plane, seen, p[1], p[2]),
-                                          area(plane, seen, p[2], p[0]),
-                                          area(plane, seen, p[0], p[1])};
-  const auto channel = [&](std::uint8_t Rgb::*of) {
-    return blend(weight, {colors[0].*of, colors[1].*of, colors[2].*of});
-  };
-  return {channel(&Rgb::r), channel(&Rgb::g), channel(&Rgb::b)};
+  return sum;
 }
 
 Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,

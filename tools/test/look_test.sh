@@ -46,6 +46,51 @@ expect 2 'gradient or none' render cubes.off --background sky -o no.png
 expect 2 'not blended' render cubes.off --background none --alpha 9 -o no.png
 expect 2 'no samples' render cubes.off --background none --aa 4 -o no.png
 expect 2 'one colour' draw cubes.off --background none -o no.svg
+# Lines, lights and creases: both libraries draw the same lines, and each option
+# changes the picture.
+"$make_model" cube -o cube.off || exit 1
+for aa in 0 2; do
+  lines=(--size 24x18 --lines features --line-width 1.5)
+  [ $aa = 0 ] || lines+=(--aa $aa)
+  expect 0 'span' render cube.off "${lines[@]}" -o fast.png --ids fast.npy
+  expect 0 'span' render cube.off "${lines[@]}" --impl ref -o ref.png
+  same fast.png ref.png
+done
+expect 0 'span' render cube.off --size 24x18 --aa 2 -o bare.png --ids bare.npy
+same fast.npy bare.npy
+cmp -s fast.png bare.png && wrong "--lines changes nothing"
+expect 0 'span' render cubes.off "${size[@]}" --lines outline -o outline.png
+expect 0 'span' render cubes.off "${size[@]}" --lines features -o features.png
+cmp -s outline.png features.png && wrong "creases are no outline"
+expect 0 'span' render cubes.off "${size[@]}" --lines wire --rows 0:20 \
+  -o wire-0.png
+expect 0 'span' render cubes.off "${size[@]}" --lines wire --rows 20:48 \
+  -o wire-1.png
+expect 0 'span' render cubes.off "${size[@]}" --lines wire -o wire.png
+expect 0 '' join wire-0.png wire-1.png -o joined.png
+same joined.png wire.png
+"$make_model" sphere --count 12 -o ball.off || exit 1
+expect 0 'span' render ball.off "${size[@]}" -o flat.png
+expect 0 'span' render ball.off "${size[@]}" --shade gouraud -o gouraud.png
+expect 0 'span' render ball.off "${size[@]}" --smooth 180 -o smooth.png
+same gouraud.png smooth.png
+expect 0 'span' render ball.off "${size[@]}" --smooth 0 -o creased.png
+same flat.png creased.png
+for light in "--light 1,0,0" "--light 1,0,0 --light 0,1,0,0.5" \
+  "--ambient 0.9" "--headlight --light 1,0,0"; do
+  # shellcheck disable=SC2086
+  expect 0 'span' render ball.off "${size[@]}" $light -o light.png
+  cmp -s flat.png light.png && wrong "$light changes nothing"
+done
+expect 2 'needs --lines' render cubes.off --line-width 2 -o no.png
+expect 2 '0.0625 to 256' render cubes.off --lines wire --line-width 0 -o no.png
+expect 2 'leave out --clip' render cubes.off --lines wire --clip 1,0,0,0 \
+  -o no.png
+expect 2 'background to stand on' render cubes.off --lines wire \
+  --background none -o no.png
+expect 2 'maybe a strength' render cubes.off --light 1,2,3,-1 -o no.png
+expect 2 'from 0 to 1' render cubes.off --ambient 2 -o no.png
+expect 2 'from 0 to 180' render cubes.off --smooth 181 -o no.png
 [ -e no.png ] && wrong "a picture was written for bad input"
 
 finish

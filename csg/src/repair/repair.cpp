@@ -20,6 +20,13 @@ std::string text_of(double value) {
   return text;
 }
 
+/// The word for a step, as a user leaves it out by.
+std::string word_of(RepairStep step) {
+  constexpr const char* kWords[] = {"duplicates", "weld",     "agree",
+                                    "close",      "outwards", "resolve"};
+  return kWords[static_cast<std::size_t>(step)];
+}
+
 std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
@@ -36,6 +43,12 @@ class Mender {
   Result<Done> import(Result<io::Imported> imported);
   Result<Done> import_soup();
   void split_lines();
+  bool may(RepairStep step) const {
+    return std::find(options_.without.begin(), options_.without.end(), step) ==
+           options_.without.end();
+  }
+  Error naming_what_was_left_out(Error error) const;
+  Result<Done> mend();
   bool is_open() const { return !bad_edges(imported_.scene).empty(); }
   double step() const {
     const Unit unit = imported_.scene.unit();
@@ -198,6 +211,40 @@ Result<Done> Mender::turn_shells() {
   return turned.empty() ? Result<Done>(Done{}) : import_soup();
 }
 
+/// The error, and which steps were left out, for one of them may have helped.
+Error Mender::naming_what_was_left_out(Error error) const {
+  if (options_.without.empty() || error.code == ErrorCode::kStopped)
+    return error;
+  std::string words;
+  for (const RepairStep step : options_.without)
+    words += (words.empty() ? "" : ", ") + word_of(step);
+  error.message += "; left out was: " + words;
+  return error;
+}
+
+/// Takes the steps that are wanted and that the surface needs.
+Result<Done> Mender::mend() {
+  using enum RepairStep;
+  if (may(kDuplicates)) {
+    if (const auto done = mend_polygons(); !done) return done;
+  } else {
+    split_lines();
+  }
+  if (is_open() && may(kWeld)) {
+    if (const auto done = weld_borders(); !done) return done;
+  }
+  if (is_open() && may(kAgree)) {
+    if (const auto done = make_agree(); !done) return done;
+  }
+  if (is_open() && !may(kClose))
+    return io::error_about(path_, open_error(imported_.scene, imported_.faces));
+  if (is_open()) {
+    const auto done = options_.thicken ? make_shell() : close();
+    if (!done) return done;
+  }
+  return may(kOutwards) ? turn_shells() : Result<Done>(Done{});
+}
+
 Result<Repaired> Mender::run(const io::Mesh& mesh) {
   if (const auto done = import(io::import_scene(mesh, {})); !done)
     return done.error();
@@ -206,21 +253,11 @@ Result<Repaired> Mender::run(const io::Mesh& mesh) {
     return !made && made.error().code != ErrorCode::kStopped;
   };
   if (is_wrong()) {
-    if (const auto done = mend_polygons(); !done) return done.error();
-    if (is_open()) {
-      if (const auto done = weld_borders(); !done) return done.error();
-    }
-    if (is_open()) {
-      if (const auto done = make_agree(); !done) return done.error();
-    }
-    if (is_open()) {
-      const auto done = options_.thicken ? make_shell() : close();
-      if (!done) return done.error();
-    }
-    if (const auto done = turn_shells(); !done) return done.error();
+    if (const auto done = mend(); !done)
+      return naming_what_was_left_out(done.error());
     made = source(false);
   }
-  if (is_wrong()) {
+  if (is_wrong() && may(RepairStep::kResolve)) {
     report_.crossing = made.error().message;
     if (report_.crossing.starts_with(path_ + ": "))
       report_.crossing.erase(0, path_.size() + 2);
@@ -228,7 +265,7 @@ Result<Repaired> Mender::run(const io::Mesh& mesh) {
     if (advice != std::string::npos) report_.crossing.erase(advice);
     made = source(true);
   }
-  if (!made) return made.error();
+  if (!made) return naming_what_was_left_out(made.error());
   return Repaired{*std::move(made), std::move(report_)};
 }
 

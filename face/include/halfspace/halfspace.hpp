@@ -3,5 +3,6 @@
 /// The library in one header (docs/library.md): solids, meshes, pictures.
 #include "halfspace/display.hpp"
 #include "halfspace/mesh.hpp"
+#include "halfspace/scalar_display.hpp"
 #include "halfspace/solid.hpp"
 #include "halfspace/version.hpp"

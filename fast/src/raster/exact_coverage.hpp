@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "camera/clip_function.hpp"
+#include "camera/moved_camera.hpp"
 #include "raster/clip_set.hpp"
 #include "tree/tree_reader.hpp"
 
@@ -14,7 +16,7 @@ namespace halfspace::fast {
 template <int kBits>
 class ExactScan {
  public:
-  ExactScan(const TreeReader& reader, const CameraData& camera,
+  ExactScan(const TreeReader& reader, const ExactCamera<kBits>& camera,
             const ClipSet& clips, int samples = 1)
       : reader_(reader), camera_(camera), clips_(clips), samples_(samples) {}
 
@@ -26,6 +28,12 @@ class ExactScan {
     cuts_ = cuts;
     eye_sign_ = eye_sign;
     ready_ = false;
+  }
+
+  /// The functions that are positive at the samples it covers.
+  std::span<const EdgeFunction<Grid<kBits>::kWords>> lines() {
+    if (!ready_) prepare();
+    return lines_;
   }
 
   /// The pixels of line `j`, of those in `range`, that it covers.
@@ -45,6 +53,16 @@ class ExactScan {
   template <std::size_t kOther>
   static Line widened(const EdgeFunction<kOther>& line) {
     return {Wide<kWords>(line.a), Wide<kWords>(line.b), Wide<kWords>(line.c)};
+  }
+
+  /// Objects and clip planes do not come together.
+  Line clip_line(const ProjectedPlane<kBits>& support, std::size_t k) const {
+    if constexpr (kBits == kMovedGrid) {
+      return {};
+    } else {
+      return meet_function<kBits>(support,
+                                  projected<kBits>(clips_.plane(k), camera_));
+    }
   }
 
   void prepare() {
@@ -69,8 +87,7 @@ class ExactScan {
     }
     for (std::size_t k = 0; cuts_ >> k != 0; ++k) {
       if ((cuts_ >> k & 1u) == 0) continue;
-      const Line line = meet_function<kBits>(
-          support, projected<kBits>(clips_.plane(k), camera_));
+      const Line line = clip_line(support, k);
       // A polygon in the clip plane stays, or is not there.
       if (!is_zero(line)) {
         add(line, eye_sign_);
@@ -79,14 +96,14 @@ class ExactScan {
       }
     }
     if (camera_.near) {
-      add(widened(near_function<kBits>(support, *camera_.near,
-                                       camera_.perspective, samples_)),
+      add(widened(near_function(support, *camera_.near, camera_.perspective,
+                                samples_)),
           eye_sign_);
     }
   }
 
   const TreeReader& reader_;
-  const CameraData& camera_;
+  const ExactCamera<kBits>& camera_;
   const ClipSet& clips_;
   int samples_;
   ClipMask cuts_ = 0;

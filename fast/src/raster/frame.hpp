@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "camera/moved_camera.hpp"
 #include "camera/view.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/image.hpp"
@@ -20,6 +21,19 @@ struct Frame {
   const TileKernel& kernel;
   const ClipSet& clips;
   std::uint8_t alpha = kOpaque;  ///< below that colours are blended (S5.6)
+  /// In the frame of an object: the camera there, and the id of its polygon 0.
+  const MovedCamera* moved = nullptr;
+  PolygonId first_id = 0;
 };
+
+/// The camera of exact decisions.
+template <int kBits>
+const ExactCamera<kBits>& exact_camera(const Frame& frame) {
+  if constexpr (kBits == kMovedGrid) {
+    return *frame.moved;
+  } else {
+    return frame.camera;
+  }
+}
 
 }  // namespace halfspace::fast

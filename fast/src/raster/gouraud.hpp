@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "camera/edge_function.hpp"
+#include "camera/moved_camera.hpp"
 #include "camera/view.hpp"
 #include "exact/big_rational.hpp"
 #include "halfspace/camera.hpp"
@@ -24,8 +25,9 @@ bool has_gradient(const Scene& scene, PolygonId polygon);
 /// where that touches a rounding step.
 class GouraudShader {
  public:
-  GouraudShader(const Scene& scene, const CameraData& camera, const View& view)
-      : scene_(scene), camera_(camera), view_(view) {}
+  GouraudShader(const Scene& scene, const CameraData& camera, const View& view,
+                const MovedCamera* moved = nullptr)
+      : scene_(scene), camera_(camera), view_(view), moved_(moved) {}
 
   /// The triangle that is meant from now on; the eye is on side `eye_sign`.
   void start(PolygonId polygon, int eye_sign) {
@@ -69,12 +71,15 @@ class GouraudShader {
   void prepare();
   void read_corners();
   void prepare_exact();
+  std::uint8_t moved_channel(std::size_t channel, std::int32_t i,
+                             std::int32_t j, std::int32_t guess) const;
   std::uint8_t exact_channel(std::size_t channel, std::int32_t i,
                              std::int32_t j, std::int32_t guess);
 
   const Scene& scene_;
   const CameraData& camera_;
   const View& view_;
+  const MovedCamera* moved_;  ///< in the frame of an object, or null
   PolygonId polygon_ = 0;
   int eye_sign_ = 0;
   bool ready_ = false;

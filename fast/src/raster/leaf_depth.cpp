@@ -32,9 +32,10 @@ bool LeafDepth<kBits>::is_nearer(PolygonId other, std::int32_t i,
   ++stats_.exact;
   const ScenePlanes& planes = frame_.reader.planes();
   const auto here = projected(planes.exact<kBits>(fragment_->source),
-                              frame_.camera, frame_.view.samples);
+                              exact_camera<kBits>(frame_), frame_.view.samples);
   const auto there =
-      projected(planes.exact<kBits>(other), frame_.camera, frame_.view.samples);
+      projected(planes.exact<kBits>(other), exact_camera<kBits>(frame_),
+                frame_.view.samples);
   const int order = meet_function<kBits>(here, there).sign_at_sample(i, j) *
                     eye_sign_ * sign(there.eye);
   return order > 0 || (order == 0 && fragment_->source < other);
@@ -57,7 +58,9 @@ Plane LeafDepth<kBits>::plane_of(PolygonId polygon,
       points[k++] = scene.point(corner.vertex);
     }
   }
-  if (k == 3) return rounded(exact_plane<kBits>(points));
+  if constexpr (kBits != kMovedGrid) {
+    if (k == 3) return rounded(exact_plane<kBits>(points));
+  }
   return frame_.reader.planes().plane(polygon);
 }
 
@@ -188,6 +191,12 @@ void LeafDepth<kBits>::nearer(PolygonId other, std::int32_t x, std::int32_t y,
   }
 }
 
+template <int kBits>
+void LeafDepth<kBits>::forget() {
+  for (Seen& entry : seen_) entry = {};
+}
+
+template class LeafDepth<kMovedGrid>;
 template class LeafDepth<26>;
 template class LeafDepth<40>;
 template class LeafDepth<54>;

@@ -27,6 +27,9 @@ class LeafDepth {
   void nearer(PolygonId other, std::int32_t x, std::int32_t y,
               std::uint32_t* lit);
 
+  /// Forgets what is known of polygons: the view is another one from now on.
+  void forget();
+
   const FilterStats& stats() const { return stats_; }
 
  private:
@@ -76,6 +79,7 @@ class LeafDepth {
   FilterStats stats_;
 };
 
+extern template class LeafDepth<kMovedGrid>;
 extern template class LeafDepth<26>;
 extern template class LeafDepth<40>;
 extern template class LeafDepth<54>;

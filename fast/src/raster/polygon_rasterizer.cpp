@@ -29,9 +29,10 @@ PolygonRasterizer<kBits>::PolygonRasterizer(const Frame& frame,
                                             TileView& screen)
     : frame_(frame),
       screen_(screen),
-      scan_(frame.reader, frame.camera, frame.clips, frame.view.samples),
-      shader_(frame.reader.scene(), frame.camera, frame.view),
-      late_shader_(frame.reader.scene(), frame.camera, frame.view),
+      scan_(frame.reader, exact_camera<kBits>(frame), frame.clips,
+            frame.view.samples),
+      shader_(frame.reader.scene(), frame.camera, frame.view, frame.moved),
+      late_shader_(frame.reader.scene(), frame.camera, frame.view, frame.moved),
       gouraud_(frame.image.shading == Shading::kGouraud &&
                !frame.reader.scene().data().corner_colors.empty()),
       clipper_(frame.clips, frame.reader),
@@ -217,7 +218,7 @@ PixelSource PolygonRasterizer<kBits>::start(const TreeFragment& fragment,
   const Rgb color = gouraud_ ? scene.corner_colors(fragment.source)[0]
                              : scene.color(fragment.source);
   return {
-      fragment.source,
+      frame_.first_id + fragment.source,
       smooth ? PixelSource::kSmooth : packed_color(color.r, color.g, color.b),
       eye_sign, 0};
 }
@@ -272,7 +273,7 @@ void PolygonRasterizer<kBits>::shade(const PixelSource& source, std::int32_t x,
   // A tile is written when others have been drawn since.
   if (late_ != source.id) {
     late_ = source.id;
-    late_shader_.start(source.id, source.eye_sign);
+    late_shader_.start(source.id - frame_.first_id, source.eye_sign);
   }
   stats_.exact +=
       static_cast<std::uint64_t>(late_shader_.shade(x, y, bits, colors, at));
@@ -303,6 +304,7 @@ void PolygonRasterizer<kBits>::blend(std::int32_t x, std::int32_t y,
   }
 }
 
+template class PolygonRasterizer<kMovedGrid>;
 template class PolygonRasterizer<26>;
 template class PolygonRasterizer<40>;
 template class PolygonRasterizer<54>;

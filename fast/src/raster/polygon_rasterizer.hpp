@@ -19,12 +19,18 @@ namespace halfspace::fast {
 /// Draws the fragments of a tree on one screen, and decides what the kernel
 /// cannot.
 template <int kBits>
-class PolygonRasterizer final : private ExactFallback {
+class PolygonRasterizer final : public ExactFallback {
  public:
   PolygonRasterizer(const Frame& frame, TileView& screen);
 
   /// The clip planes that may cut what is drawn from now on.
   void set_clips(ClipMask mask) { clip_mask_ = mask; }
+
+  /// To be called where the frame's view has become another one.
+  void forget() {
+    depth_.forget();
+    late_ = kBackground;
+  }
 
   /// Draws a fragment whose source has the eye on side `eye_sign`.
   void draw(const TreeFragment& fragment, int eye_sign);
@@ -151,7 +157,7 @@ class PolygonRasterizer final : private ExactFallback {
   PixelRange exact_line(std::int32_t j, PixelRange range) override;
   void nearer(std::int32_t other, std::int32_t x, std::int32_t y,
               std::uint32_t* lit) override {
-    depth_.nearer(other, x, y, lit);
+    depth_.nearer(other - frame_.first_id, x, y, lit);
   }
   const Gradient& gradient() override { return shader_.gradient(); }
   void shade(const PixelSource& source, std::int32_t x, std::int32_t y,
@@ -182,6 +188,7 @@ class PolygonRasterizer final : private ExactFallback {
   FilterStats stats_;
 };
 
+extern template class PolygonRasterizer<kMovedGrid>;
 extern template class PolygonRasterizer<26>;
 extern template class PolygonRasterizer<40>;
 extern template class PolygonRasterizer<54>;

@@ -8,14 +8,21 @@ namespace halfspace::fast {
 namespace {
 
 struct NumberRange {
-  int digits;        ///< binary ones
+  int digits;        ///< binary ones, of what is rounded
   int low_exponent;  ///< that of the least positive number
   int end_exponent;  ///< 2 to this is beyond all of them
 };
 
+/// Doubles could have 53 digits. With 48 a grid of 54 bits that holds the file
+/// has room for what is up to 32 times as large: the file's solid goes on as it
+/// is beside others, turned ones too, and need not be rounded again.
+constexpr int kDoubleDigits = 48;
+/// Multiples of the widest spacing have at least so many digits.
+constexpr int kFewestDigits = 12;
+
 NumberRange range_of(FileNumber number) {
   return number == FileNumber::kFloat ? NumberRange{24, -149, 128}
-                                      : NumberRange{53, -1074, 1024};
+                                      : NumberRange{kDoubleDigits, -1074, 1024};
 }
 
 }  // namespace
@@ -34,7 +41,19 @@ bool FileGrid::choose(double greatest, Unit unit, FileNumber number) {
         std::max(std::min(spacing, unit.exponent), range.low_exponent);
   spacing_ = std::int64_t{1} << (spacing - step_exponent_);
   end_ = std::ldexp(1.0, end - step_exponent_);
+  digits_ = range.digits;
   return true;
+}
+
+std::int64_t FileGrid::widest() const {
+  return std::int64_t{1} << (digits_ - kFewestDigits);
+}
+
+FileGrid FileGrid::of_bits(int bits) {
+  FileGrid grid;
+  grid.end_ = std::ldexp(1.0, bits - 1);
+  grid.digits_ = bits - 1;
+  return grid;
 }
 
 double FileGrid::steps(double coordinate) const {

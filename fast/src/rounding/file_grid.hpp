@@ -23,6 +23,9 @@ class FileGrid {
   /// The grid for coordinates of up to `greatest`, more than 0, in size.
   /// False: numbers do not reach so far, or are all farther apart.
   bool choose(double greatest, Unit unit, FileNumber number);
+  /// The grid of all points of a scene's grid of `bits` bits, whose unit is its
+  /// step: for a surface that stays there.
+  static FileGrid of_bits(int bits);
 
   /// A coordinate of the file as steps. Exact if it is a multiple of one.
   double steps(double coordinate) const;
@@ -35,12 +38,12 @@ class FileGrid {
   /// spacing: numbers of the file. Ties to even.
   GridPoint rounded(const StepPoint& at, std::int64_t width) const;
   std::int64_t spacing() const { return spacing_; }
+  /// The height, in steps, of a triangle that rounding its corners leaves much
+  /// as it was.
+  double safe_height() const { return 16 * static_cast<double>(spacing_); }
   /// The largest multiple of the spacing whose multiples still leave 12 binary
   /// digits to a number.
-  std::int64_t widest() const {
-    return number_ == FileNumber::kFloat ? std::int64_t{1} << 12
-                                         : std::int64_t{1} << 41;
-  }
+  std::int64_t widest() const;
   /// The length of a step in the file's unit.
   double step() const;
 
@@ -50,6 +53,7 @@ class FileGrid {
   int step_exponent_ = 0;
   std::int64_t spacing_ = 1;  ///< in steps; a power of two
   double end_ = 0;            ///< no coordinate is as large as this; in steps
+  int digits_ = 0;            ///< of the greatest coordinate, in spacings
   FileNumber number_ = FileNumber::kDouble;
 };
 

@@ -7,6 +7,7 @@
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/to_mesh.hpp"
+#include "rounding/flip_thin.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -60,6 +61,7 @@ std::vector<LoosePoint> resolve_mesh(GridMesh& mesh, const FileGrid& grid,
         {{c[0], c[1], c[2]}, mesh.triangles[source].source});
   }
   mesh = std::move(result);
+  flip_thin(mesh, loose, triangles.faces, grid.safe_height());
   return loose;
 }
 

@@ -51,6 +51,8 @@ class JobRunner {
       threads::for_ranges(job.primitives.size(), kBlock, read);
     }
     for (const Primitive& p : job.primitives) extend(job.box, p);
+    for (std::size_t r = 0; state_.cells && r < state_.cells->count(); ++r)
+      job.regions.push_back(static_cast<std::int32_t>(r));
     job.cut_budget = kFreeCuts + state_.options.most_cuts *
                                      static_cast<double>(job.primitives.size());
     return job;
@@ -72,10 +74,13 @@ class JobRunner {
 
   void carry_out(BuildJob& job) {
     if (state_.is_stopped()) return;
-    if (job.primitives.size() <= kJobSize) {
+    if (job.regions.empty() && job.primitives.size() <= kJobSize) {
       SahBuilder(state_, job).build_subtree();
     } else {
-      SahBuilder::Subtrees subtrees = SahBuilder(state_, job).build_root();
+      SahBuilder builder(state_, job);
+      SahBuilder::Subtrees subtrees = job.regions.empty()
+                                          ? builder.build_root()
+                                          : builder.build_region_root();
       const auto started = [&](std::optional<BuildJob>& subtree) {
         if (!subtree) return static_cast<BuildJob*>(nullptr);
         BuildJob* child = add(std::move(*subtree));
@@ -118,8 +123,14 @@ class PieceJoiner {
         vertex_count_(static_cast<std::int32_t>(scene.data().vertices.size())),
         tree_(tree) {}
 
-  void join(BuildJob* root, FilterStats& stats) {
+  /// The nodes of regions go into `cells`, by region.
+  void join(BuildJob* root, FilterStats& stats, std::vector<NodeId>* cells) {
     place(root, stats);
+    for (const Placed& at : pieces_) {
+      if (cells && at.job->cell >= 0)
+        (*cells)[static_cast<std::size_t>(at.job->cell)] =
+            static_cast<NodeId>(at.nodes);
+    }
     tree_.nodes.resize(end_.nodes);
     tree_.fragments.resize(end_.fragments);
     tree_.corners.resize(end_.corners);
@@ -252,20 +263,30 @@ BspTree build_display_tree(const Scene& scene,
 BspTree build_display_tree(const Scene& scene,
                            const DisplayTreeOptions& options,
                            FilterStats& stats) {
+  const std::vector<MovingObject> none;
+  KeptCells cells(none, false);
+  return build_cell_tree(scene, cells, options, stats).tree;
+}
+
+KeptTree build_cell_tree(const Scene& scene, KeptCells& cells,
+                         const DisplayTreeOptions& options,
+                         FilterStats& stats) {
   HALFSPACE_ASSERT(options.leaf_size >= 1);
   HALFSPACE_ASSERT(options.threads >= 0);
-  BspTree tree;
-  if (scene.polygon_count() == 0) return tree;
+  KeptTree result;
+  BspTree& tree = result.tree;
+  result.node_of_object.assign(cells.count(), kNoNode);
+  if (scene.polygon_count() == 0 && cells.count() == 0) return result;
   threads::in_arena(options.threads, [&] {
-    BuildState state(scene, options);
+    BuildState state(scene, options, &cells);
     JobRunner runner(state);
     BuildJob* root = runner.run();
     if (!state.is_stopped()) {
-      PieceJoiner(scene, tree).join(root, stats);
+      PieceJoiner(scene, tree).join(root, stats, &result.node_of_object);
       add_blocks(tree, scene);
     }
   });
-  return tree;
+  return result;
 }
 
 TreeBytes bytes_by_array(const BspTree& tree) {

@@ -25,8 +25,9 @@ struct GridBox {
 }  // namespace
 
 BuildState::BuildState(const Scene& a_scene,
-                       const DisplayTreeOptions& the_options)
-    : scene(a_scene), options(the_options) {
+                       const DisplayTreeOptions& the_options,
+                       KeptCells* the_cells)
+    : scene(a_scene), options(the_options), cells(the_cells) {
   if (scene.data().vertices.empty()) return;
   GridBox box(scene.data().vertices.front());
   for (const GridPoint& p : scene.data().vertices) box.add(p);

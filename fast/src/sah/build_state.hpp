@@ -4,6 +4,7 @@
 
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/threads.hpp"
+#include "sah/cell_tree.hpp"
 #include "sah/primitive.hpp"
 
 namespace halfspace::fast {
@@ -11,7 +12,8 @@ namespace halfspace::fast {
 /// The state that all threads of one build share.
 class BuildState {
  public:
-  BuildState(const Scene& scene, const DisplayTreeOptions& options);
+  BuildState(const Scene& scene, const DisplayTreeOptions& options,
+             KeptCells* cells = nullptr);
 
   /// The whole polygon as a primitive.
   Primitive primitive_of(PolygonId polygon) const;
@@ -22,6 +24,7 @@ class BuildState {
 
   const Scene& scene;
   const DisplayTreeOptions& options;
+  KeptCells* cells;  ///< boxes that no splitter cuts, or null
   GridPoint origin;  ///< of the primitives' frame: the middle of the scene
   /// The area of the scene's box as seen from a random direction, on average;
   /// above 0. Units: squares of grid steps.

@@ -123,6 +123,100 @@ SahBuilder::Subtrees SahBuilder::build_root() {
   return result;
 }
 
+/// The region's box, rounded outwards, relative to the frame's origin.
+Box SahBuilder::box_of(const Region& region) const {
+  Box box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t origin = coordinate_of(state_.origin, a);
+    box.low[a] =
+        float_below(static_cast<double>(coordinate_of(region.low, a) - origin));
+    box.high[a] = float_above(
+        static_cast<double>(coordinate_of(region.high, a) - origin));
+  }
+  return box;
+}
+
+/// Leaves the job's region empty: what is left in it goes, if it may be cut.
+void SahBuilder::keep_cell(const Task& task, std::int32_t region) {
+  for (const Primitive& primitive : list_of(task))
+    state_.cells->note_polygon(region, primitive.source);
+  job_.cell = region;
+  add_done(task.share);
+  job_.piece.free_planes = std::move(job_.tree.free_planes);
+}
+
+SahBuilder::Subtrees SahBuilder::build_region_root() {
+  const KeptCells& cells = *state_.cells;
+  Task root = {0,          primitives_.size(), job_.box,
+               job_.share, job_.cut_budget,    kNoNode,
+               Side::kOn};
+  for (const std::int32_t r : job_.regions) {
+    const Box box = box_of(cells.region(r));
+    for (std::size_t a = 0; a < 3; ++a) {
+      root.box.low[a] = std::min(root.box.low[a], box.low[a]);
+      root.box.high[a] = std::max(root.box.high[a], box.high[a]);
+    }
+  }
+  const NodeId id = add_node(root);
+  // Step 1: choose a plane that cuts no region.
+  std::optional<CellSplit> plane;
+  std::uint32_t used = 0;
+  if (job_.regions.size() > 1) {
+    plane = balanced_split(cells, job_.regions);
+    if (!plane) state_.cells->note_locked(job_.regions.front());
+  } else {
+    const auto face = best_face(cells.region(job_.regions[0]), job_.used_faces,
+                                list_of(root), state_.origin);
+    if (face) plane = face->plane;
+    if (face) used = job_.used_faces | 1u << face->index;
+  }
+  if (!plane) {
+    keep_cell(root, job_.regions[0]);
+    return {};
+  }
+  // Step 2: divide the list, and the regions.
+  job_.tree.free_planes.push_back({plane->axis, plane->coordinate});
+  const auto splitter = static_cast<PlaneId>(state_.scene.polygon_count() +
+                                             job_.tree.free_planes.size() - 1);
+  Node& node = node_at(job_.piece, id);
+  node.splitter = splitter;
+  node.plane = splitter_.planes().plane(splitter);
+  const Partition parts =
+      distribute(root, {splitter, filter_plane(node.plane), nullptr});
+  coincident_count_ = coincident_.size();
+  add_fragments(id, coincident_);
+  // Step 3: the jobs of both sides.
+  const double each = cut_budget_for_each(root, parts);
+  const double share = job_.share / static_cast<double>(parts.negative_count +
+                                                        positive_.size() + 1);
+  const auto subtree = [&](const Primitive* first, std::size_t size,
+                           const Box& box,
+                           bool positive) -> std::optional<BuildJob> {
+    std::vector<std::int32_t> regions;
+    for (const std::int32_t r : job_.regions) {
+      const auto axis = static_cast<std::size_t>(plane->axis);
+      const bool is_above =
+          coordinate_of(cells.region(r).low, axis) >= plane->coordinate;
+      if (is_above == positive) regions.push_back(r);
+    }
+    if (size == 0 && regions.empty()) return std::nullopt;
+    const auto count = static_cast<double>(size);
+    BuildJob job = job_of({first, size}, box, share * count, each * count);
+    job.regions = std::move(regions);
+    job.used_faces = used;
+    return job;
+  };
+  Subtrees result;
+  result.positive =
+      subtree(positive_.data(), positive_.size(), parts.positive_box, true);
+  result.negative = subtree(primitives_.data(), parts.negative_count,
+                            parts.negative_box, false);
+  if (!job_.piece.fragments.empty())
+    job_.piece.cut_vertices = std::move(job_.tree.cut_vertices);
+  job_.piece.free_planes = std::move(job_.tree.free_planes);
+  return result;
+}
+
 NodeId SahBuilder::add_node(const Task& task) {
   BspTree& piece = job_.piece;
   const auto id = static_cast<NodeId>(piece.nodes.size());

@@ -21,12 +21,18 @@ struct BuildJob {
   /// above first.
   BspTree tree;
   std::size_t inherited_planes = 0;
+  /// Regions in it that are still to be kept apart (S12.4): if it is one, the
+  /// faces of it that are splitters already, a bit each.
+  std::vector<std::int32_t> regions;
+  std::uint32_t used_faces = 0;
 
   /// The subtree of the list, or its root. Indices are those of its own arrays,
   /// but free planes of the splitters above count first.
   BspTree piece;
   FilterStats stats;
   /// If the piece is a root alone: the jobs of its subtrees.
+  /// If the piece is a leaf that is kept free: its region; or -1.
+  std::int32_t cell = -1;
   BuildJob* positive = nullptr;
   BuildJob* negative = nullptr;
 };
@@ -47,6 +53,9 @@ class SahBuilder {
     std::optional<BuildJob> negative;
   };
   Subtrees build_root();
+  /// The same where the job has regions: divides between them, or along a face
+  /// of the only one.
+  Subtrees build_region_root();
 
  private:
   /// A list on top of the stack of primitives.
@@ -91,6 +100,8 @@ class SahBuilder {
                          int side, const AxisSplit* axis);
   FragmentRef fragment_of(const Primitive& primitive);
 
+  Box box_of(const Region& region) const;
+  void keep_cell(const Task& task, std::int32_t region);
   void make_leaf(NodeId id, const Task& task);
   bool is_flat(const Task& task, PolygonId& splitter);
   std::size_t corner_count(const Primitive& primitive) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "camera/moved_camera.hpp"
 #include "camera/view.hpp"
 #include "halfspace/fast/build.hpp"
 #include "tree/tree_reader.hpp"
@@ -10,8 +11,13 @@ namespace halfspace::fast {
 class EyeClassifier {
  public:
   EyeClassifier(const TreeReader& reader, const View& view,
-                const CameraData& camera, FilterStats& stats)
-      : reader_(reader), view_(view), camera_(camera), stats_(stats) {}
+                const CameraData& camera, FilterStats& stats,
+                const MovedCamera* moved = nullptr)
+      : reader_(reader),
+        view_(view),
+        camera_(camera),
+        moved_(moved),
+        stats_(stats) {}
 
   int operator()(const Plane& plane, PlaneId id) const {
     const int known = filtered_sign(view_.eye_value(plane));
@@ -31,6 +37,7 @@ class EyeClassifier {
   const TreeReader& reader_;
   const View& view_;
   const CameraData& camera_;
+  const MovedCamera* moved_;  ///< in the frame of an object, or null
   FilterStats& stats_;
 };
 

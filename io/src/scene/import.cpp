@@ -1,6 +1,8 @@
 #include "halfspace/io/import.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/point_table.hpp"
@@ -57,6 +59,8 @@ class Importer {
   void place_vertices();
   bool take_face(std::size_t face);
   void sum_normals();
+  void note_faces_at(const Direction& normal);
+  Direction corner_normal(std::size_t vertex, const Direction& own) const;
   bool add_face(std::size_t face);
   void add_polygon(std::size_t face, std::span<const std::size_t> of_face);
   void color_corners(std::size_t face);
@@ -69,8 +73,11 @@ class Importer {
   std::vector<bool> used_;          // by vertex of the mesh
   std::vector<VertexId> scene_id_;  // by vertex of the mesh
   std::vector<Direction> normals_;  // by vertex of the scene
+  // With a crease angle: by vertex of the scene the normals of its faces.
+  std::vector<std::vector<Direction>> face_normals_;
   SceneData data_;
   std::vector<PolygonId> faces_;  // by polygon of the scene
+  std::vector<VertexId> corner_vertices_;
   ImportReport report_;
   std::optional<Error> error_;
 
@@ -158,12 +165,41 @@ void Importer::sum_normals() {
   for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
     if (!take_face(face)) continue;
     const Direction normal = normal_of(points_);
+    if (options_.crease_deg) note_faces_at(normal);
     for (const VertexId corner : face_) {
       Direction& sum = normals_[static_cast<std::size_t>(
           scene_id_[static_cast<std::size_t>(corner)])];
       for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += normal[axis];
     }
   }
+}
+
+/// Notes the face's normal at all of its vertices.
+void Importer::note_faces_at(const Direction& normal) {
+  face_normals_.resize(data_.vertices.size());
+  for (const VertexId corner : face_) {
+    face_normals_[static_cast<std::size_t>(
+                      scene_id_[static_cast<std::size_t>(corner)])]
+        .push_back(normal);
+  }
+}
+
+/// What lights a corner at a vertex of the scene, of a face with this normal.
+Direction Importer::corner_normal(std::size_t vertex,
+                                  const Direction& own) const {
+  if (!options_.crease_deg) return normals_[vertex];
+  const auto dot = [](const Direction& u, const Direction& v) {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  };
+  const double least =
+      std::cos(*options_.crease_deg * std::numbers::pi / 180) - 1e-9;
+  Direction sum{};
+  for (const Direction& normal : face_normals_[vertex]) {
+    const double size = std::sqrt(dot(own, own) * dot(normal, normal));
+    if (!(dot(own, normal) >= least * size)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += normal[axis];
+  }
+  return sum;
 }
 
 std::optional<Rgb> Importer::color_in_file(std::size_t face) const {
@@ -186,20 +222,21 @@ Rgb Importer::color_of(const std::optional<Rgb>& in_file,
                        const Direction& normal) const {
   if (in_file && !options_.surface && !options_.light_colors) return *in_file;
   const Rgb unlit = options_.surface.value_or(in_file.value_or(kUsualSurface));
-  return lit(unlit, normal, options_.to_light);
+  return lit(unlit, normal, options_);
 }
 
 /// Makes `corner_colors_` those of the face's corners.
 void Importer::color_corners(std::size_t face) {
   corner_colors_.clear();
+  const Direction own = normal_of(points_);
   for (const VertexId corner : face_) {
     const auto vertex = static_cast<std::size_t>(corner);
     std::optional<Rgb> in_file;
     if (!mesh_.vertex_colors.empty()) in_file = mesh_.vertex_colors[vertex];
     if (!in_file && !mesh_.face_colors.empty())
       in_file = mesh_.face_colors[face];
-    corner_colors_.push_back(color_of(
-        in_file, normals_[static_cast<std::size_t>(scene_id_[vertex])]));
+    const auto at = static_cast<std::size_t>(scene_id_[vertex]);
+    corner_colors_.push_back(color_of(in_file, corner_normal(at, own)));
   }
 }
 
@@ -211,6 +248,7 @@ void Importer::add_polygon(std::size_t face,
     if (options_.gouraud) {
       data_.corner_colors.push_back(corner_colors_[corner]);
     }
+    if (options_.keep_vertices) corner_vertices_.push_back(face_[corner]);
   }
   data_.first_corner.push_back(
       static_cast<std::uint32_t>(data_.corners.size()));
@@ -226,8 +264,9 @@ bool Importer::add_face(std::size_t face) {
   }
   color_ = color_of(color_in_file(face), normal_of(points_));
   if (options_.gouraud) color_corners(face);
+  const bool only_triangles = options_.gouraud || options_.triangles;
   const bool whole =
-      shape == Shape::kConvex && (!options_.gouraud || points_.size() == 3);
+      shape == Shape::kConvex && (!only_triangles || points_.size() == 3);
   if (whole) {
     std::vector<std::size_t> all(points_.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
@@ -263,7 +302,8 @@ Result<Imported> Importer::import() {
   }
   Result<Scene> scene = make_scene(std::move(data_));
   if (!scene) return scene.error();
-  return Imported{*std::move(scene), std::move(faces_), report_};
+  return Imported{*std::move(scene), std::move(faces_), report_,
+                  std::move(corner_vertices_)};
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ Result<LoadedScene> scene_of_mesh(const std::string& path,
   return LoadedScene{{std::move(imported->scene), std::nullopt, {}},
                      std::move(imported->faces),
                      imported->report,
-                     false};
+                     false,
+                     std::move(imported->corner_vertices)};
 }
 
 /// The format that the first bytes look like; OBJ, which has no sign of its

@@ -25,20 +25,23 @@ Direction normal_of(std::span<const GridPoint> corners) {
 }
 
 Rgb lit(const Rgb& surface, const Direction& normal,
-        const Direction& to_light) {
-  constexpr double kAmbient = 0.22;
+        const ImportOptions& options) {
   const auto dot = [](const Direction& u, const Direction& v) {
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
   };
   const double length = std::sqrt(dot(normal, normal));
-  double facing = 0;  // -1 to 1
-  if (length > 0) facing = dot(normal, to_light) / length;
-  // Half of the light reaches what lies sideways to it, so that no side of a
-  // surface is flat black.
-  const double half = 0.5 + 0.5 * facing;
-  const double light = std::min(1.0, kAmbient + (1 - kAmbient) * half * half);
-  const auto channel = [light](std::uint8_t full) {
-    return static_cast<std::uint8_t>(full * light + 0.5);
+  double sum = 0;
+  for (const Light& light : options.lights) {
+    double facing = 0;  // -1 to 1
+    if (length > 0) facing = dot(normal, light.to_light) / length;
+    // Half of the light reaches what lies sideways to it, so that no side of a
+    // surface is flat black.
+    const double half = 0.5 + 0.5 * facing;
+    sum += light.strength * ((1 - options.ambient) * half * half);
+  }
+  const double share = std::clamp(options.ambient + sum, 0.0, 1.0);
+  const auto channel = [share](std::uint8_t full) {
+    return static_cast<std::uint8_t>(full * share + 0.5);
   };
   return {channel(surface.r), channel(surface.g), channel(surface.b)};
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "halfspace/io/import.hpp"
 #include "halfspace/polygon.hpp"
 
 namespace halfspace::io {
@@ -16,9 +17,9 @@ Direction normal_of(std::span<const GridPoint> corners);
 /// The colour of surfaces that have none.
 constexpr Rgb kUsualSurface = {236, 214, 184};
 
-/// The colour of a surface that faces this way in a light from there. The same
-/// on every machine: IEEE operations only.
-/// Requires: to_light has length 1, or nearly so.
-Rgb lit(const Rgb& surface, const Direction& normal, const Direction& to_light);
+/// The colour of a surface that faces this way, as the options light it. The
+/// same on every machine: IEEE operations only.
+Rgb lit(const Rgb& surface, const Direction& normal,
+        const ImportOptions& options);
 
 }  // namespace halfspace::io

@@ -11,7 +11,7 @@ namespace {
 
 /// The usual surface in the usual light.
 Rgb shaded(const Direction& normal) {
-  return lit(kUsualSurface, normal, ImportOptions().to_light);
+  return lit(kUsualSurface, normal, ImportOptions());
 }
 
 /// A mesh of one triangle with these vertices, as text.
@@ -347,21 +347,21 @@ TEST(ImportScene, LightsTheColoursOfTheFileWhereThatIsAskedFor) {
       "3 0 1 2 255 255 255\n3 0 1 3 255 255 255\n",
       Format::kOff);
   const Rgb plain = {255, 255, 255};
-  const Direction to_light = ImportOptions().to_light;
+  const ImportOptions usual;
   EXPECT_EQ(imported(white).scene.color(0), plain);
   ImportOptions options;
   options.light_colors = true;
   const Scene lit_scene = imported(white, options).scene;
-  EXPECT_EQ(lit_scene.color(0), lit(plain, {0, 0, 1}, to_light));
-  EXPECT_EQ(lit_scene.color(1), lit(plain, {0, -1, 0}, to_light));
+  EXPECT_EQ(lit_scene.color(0), lit(plain, {0, 0, 1}, usual));
+  EXPECT_EQ(lit_scene.color(1), lit(plain, {0, -1, 0}, usual));
   EXPECT_NE(lit_scene.color(0), lit_scene.color(1));
   options.gouraud = true;
   const Scene smooth = imported(white, options).scene;
-  EXPECT_EQ(smooth.corner_colors(0)[2], lit(plain, {0, 0, 12}, to_light));
-  EXPECT_EQ(smooth.corner_colors(1)[2], lit(plain, {0, -15, 0}, to_light));
+  EXPECT_EQ(smooth.corner_colors(0)[2], lit(plain, {0, 0, 12}, usual));
+  EXPECT_EQ(smooth.corner_colors(1)[2], lit(plain, {0, -15, 0}, usual));
   options = {};
   options.surface = Rgb{10, 20, 30};
-  options.to_light = {0, 0, 1};
+  options.lights = {{{0, 0, 1}}};
   EXPECT_EQ(imported(white, options).scene.color(0), (Rgb{10, 20, 30}));
 }
 

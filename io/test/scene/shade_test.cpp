@@ -12,7 +12,7 @@ namespace {
 
 /// The usual surface in the usual light.
 Rgb usually_lit(const Direction& normal) {
-  return lit(kUsualSurface, normal, ImportOptions().to_light);
+  return lit(kUsualSurface, normal, ImportOptions());
 }
 
 TEST(Shade, NormalsAreTwiceTheArea) {
@@ -40,9 +40,11 @@ TEST(Shade, ColoursGoByTheDirectionAlone) {
   EXPECT_EQ(usually_lit({0, 0, 1}), (Rgb{215, 195, 167}));
   EXPECT_EQ(usually_lit({2, -3, -6}), (Rgb{63, 57, 49}));
   EXPECT_EQ(usually_lit({2e9, -3e9, -6e9}), (Rgb{63, 57, 49}));
+  ImportOptions from_above;
+  from_above.lights = {{{0, 0, 1}}};
   // Another surface, another light: white turned towards it stays white.
-  EXPECT_EQ(lit({255, 255, 255}, {0, 0, 7}, {0, 0, 1}), (Rgb{255, 255, 255}));
-  EXPECT_EQ(lit({200, 100, 0}, {0, 0, -7}, {0, 0, 1}), (Rgb{44, 22, 0}));
+  EXPECT_EQ(lit({255, 255, 255}, {0, 0, 7}, from_above), (Rgb{255, 255, 255}));
+  EXPECT_EQ(lit({200, 100, 0}, {0, 0, -7}, from_above), (Rgb{44, 22, 0}));
 }
 
 }  // namespace

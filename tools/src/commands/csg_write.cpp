@@ -146,6 +146,7 @@ nlohmann::json stats_of(const CsgContext& context,
                           {"bad_edges", result.bad_edges},
                           {"repaired", result.repairs.size()},
                           {"corners_added", context.operands.corners_added()},
+                          {"settled", context.operands.settled_contacts()},
                           {"trusted", context.operands.are_trusted()},
                           {"volume", result.volume},
                           {"boolean_ms", context.boolean_ms},
@@ -186,6 +187,11 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
   if (context.operands.corners_added() > 0) {
     say("closed: {} corners added where vertices lay within edges\n",
         context.operands.corners_added());
+  }
+  if (context.operands.settled_contacts() > 0) {
+    say("rounded: surfaces of operands met in {} places and were moved a "
+        "little more\n",
+        context.operands.settled_contacts());
   }
   if (context.operands.are_trusted()) {
     say("trusted: nobody looked whether a surface crosses itself; if one does, "

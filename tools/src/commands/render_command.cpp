@@ -13,6 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "image/camera_path.hpp"
+#include "image/object_film.hpp"
 #include "image/rendering.hpp"
 #include "image/shadowing.hpp"
 
@@ -39,16 +40,45 @@ Status conclude(const io::LoadedScene& loaded, const BuildMeasure& tree,
   return written ? shadow.status() : fail(*file, written.error());
 }
 
-Status run_still(Engine& engine, const io::LoadedScene& loaded,
+/// The arguments for the part of the picture beside the legend, where the view
+/// is chosen so that all is seen.
+ViewArguments beside_legend(const Subject& subject,
+                            const RenderArguments& arguments) {
+  ViewArguments view = arguments.view;
+  const bool is_chosen = !view.eye && !view.target &&
+                         !arguments.camera_path_file &&
+                         (view.view || !subject.loaded.file.camera);
+  if (is_chosen) {
+    view.size = size_beside_legend(subject.scalars, arguments.scalars,
+                                   view.size.value_or(kUsualSize));
+  }
+  return view;
+}
+
+/// choose_camera() for that part, of a camera for the whole picture.
+Result<ChosenCamera> choose_wide_camera(const Subject& subject,
+                                        const ViewArguments& view,
+                                        const RenderArguments& arguments) {
+  const SceneFile& file = subject.loaded.file;
+  Result<ChosenCamera> chosen = choose_camera(file, view);
+  const Size whole = arguments.view.size.value_or(kUsualSize);
+  if (!chosen || !view.size || arguments.camera_path_file ||
+      view.size->width_px >= whole.width_px)
+    return chosen;
+  return widened(*chosen, whole.width_px, file.scene);
+}
+
+Status run_still(Engine& engine, const Subject& subject,
                  const RenderArguments& arguments) {
+  const io::LoadedScene& loaded = subject.loaded;
   const Result<ChosenCamera> chosen =
-      choose_camera(loaded.file, arguments.view);
+      choose_wide_camera(subject, beside_legend(subject, arguments), arguments);
   if (!chosen) return fail(camera_error(arguments.path, chosen.error()));
   BuildMeasure tree;
   const Status made = make_tree(engine, loaded.file.scene, arguments, tree);
   if (made != Status::kFine) return made;
   const Result<Frame> frame =
-      make_frame(engine, loaded, chosen->camera, arguments);
+      make_frame(engine, subject, chosen->camera, arguments);
   if (!frame) return fail(frame.error().message);
   const Status written =
       write_frame(*frame, {arguments.picture_file, arguments.ids_file});
@@ -93,7 +123,8 @@ std::string file_complaint(const RenderArguments& arguments,
       std::array{
           NamedFile{"FILE", arguments.path},
           NamedFile{"--tree", arguments.tree_file.value_or(none)},
-          NamedFile{"--path", arguments.camera_path_file.value_or(none)}},
+          NamedFile{"--path", arguments.camera_path_file.value_or(none)},
+          NamedFile{"--scalar", arguments.scalars.source.value_or(none)}},
       std::array{
           NamedFile{"-o", pictures.picture_file.value_or(none)},
           NamedFile{"--ids", pictures.ids_file.value_or(none)},
@@ -102,16 +133,22 @@ std::string file_complaint(const RenderArguments& arguments,
                     arguments.shadow ? arguments.shadow_file : none}});
 }
 
-Status run_film(Engine& engine, const io::LoadedScene& loaded,
+Status run_film(Engine& engine, const Subject& subject,
                 const RenderArguments& arguments) {
+  const io::LoadedScene& loaded = subject.loaded;
   const Result<CameraPath> path =
       arguments.turntable
-          ? turntable(loaded.file.scene, *arguments.turntable, arguments.view)
+          ? turntable(loaded.file.scene, *arguments.turntable,
+                      beside_legend(subject, arguments))
           : read_camera_path(*arguments.camera_path_file, arguments.view);
   if (!path) {
     return arguments.turntable
                ? fail("--turntable: " + path.error().message)
                : fail(*arguments.camera_path_file, path.error());
+  }
+  if (!path->objects().empty()) {
+    return fail(*arguments.camera_path_file + ": there is no object " +
+                *path->objects().begin() + " in " + arguments.path);
   }
   const Result<Range> frames = frames_of(*path, arguments);
   if (!frames) return fail(frames.error().message);
@@ -135,10 +172,11 @@ Status run_film(Engine& engine, const io::LoadedScene& loaded,
     const double done = static_cast<double>(k) / static_cast<double>(count);
     if (!work.report(done)) return stop("interrupted before " + name);
     const Result<ChosenCamera> chosen =
-        choose_camera(loaded.file, path->at(first + k));
+        choose_wide_camera(subject, path->at(first + k), arguments);
     if (!chosen)
       return fail(name + ": " + camera_error(arguments.path, chosen.error()));
-    Result<Frame> frame = make_frame(engine, loaded, chosen->camera, arguments);
+    Result<Frame> frame =
+        make_frame(engine, subject, chosen->camera, arguments);
     if (!frame) return fail(frame.error().message);
     const Status written =
         write_frame(*frame, outputs_of(arguments, first + k));
@@ -161,19 +199,32 @@ Status run_render(const RenderArguments& arguments) {
         file_complaint(arguments, {arguments.picture_file, arguments.ids_file});
   }
   if (!wrong.empty()) return fail(wrong);
-  const Result<io::LoadedScene> loaded =
-      load(arguments.path, import_options(arguments.view, arguments.grid_bits));
+  if (io::has_extension(arguments.path, ".objects"))
+    return render_objects(arguments);
+  io::ImportOptions options =
+      import_options(arguments.view, arguments.grid_bits);
+  if (arguments.scalars.source) color_by_scalars(options);
+  const Result<io::LoadedScene> loaded = load(arguments.path, options);
   if (!loaded) return fail(arguments.path, loaded.error());
   if (loaded->is_scene_file && changes_colors(arguments.view))
     return fail(arguments.path +
-                ": a scene has its own colours; --color and --light are for "
-                "meshes");
+                ": a scene has its own colours; --color, --light, --headlight, "
+                "--ambient and --smooth are for meshes");
   wrong = cap_complaint(loaded->file.scene, arguments.clip);
   if (!wrong.empty()) return fail(wrong);
+  Subject subject{*loaded};
+  if (arguments.scalars.source) {
+    Result<ShownScalars> scalars =
+        load_scalars(arguments.path, *loaded, arguments.scalars);
+    if (!scalars) return fail(scalars.error().message);
+    engine->set_scalars(loaded->file.scene, scalars->field,
+                        scalars->legend.scale);
+    subject.scalars = *std::move(scalars);
+  }
   progress(engine->warning(loaded->file.scene.polygon_count()));
   return arguments.camera_path_file || arguments.turntable
-             ? run_film(*engine, *loaded, arguments)
-             : run_still(*engine, *loaded, arguments);
+             ? run_film(*engine, subject, arguments)
+             : run_still(*engine, subject, arguments);
 }
 
 constexpr const char* kRangeForm =
@@ -232,7 +283,8 @@ void add_shadow_options(CLI::App& app, RenderArguments& arguments) {
 void add_render(CLI::App& program, Status& status) {
   CLI::App* app = program.add_subcommand("render", "Make an image of a file");
   const auto arguments = std::make_shared<RenderArguments>();
-  app->add_option("FILE", arguments->path, "A mesh or a .scene")
+  app->add_option("FILE", arguments->path,
+                  "A mesh, a .scene, or .objects that move")
       ->required()
       ->type_name("");
   app->add_option("-o,--output", arguments->picture_file, "The picture")
@@ -244,9 +296,16 @@ void add_render(CLI::App& program, Status& status) {
   add_choice(*app, "--method", kMethodWords, arguments->method,
              "Span buffer, front to back (usual); painter's algorithm, back "
              "to front; z-buffer; ray casting. All give the same image");
+  add_choice(*app, "--screen", kScreenWords, arguments->screen,
+             "What keeps the unlit part of the image of --method span: F2B's "
+             "lists, a 1-D BSP tree a line, a quadtree, or a 2-D BSP tree of "
+             "the edges' images. All give the same image; the usual screen of "
+             "tiles is quicker");
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
   add_clip_options(*app, arguments->clip);
+  add_scalar_options(*app, arguments->scalars);
+  add_line_options(*app, arguments->lines);
   add_number(*app, "--alpha", "A", arguments->alpha, std::uint8_t{0}, kOpaque,
              "Blend the polygons, from the farthest to the nearest: 0 is not "
              "seen, 255 hides what is behind. By the painter's algorithm")
@@ -277,6 +336,8 @@ void add_render(CLI::App& program, Status& status) {
       "  halfspace render part.stl -o glass.png --alpha 80\n"
       "  halfspace render part.stl -o smooth.png --aa 4\n"
       "  halfspace render part.stl -o cut.png --clip 0,1,0,-5 --cap hatch\n"
+      "  halfspace render scan.ply -o heat.png --scalar quality --map heated "
+      "--legend\n"
       "  halfspace render part.stl -o frame-%05d.png --path tour.txt "
       "--frames 0:100\n"
       "  halfspace render part.stl --ids a.npy --method painter\n"

@@ -1,4 +1,5 @@
 #include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -6,6 +7,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/long_work.hpp"
@@ -28,10 +30,24 @@ struct RepairArguments {
   std::optional<double> weld;
   bool close_all = false;
   std::optional<double> thicken;
+  std::vector<std::string> without;
   std::optional<double> max_move;
   bool strict = false;
   std::optional<std::uint32_t> threads;
 };
+
+/// The words for steps, in their order.
+constexpr std::array<const char*, 6> kStepWords = {
+    "duplicates", "weld", "agree", "close", "outwards", "resolve"};
+
+std::vector<csg::RepairStep> steps_of(const std::vector<std::string>& words) {
+  std::vector<csg::RepairStep> steps;
+  for (const std::string& word : words) {
+    const auto at = std::find(kStepWords.begin(), kStepWords.end(), word);
+    steps.push_back(static_cast<csg::RepairStep>(at - kStepWords.begin()));
+  }
+  return steps;
+}
 
 int threads_of(const RepairArguments& arguments) {
   return static_cast<int>(arguments.threads.value_or(
@@ -121,6 +137,7 @@ Status run_repair(const RepairArguments& arguments) {
   if (!mesh) return fail(mesh.error().message);
   csg::RepairOptions options;
   options.weld = arguments.weld;
+  options.without = steps_of(arguments.without);
   options.close_all = arguments.close_all;
   options.thicken = arguments.thicken;
   options.check.threads = threads_of(arguments);
@@ -151,7 +168,9 @@ constexpr const char* kFooter =
     "vertices lie within edges;\npolygons are turned to agree; holes are "
     "filled, in their plane or by the least area;\ncomponents are turned "
     "outwards; what crosses itself is resolved by winding number.\n"
-    "Each is reported. A solid is written as it is. A border as wide as half "
+    "--without leaves steps out: they are duplicates, weld, agree, close, "
+    "outwards\nand resolve. Each step is reported. A solid is written as it "
+    "is. A border as wide as half "
     "of its\ncomponent may be no hole: say --close-all or --thicken.\n\n"
     "Examples:\n"
     "  halfspace repair scan.stl -o solid.stl\n"
@@ -180,6 +199,13 @@ void add_repair(CLI::App& program, Status& status) {
   add_parsed(*app, "--thicken", "THICKNESS", "a number greater than 0",
              arguments->thicken, parse_thickness,
              "Make an open surface a shell so thick, in place of filling it");
+  app->add_option("--without", arguments->without,
+                  "Leave steps out: duplicates, weld, agree, close, outwards, "
+                  "resolve")
+      ->delimiter(',')
+      ->check(CLI::IsMember(
+          std::vector<std::string>(kStepWords.begin(), kStepWords.end())))
+      ->type_name("STEP,...");
   add_parsed(*app, "--max-move", "DISTANCE", "a number of at least 0",
              arguments->max_move, parse_distance,
              "Do not write a result of which rounding to the file's numbers "

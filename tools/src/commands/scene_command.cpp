@@ -32,7 +32,7 @@ Status run_scene(const SceneArguments& arguments) {
   if (!loaded) return fail(arguments.path, loaded.error());
   if (loaded->is_scene_file && changes_colors(arguments.view))
     return fail(arguments.path +
-                ": a scene has its own colours; --color and --light are for "
+                ": a scene has its own colours; --color and lights are for "
                 "meshes");
   SceneFile file = std::move(loaded->file);
   file.options = choose_options(file, arguments.view);

@@ -53,7 +53,7 @@ Result<viewer::State> state_of(const ViewCommandArguments& arguments) {
   if (view.shading) looks.is_smooth = *view.shading == Shading::kGouraud;
   looks.cull = view.cull.value_or(looks.cull);
   if (view.background) looks.background = view.background->color;
-  if (view.light) looks.light = {view.light->x, view.light->y, view.light->z};
+  if (!view.lights.empty()) looks.light = view.lights.front().to_light;
   return state;
 }
 

@@ -46,6 +46,18 @@ std::optional<bool> set(ViewArguments& view, const std::string& word,
   return std::nullopt;
 }
 
+/// Sets what `word`, an object's name, a dot and a word of set_stand(), says.
+std::optional<bool> set_object(KeyFrame& key, const std::string& word,
+                               const std::string& value) {
+  const std::size_t dot = word.find('.');
+  if (dot == std::string::npos) return std::nullopt;
+  Stand tried;
+  const std::string said = word.substr(dot + 1);
+  const auto understood = set_stand(tried, said, value);
+  if (understood == true) key.objects[word.substr(0, dot)][said] = value;
+  return understood;
+}
+
 std::optional<std::int64_t> parse_frame(const std::string& text) {
   const auto frame = parse_number<std::int64_t>(text);
   return frame && *frame >= 0 && *frame < kMostFrames ? frame : std::nullopt;
@@ -65,11 +77,21 @@ std::optional<Error> parse_line(const std::vector<std::string>& words,
   for (std::size_t k = 1; k < words.size(); k += 2) {
     const std::string& word = words[k];
     const std::string value = k + 1 < words.size() ? words[k + 1] : "";
-    const std::optional<bool> understood = set(key.view, word, value);
+    std::optional<bool> understood = set(key.view, word, value);
+    if (!understood) understood = set_object(key, word, value);
     if (!understood) {
       return line_error(
           line, ErrorCode::kSyntax,
-          "knows eye, target, up, fov, height and near, not '" + word + "'");
+          "knows eye, target, up, fov, height, near and, of objects, "
+          "NAME.move, NAME.turn, NAME.scale and NAME.there, not '" +
+              word + "'");
+    }
+    if (!*understood && word.find('.') != std::string::npos) {
+      return line_error(line, ErrorCode::kSyntax,
+                        word +
+                            " must be X,Y,Z to move, X,Y,Z,DEGREES to turn, a "
+                            "number to scale, yes or no for there, not '" +
+                            value + "'");
     }
     if (!*understood) {
       const bool is_vector = word == "eye" || word == "target" || word == "up";
@@ -138,6 +160,36 @@ ViewArguments CameraPath::at(std::int64_t frame) const {
   return view;
 }
 
+Stand CameraPath::stand_at(const std::string& object, std::int64_t frame,
+                           Stand start) const {
+  const auto of = [&](const KeyFrame& key) {
+    Stand stand = start;
+    const auto words = key.objects.find(object);
+    if (words == key.objects.end()) return stand;
+    for (const auto& [word, value] : words->second)
+      set_stand(stand, word, value);
+    return stand;
+  };
+  const auto after =
+      std::lower_bound(keys_.begin(), keys_.end(), frame,
+                       [](const KeyFrame& key, std::int64_t wanted) {
+                         return key.frame < wanted;
+                       });
+  if (after->frame == frame) return of(*after);
+  const KeyFrame& before = *std::prev(after);
+  return between(of(before), of(*after),
+                 static_cast<double>(frame - before.frame) /
+                     static_cast<double>(after->frame - before.frame));
+}
+
+std::set<std::string> CameraPath::objects() const {
+  std::set<std::string> names;
+  for (const KeyFrame& key : keys_) {
+    for (const auto& [name, words] : key.objects) names.insert(name);
+  }
+  return names;
+}
+
 Result<CameraPath> turntable(const Scene& scene, std::uint32_t frames,
                              const ViewArguments& start) {
   const io::ViewDirection first = start.view.value_or(io::ViewDirection());
@@ -196,7 +248,9 @@ Result<CameraPath> parse_camera_path(const std::string& text,
     const std::vector<std::string> words{
         std::istream_iterator<std::string>(tokens), {}};
     if (words.empty()) continue;
-    KeyFrame key{0, keys.empty() ? start : keys.back().view};
+    KeyFrame key{
+        0, keys.empty() ? start : keys.back().view,
+        keys.empty() ? decltype(KeyFrame::objects)() : keys.back().objects};
     if (const auto error = parse_line(words, line, key)) return *error;
     if (!keys.empty() && key.frame <= keys.back().frame) {
       return line_error(line, ErrorCode::kOutOfRange,

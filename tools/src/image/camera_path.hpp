@@ -1,19 +1,26 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
+#include "image/object_file.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
 
-/// What is said of the camera in one frame of a film.
+/// What is said of where an object stands: word by word.
+using StandWords = std::map<std::string, std::string>;
+
+/// What is said of the camera, and of objects, in one frame of a film.
 struct KeyFrame {
   std::int64_t frame = 0;
   ViewArguments view;
+  std::map<std::string, StandWords> objects = {};
 };
 
 /// The way of a camera: its frames are those from the first key frame to the
@@ -30,6 +37,12 @@ class CameraPath {
   /// to the frames; what a key frame says, exactly.
   /// Requires: first_frame() <= frame <= last_frame().
   ViewArguments at(std::int64_t frame) const;
+
+  /// Where an object that stands so at first stands in a frame, likewise.
+  Stand stand_at(const std::string& object, std::int64_t frame,
+                 Stand start) const;
+  /// The objects of which the path speaks.
+  std::set<std::string> objects() const;
 
  private:
   std::vector<KeyFrame> keys_;

@@ -12,8 +12,11 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/simd.hpp"
 #include "halfspace/image.hpp"
+#include "halfspace/line_style.hpp"
 #include "halfspace/result.hpp"
+#include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
+#include "halfspace/screen_kind.hpp"
 
 namespace halfspace::tools {
 
@@ -28,6 +31,13 @@ inline constexpr Word<Method> kMethodWords[] = {{"span", Method::kSpan},
                                                 {"painter", Method::kPainter},
                                                 {"zbuffer", Method::kZBuffer},
                                                 {"raycast", Method::kRayCast}};
+
+/// What keeps the unlit part of the image (S4.9).
+inline constexpr Word<ScreenKind> kScreenWords[] = {
+    {"list", ScreenKind::kList},
+    {"bsp1", ScreenKind::kBsp1},
+    {"quad", ScreenKind::kQuad},
+    {"bsp2", ScreenKind::kBsp2}};
 
 /// What of a pixel its colour is taken from: one sample, so many samples each
 /// way (S5.7), or all of its area (S7.6).
@@ -49,6 +59,11 @@ constexpr std::int32_t samples_of(AntiAliasing anti_aliasing) {
   return anti_aliasing == AntiAliasing::kExact
              ? 1
              : static_cast<std::int32_t>(anti_aliasing);
+}
+
+/// Samples of a pixel each way for lines: many where its area counts.
+constexpr std::int32_t line_samples_of(AntiAliasing anti_aliasing) {
+  return anti_aliasing == AntiAliasing::kExact ? 8 : samples_of(anti_aliasing);
 }
 
 /// Whether the method needs a tree.
@@ -83,6 +98,8 @@ struct Shot {
                       ///< wanted, and may be missing
   std::optional<Rows> rows;  ///< nothing: all
   std::uint8_t alpha = kOpaque;
+  bool by_scalars = false;  ///< the colours are those of set_scalars() (S11)
+  std::optional<ScreenKind> screen;  ///< nothing: the library's usual one
   int threads = 1;
   fast::SimdLevel simd = fast::SimdLevel::kBest;
 };
@@ -129,6 +146,10 @@ class Engine {
   /// Whether the library makes images this way.
   virtual bool has(Method method) const = 0;
 
+  /// The numbers that images of the scene are coloured by from now on.
+  virtual void set_scalars(const Scene& scene, ScalarField field,
+                           ColorScale scale) = 0;
+
   /// Requires: has(shot.method); the span buffer for anti-aliasing, with a
   /// number of samples that the camera has room for; where the method needs a
   /// tree, that is this scene's, and without leaves for the painter; an alpha
@@ -143,6 +164,15 @@ class Engine {
   /// Errors: kOutOfRange: the visible map is too large.
   virtual Result<Picture> render_area(const Scene& scene, const Camera& camera,
                                       const Shot& shot) const = 0;
+
+  /// Draws lines over the picture of a scene, or over the rows of it that the
+  /// shot asks for (S14).
+  /// Errors: those of fast::draw().
+  virtual Result<Done> add_lines(const Scene& scene, const Camera& camera,
+                                 const Shot& shot,
+                                 const DrawingOptions& drawing,
+                                 const LineStyle& style,
+                                 ColorImage& image) const = 0;
 
   /// What is said, to someone who waits, before a scene of so many polygons is
   /// built or rendered; empty where it takes no time.

@@ -6,8 +6,12 @@
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/lines.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/tree_file.hpp"
 #include "image/engine.hpp"
 
@@ -66,9 +70,16 @@ class FastEngine : public Engine {
     if (shot.rows) {
       how.rectangle = {0, shot.rows->first, camera->width_px, shot.rows->end};
     }
+    how.colors = !shot.by_scalars;
     fast::Rendering image = image_of(scene, camera, shot, how);
+    if (shot.by_scalars) color(scene, camera, shot, image);
     return {std::move(image.items), std::move(image.colors),
             image.pixels_painted, image.fragments_displayed};
+  }
+
+  void set_scalars(const Scene& scene, ScalarField field,
+                   ColorScale scale) override {
+    scalars_ = fast::prepare_scalars(scene, std::move(field), std::move(scale));
   }
 
   Result<Picture> render_area(const Scene& scene, const Camera& camera,
@@ -94,6 +105,19 @@ class FastEngine : public Engine {
     return picture;
   }
 
+  Result<Done> add_lines(const Scene& scene, const Camera& camera,
+                         const Shot& shot, const DrawingOptions& drawing,
+                         const LineStyle& style,
+                         ColorImage& image) const override {
+    const auto drawn = fast::draw(scene, camera, drawing);
+    if (!drawn) return drawn.error();
+    fast::LineOptions how;
+    how.samples = line_samples_of(shot.anti_aliasing);
+    how.top = shot.rows ? shot.rows->first : 0;
+    fast::add_lines(*drawn, style, how, image);
+    return Done{};
+  }
+
   std::string warning(std::size_t) const override { return {}; }
 
  private:
@@ -102,9 +126,12 @@ class FastEngine : public Engine {
                            const fast::RenderOptions& how) const {
     if (const auto samples = samples_of(shot.anti_aliasing); samples > 1) {
       fast::RenderOptions own = how;
-      own.items = shot.items;
+      own.items = shot.items || shot.by_scalars;
       return fast::render_samples(scene, tree_, camera, shot.options, samples,
                                   own);
+    }
+    if (shot.screen) {
+      return fast::render_on(scene, tree_, camera, shot.options, *shot.screen);
     }
     if (shot.method == Method::kSpan) {
       return fast::render(scene, tree_, camera, shot.options, how);
@@ -115,7 +142,18 @@ class FastEngine : public Engine {
     return fast::blend(scene, tree_, camera, shot.options, shot.alpha, how);
   }
 
+  void color(const Scene& scene, const Camera& camera, const Shot& shot,
+             fast::Rendering& image) const {
+    fast::ScalarOptions how;
+    how.samples = samples_of(shot.anti_aliasing);
+    how.top = shot.rows ? shot.rows->first : 0;
+    how.threads = shot.threads;
+    image.colors = fast::color_scalars(scene, camera, shot.options, image.items,
+                                       scalars_, how);
+  }
+
   fast::BspTree tree_;
+  fast::ScalarColors scalars_;
 };
 
 }  // namespace

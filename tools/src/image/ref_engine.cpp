@@ -1,12 +1,17 @@
+#include <algorithm>
 #include <utility>
 
 #include "halfspace/assert.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/build.hpp"
+#include "halfspace/ref/drawing.hpp"
+#include "halfspace/ref/lines.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "halfspace/ref/render.hpp"
+#include "halfspace/ref/scalars.hpp"
+#include "halfspace/ref/screens.hpp"
 #include "image/engine.hpp"
 
 namespace halfspace::tools {
@@ -58,6 +63,11 @@ class RefEngine : public Engine {
 
   bool has(Method) const override { return true; }
 
+  void set_scalars(const Scene&, ScalarField field, ColorScale scale) override {
+    field_ = std::move(field);
+    scale_ = std::move(scale);
+  }
+
   Picture render(const Scene& scene, const Camera& camera,
                  const Shot& shot) const override {
     if (!shot.rows) return whole(scene, camera, shot);
@@ -82,6 +92,21 @@ class RefEngine : public Engine {
     return picture;
   }
 
+  Result<Done> add_lines(const Scene& scene, const Camera& camera,
+                         const Shot& shot, const DrawingOptions& drawing,
+                         const LineStyle& style,
+                         ColorImage& image) const override {
+    ColorImage all(camera->width_px, camera->height_px, Rgb{});
+    const Rows rows = shot.rows.value_or(Rows{0, camera->height_px});
+    const auto first = std::ptrdiff_t{rows.first} * all.width_px;
+    std::copy(image.pixels.begin(), image.pixels.end(),
+              all.pixels.begin() + first);
+    ref::add_lines(ref::draw(scene, camera, drawing), style,
+                   line_samples_of(shot.anti_aliasing), all);
+    image = rows_of(all, rows);
+    return Done{};
+  }
+
   std::string warning(std::size_t polygons) const override {
     if (polygons < kManyPolygons) return {};
     return "the exact reference works on " + std::to_string(polygons) +
@@ -95,6 +120,10 @@ class RefEngine : public Engine {
     ref::Rendering image;
     switch (shot.method) {
       case Method::kSpan:
+        if (shot.screen) {
+          image = ref::render_on(scene, tree_, camera, options, *shot.screen);
+          break;
+        }
         image = ref::render_samples(scene, tree_, camera, options,
                                     samples_of(shot.anti_aliasing));
         break;
@@ -110,11 +139,18 @@ class RefEngine : public Engine {
         image = ref::raycast(scene, camera, options);
         break;
     }
+    if (shot.by_scalars) {
+      image.colors =
+          ref::color_scalars(scene, camera, options, image.items, field_,
+                             scale_, samples_of(shot.anti_aliasing));
+    }
     return {std::move(image.items), std::move(image.colors),
             image.pixels_painted, image.fragments_displayed};
   }
 
   ref::BspTree tree_;
+  ScalarField field_;
+  ColorScale scale_;
 };
 
 }  // namespace

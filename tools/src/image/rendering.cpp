@@ -59,6 +59,40 @@ std::string simd_complaint(const RenderArguments& arguments) {
   return {};
 }
 
+/// What is wrong with scalars among the other options.
+std::string scalars_complaint(const RenderArguments& arguments) {
+  const std::string alone = scalar_complaint(arguments.scalars);
+  if (!arguments.scalars.source || !alone.empty()) return alone;
+  if (io::has_extension(arguments.path, ".objects"))
+    return "--scalar: colours one mesh, no objects that move";
+  if (arguments.alpha) return "--scalar: is not blended; leave out --alpha";
+  if (arguments.anti_aliasing == AntiAliasing::kExact)
+    return "--scalar: has colours of samples, no exact areas; take --aa 8";
+  if (arguments.shadow)
+    return "--shadow: checks a scene's own colours, none by --scalar";
+  if (!arguments.scalars.has_legend) return {};
+  if (arguments.rows) return "--legend: is for whole pictures, without --rows";
+  if (arguments.view.background &&
+      arguments.view.background->style == Background::Style::kNone)
+    return "--legend: needs a background to stand on";
+  return {};
+}
+
+/// What is wrong with lines among the other options.
+std::string lines_complaint(const RenderArguments& arguments) {
+  const std::string alone = line_complaint(arguments.lines);
+  if (!arguments.lines.edges || !alone.empty()) return alone;
+  if (io::has_extension(arguments.path, ".objects"))
+    return "--lines: are drawn over one mesh, no objects that move";
+  if (!arguments.clip.planes.empty() || arguments.clip.yon)
+    return "--lines: are those of the whole model; leave out --clip and --yon";
+  if (arguments.shadow) return "--shadow: checks pictures without --lines";
+  if (arguments.view.background &&
+      arguments.view.background->style == Background::Style::kNone)
+    return "--lines: need a background to stand on";
+  return {};
+}
+
 /// The rows asked for, if there are such rows.
 Result<std::optional<Rows>> rows_of(const RenderArguments& arguments,
                                     std::int32_t height_px) {
@@ -131,6 +165,15 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.clip.caps && (arguments.alpha || arguments.shadow)) {
     return "--cap: not together with --alpha or --shadow";
   }
+  if (arguments.screen &&
+      (method != Method::kSpan || arguments.anti_aliasing || arguments.rows)) {
+    return "--screen: is for whole pictures by --method span; leave out --aa "
+           "and --rows";
+  }
+  for (const std::string& wrong :
+       {scalars_complaint(arguments), lines_complaint(arguments)}) {
+    if (!wrong.empty()) return wrong;
+  }
   const std::string simd = simd_complaint(arguments);
   if (!simd.empty()) return simd;
   const std::string film = film_complaint(arguments);
@@ -143,7 +186,7 @@ Status make_tree(Engine& engine, const Scene& scene,
   const Library library = library_of(arguments);
   tree.library = word_of(kLibraryWords, library);
   if (!needs_tree(method)) return Status::kFine;
-  const bool leaves = method == Method::kSpan &&
+  const bool leaves = method == Method::kSpan && !arguments.screen &&
                       arguments.anti_aliasing != AntiAliasing::kExact;
   if (arguments.tree_file) {
     const std::string& path = *arguments.tree_file;
@@ -181,11 +224,23 @@ void add_background(const RenderArguments& arguments, std::int32_t height_px,
   }
 }
 
+/// What a legend stands on: of a gradient, what is half way down.
+Rgb background_near_legend(const RenderArguments& arguments,
+                           const Frame& frame) {
+  const auto& background = arguments.view.background;
+  if (background && background->style == Background::Style::kGradient) {
+    const std::int32_t height = frame.picture.colors.height_px;
+    return gradient_color(height / 2, height);
+  }
+  return frame.options.background;
+}
+
 }  // namespace
 
-Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
+Result<Frame> make_frame(const Engine& engine, const Subject& subject,
                          const Camera& camera,
                          const RenderArguments& arguments) {
+  const io::LoadedScene& loaded = subject.loaded;
   const Result<std::optional<Rows>> rows =
       rows_of(arguments, camera->height_px);
   if (!rows) return rows.error();
@@ -207,12 +262,18 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
     return Error{ErrorCode::kOutOfRange,
                  "--aa: is not for clip planes; leave out either"};
   }
+  if (arguments.screen && !shot.options.clips.empty()) {
+    return Error{ErrorCode::kOutOfRange,
+                 "--screen: is not for clip planes; leave out either"};
+  }
   shot.rows = *rows;
+  shot.screen = arguments.screen;
   shot.anti_aliasing = anti_aliasing;
   shot.items = arguments.ids_file.has_value();
   shot.alpha = arguments.alpha.value_or(kOpaque);
   shot.threads = thread_count(arguments.build);
   shot.simd = arguments.simd.value_or(fast::SimdLevel::kBest);
+  shot.by_scalars = subject.scalars.has_value();
   Frame frame;
   frame.options = shot.options;
   if (shot.rows) {
@@ -233,6 +294,18 @@ Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
   }
   frame.frame_ms = median(std::move(times_ms));
   add_background(arguments, camera->height_px, frame);
+  if (arguments.lines.edges) {
+    const ShownLines lines = shown_lines(arguments.lines, shot.options.cull);
+    const Result<Done> drawn =
+        engine.add_lines(loaded.file.scene, camera, shot, lines.drawing,
+                         lines.style, frame.picture.colors);
+    if (!drawn) return drawn.error();
+  }
+  if (arguments.scalars.has_legend) {
+    io::draw_legend(subject.scalars->legend, frame.picture.items,
+                    background_near_legend(arguments, frame),
+                    frame.picture.colors);
+  }
   return frame;
 }
 

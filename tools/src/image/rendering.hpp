@@ -12,6 +12,8 @@
 #include "image/building.hpp"
 #include "image/clipping.hpp"
 #include "image/engine.hpp"
+#include "image/lines.hpp"
+#include "image/scalars.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -29,6 +31,7 @@ struct RenderArguments {
   std::optional<std::uint8_t> alpha;
   std::optional<AntiAliasing> anti_aliasing;
   std::optional<Method> method;
+  std::optional<ScreenKind> screen;
   std::optional<fast::SimdLevel> simd;
   std::optional<std::uint32_t> repeat;
   std::optional<int> grid_bits;
@@ -36,6 +39,8 @@ struct RenderArguments {
   std::string shadow_file = "halfspace-shadow.scene";
   ViewArguments view;
   ClipArguments clip;
+  ScalarArguments scalars;
+  LineArguments lines;
   BuildArguments build;
 };
 
@@ -68,9 +73,16 @@ struct Frame {
 Status make_tree(Engine& engine, const Scene& scene,
                  const RenderArguments& arguments, BuildMeasure& tree);
 
+/// What is rendered: a scene, and the numbers that colour it, which the engine
+/// knows, if there are any.
+struct Subject {
+  const io::LoadedScene& loaded;
+  std::optional<ShownScalars> scalars = std::nullopt;
+};
+
 /// Makes the image, or the rows asked for.
 /// Errors: kOutOfRange (there are no such rows).
-Result<Frame> make_frame(const Engine& engine, const io::LoadedScene& loaded,
+Result<Frame> make_frame(const Engine& engine, const Subject& subject,
                          const Camera& camera,
                          const RenderArguments& arguments);
 

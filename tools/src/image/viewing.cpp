@@ -155,6 +155,71 @@ std::string to_text(const Size& size) {
   return std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
 }
 
+/// A light: X,Y,Z, or X,Y,Z,STRENGTH.
+std::optional<io::Light> parse_light(std::string_view text) {
+  io::Light light;
+  std::string_view place = text;
+  if (std::count(text.begin(), text.end(), ',') == 3) {
+    const std::size_t comma = text.rfind(',');
+    const auto strength = parse_number<double>(text.substr(comma + 1));
+    if (!strength || *strength < 0 || *strength > 100) return std::nullopt;
+    light.strength = *strength;
+    place = text.substr(0, comma);
+  }
+  const std::optional<glm::dvec3> from = parse_vector(place);
+  if (!from || !(glm::length(*from) > 0) || !(glm::length(*from) < 1e150))
+    return std::nullopt;
+  const glm::dvec3 unit = glm::normalize(*from);
+  light.to_light = {unit.x, unit.y, unit.z};
+  return light;
+}
+
+void add_light_options(CLI::App& app, ViewArguments& arguments) {
+  const auto add = [&arguments](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts)
+      arguments.lights.push_back(*parse_light(text));
+  };
+  const auto complain = [](const std::string& text) {
+    return parse_light(text)
+               ? std::string()
+               : fmt::format(
+                     "must be X,Y,Z, three numbers that are not all 0, "
+                     "and maybe a strength of at least 0, not '{}'",
+                     text);
+  };
+  app.add_option_function<std::vector<std::string>>(
+         "--light", add,
+         "From where light comes to a mesh, and how strong it is, 1 if not "
+         "said: one light each time; from above, the left and the front if "
+         "there is none")
+      ->check(complain)
+      ->allow_extra_args(false)
+      ->type_name("X,Y,Z[,S]")
+      ->group("Picture");
+  app.add_flag("--headlight", arguments.headlight,
+               "A light comes to a mesh from where the eye is; with --eye "
+               "and no --target, as if it looked at 0,0,0")
+      ->group("Picture");
+  const auto parse_share = [](std::string_view text) {
+    const auto share = parse_number<double>(text);
+    return share && *share >= 0 && *share <= 1 ? share : std::nullopt;
+  };
+  add_parsed(app, "--ambient", "SHARE", "a number from 0 to 1",
+             arguments.ambient, parse_share,
+             "The light that is everywhere, 0.22 if not said; 1 shows colours "
+             "as they are")
+      ->group("Picture");
+  const auto parse_crease = [](std::string_view text) {
+    const auto angle = parse_number<double>(text);
+    return angle && *angle >= 0 && *angle <= 180 ? angle : std::nullopt;
+  };
+  add_parsed(app, "--smooth", "DEG", "a number from 0 to 180",
+             arguments.crease_deg, parse_crease,
+             "Shade a mesh smoothly, but for edges that turn by more than "
+             "this")
+      ->group("Picture");
+}
+
 void add_picture_options(CLI::App& app, ViewArguments& arguments) {
   const auto set_cull = [&app, &arguments](const std::string& name, bool cull,
                                            const std::string& meaning) {
@@ -179,22 +244,7 @@ void add_picture_options(CLI::App& app, ViewArguments& arguments) {
   add_color(app, "--color", arguments.surface,
             "Colour of the mesh, instead of its own")
       ->group("Picture");
-  const auto parse_light = [](std::string_view text) {
-    const std::optional<glm::dvec3> light = parse_vector(text);
-    return light && glm::length(*light) > 0 && glm::length(*light) < 1e150
-               ? light
-               : std::nullopt;
-  };
-  add_parsed(app, "--light", "X,Y,Z", "X,Y,Z, three numbers that are not all 0",
-             arguments.light, parse_light,
-             "From where the light comes to a mesh; from above, the left and "
-             "the front if not said")
-      ->group("Picture");
-  app.add_flag("--headlight", arguments.headlight,
-               "The light comes to a mesh from where the eye is; with --eye "
-               "and no --target, as if it looked at 0,0,0")
-      ->excludes("--light")
-      ->group("Picture");
+  add_light_options(app, arguments);
 }
 
 }  // namespace
@@ -323,6 +373,15 @@ Result<ChosenCamera> choose_camera(const SceneFile& file,
   return ChosenCamera{viewed->camera, viewed->max_move, false};
 }
 
+Result<ChosenCamera> widened(const ChosenCamera& chosen, std::int32_t width_px,
+                             const Scene& scene) {
+  CameraData data = chosen.camera.data();
+  data.width_px = width_px;
+  const Result<Camera> camera = make_camera(data, scene.grid_bits());
+  if (!camera) return camera.error();
+  return ChosenCamera{*camera, chosen.max_move, chosen.from_file};
+}
+
 std::string camera_error(const std::string& path, const Error& error) {
   if (error.code == ErrorCode::kEmpty)
     return io::error_about(path, error).message;
@@ -331,41 +390,55 @@ std::string camera_error(const std::string& path, const Error& error) {
 }
 
 bool changes_colors(const ViewArguments& arguments) {
-  return arguments.surface || arguments.light || arguments.headlight;
+  return arguments.surface || !arguments.lights.empty() ||
+         arguments.headlight || arguments.ambient || arguments.crease_deg;
 }
 
 ImageOptions choose_options(const SceneFile& file,
                             const ViewArguments& arguments) {
   ImageOptions options = file.options;
   if (arguments.cull) options.cull = *arguments.cull;
+  if (arguments.crease_deg) options.shading = Shading::kGouraud;
   options.shading = arguments.shading.value_or(options.shading);
   if (arguments.background) options.background = arguments.background->color;
   return options;
 }
+
+namespace {
+
+/// The light from where the eye is.
+io::Light headlight(const ViewArguments& arguments) {
+  const io::ViewDirection usual = arguments.view.value_or(io::ViewDirection());
+  glm::dvec3 to_light = arguments.up && *arguments.up != glm::dvec3(0)
+                            ? io::turned(usual, *arguments.up).to_eye
+                            : usual.to_eye;
+  if (arguments.eye) {
+    const glm::dvec3 from = arguments.target.value_or(glm::dvec3(0));
+    if (*arguments.eye != from) to_light = *arguments.eye - from;
+  }
+  const glm::dvec3 unit = glm::normalize(to_light);
+  return {{unit.x, unit.y, unit.z}, 1};
+}
+
+}  // namespace
 
 io::ImportOptions import_options(const ViewArguments& arguments,
                                  std::optional<int> grid_bits) {
   io::ImportOptions options;
   options.grid_bits = grid_bits;
   options.refine_bits = kRefineBits;
-  options.gouraud = arguments.shading == Shading::kGouraud;
+  options.gouraud =
+      arguments.shading.value_or(arguments.crease_deg
+                                     ? Shading::kGouraud
+                                     : Shading::kFlat) == Shading::kGouraud;
   options.surface = arguments.surface;
   options.light_colors = true;
-  std::optional<glm::dvec3> to_light = arguments.light;
+  options.ambient = arguments.ambient.value_or(options.ambient);
+  options.crease_deg = arguments.crease_deg;
+  if (!arguments.lights.empty()) options.lights = arguments.lights;
   if (arguments.headlight) {
-    const io::ViewDirection usual =
-        arguments.view.value_or(io::ViewDirection());
-    to_light = arguments.up && *arguments.up != glm::dvec3(0)
-                   ? io::turned(usual, *arguments.up).to_eye
-                   : usual.to_eye;
-    if (arguments.eye) {
-      const glm::dvec3 from = arguments.target.value_or(glm::dvec3(0));
-      if (*arguments.eye != from) to_light = *arguments.eye - from;
-    }
-  }
-  if (to_light) {
-    const glm::dvec3 light = glm::normalize(*to_light);
-    options.to_light = {light.x, light.y, light.z};
+    if (arguments.lights.empty()) options.lights.clear();
+    options.lights.push_back(headlight(arguments));
   }
   return options;
 }

@@ -4,11 +4,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/arguments.hpp"
 #include "cli/loading.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/image.hpp"
+#include "halfspace/io/import.hpp"
 #include "halfspace/io/view.hpp"
 #include "halfspace/result.hpp"
 
@@ -43,8 +45,10 @@ struct ViewArguments {
   std::optional<bool> cull;
   std::optional<Background> background;
   std::optional<Rgb> surface;
-  std::optional<glm::dvec3> light;
-  bool headlight = false;  ///< the light comes from where the eye is
+  std::vector<io::Light> lights;  ///< nothing: the usual one
+  bool headlight = false;         ///< a light comes from where the eye is
+  std::optional<double> ambient;
+  std::optional<double> crease_deg;
   std::optional<io::ViewDirection> view;  ///< a direction of --view
   std::optional<Shading> shading;         ///< nothing: as the file says
 };
@@ -89,6 +93,11 @@ struct ChosenCamera {
 ///         kEmpty are about the arguments.
 Result<ChosenCamera> choose_camera(const SceneFile& file,
                                    const ViewArguments& arguments);
+
+/// The same camera with more columns at the right side.
+/// Errors: those of make_camera().
+Result<ChosenCamera> widened(const ChosenCamera& chosen, std::int32_t width_px,
+                             const Scene& scene);
 
 /// The error of a camera for the scene in a file, in words: it is about the
 /// scene, or about the arguments.

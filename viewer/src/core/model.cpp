@@ -29,7 +29,7 @@ io::ImportOptions import_options(const Looks& looks) {
   if (looks.light) {
     const auto& v = *looks.light;
     const glm::dvec3 light = glm::normalize(glm::dvec3(v[0], v[1], v[2]));
-    options.to_light = {light.x, light.y, light.z};
+    options.lights = {{{light.x, light.y, light.z}}};
   }
   return options;
 }

@@ -165,6 +165,10 @@ class Operands {
   /// How many corners were added where vertices lay within edges, so far.
   std::size_t corners_added() const { return corners_added_; }
 
+  /// Where surfaces that were rounded met themselves for that, so far; they
+  /// were moved a little more, until they are solids again (S6.8).
+  std::size_t settled_contacts() const { return settled_contacts_; }
+
   /// How many polygons a leaf's file has.
   std::size_t polygon_count(std::int32_t leaf) const;
 
@@ -189,6 +193,9 @@ class Operands {
         repair_(plan.leaves.size()),
         polygons_(plan.leaves.size()) {}
   Scene closed(Scene scene);
+  bool may_settle(std::int32_t leaf, const Result<bool>& repairs) const;
+  Result<GridSolid> settled(const Scene& scene,
+                            std::vector<PolygonId>& polygons);
   Error located(std::int32_t leaf, Error error) const;
   Result<Done> find_exact_leaves();
   Result<Done> round_leaf(std::int32_t leaf);
@@ -223,6 +230,7 @@ class Operands {
   std::vector<std::vector<PolygonId>> polygons_;  // by leaf
   io::ImportReport report_;
   std::size_t corners_added_ = 0;
+  std::size_t settled_contacts_ = 0;
 };
 
 }  // namespace halfspace::csg

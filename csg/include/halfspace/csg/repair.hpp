@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,8 +10,22 @@
 
 namespace halfspace::csg {
 
+/// The steps of a repair, in their order. Vertices within edges become corners
+/// in any case, for that changes no surface.
+enum class RepairStep : std::uint8_t {
+  kDuplicates,  ///< polygons that others cover go
+  kWeld,        ///< vertices at borders become one with others
+  kAgree,       ///< polygons are turned to agree with their neighbours
+  kClose,       ///< holes are filled, or the surface is made a shell
+  kOutwards,    ///< components are turned outwards
+  kResolve,     ///< what crosses itself is resolved by winding number
+};
+
 /// What may be done to a surface so that it becomes a solid's.
 struct RepairOptions {
+  /// Steps that are left out. Where one of them would have gone on, the error
+  /// names it.
+  std::vector<RepairStep> without = {};
   /// Vertices at edges without a neighbour that are no farther apart than this
   /// along any axis become one. Units: model units. Nothing: four steps of
   /// floats of the size of the greatest coordinate.
@@ -62,8 +77,8 @@ struct Repaired {
 /// Exact:  but for the vertices that are welded or offset, yes. Which way a
 ///         component faces, what a hole is filled with and where a shell is
 ///         offset to are decided in doubles; the result is checked exactly.
-/// Errors: kOpen, kInsideOut, kEmpty: the message says what a person must
-///         decide. kStopped.
+/// Errors: kOpen, kInsideOut, kEmpty, kSelfCrossing (resolving was left out):
+///         the message says what a person must decide. kStopped.
 /// Source: BS95 and KLI80 for the least area of a hole's triangles.
 Result<Repaired> repaired(const std::string& path, const io::Mesh& mesh,
                           const RepairOptions& options);

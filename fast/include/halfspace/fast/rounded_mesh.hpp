@@ -8,6 +8,7 @@
 
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/result.hpp"
+#include "halfspace/scene.hpp"
 
 namespace halfspace::fast {
 
@@ -52,11 +53,16 @@ struct RoundedMesh {
 /// not at all; no two vertices are in one place, and no polygon is without area
 /// or has a straight corner.
 ///
-/// Grid: what must be rounded goes to multiples of one power of two, which
-///       is the spacing of the file's numbers at the greatest coordinate.
+/// Grid: what must be rounded goes to multiples of one power of two: of floats,
+///       the spacing at the greatest coordinate; of doubles, 32 times that, so
+///       that grids of 54 bits have room for the file beside larger solids.
 ///       Vertices of the solid that are numbers of the file stay.
-/// Shape: polygons with a moved vertex are triangles. Vertices are in the order
-///        of their coordinates, polygons in that of their corners.
+/// Shape: polygons whose corners are not exactly in one plane any more are
+///        triangles. Corners that must be rounded and lie on a straight crease,
+///        with nearly planar sides of one colour and part, are left out, unless
+///        options.max_move leaves no room for the four steps that may move the
+///        surface. Vertices are in the order of their coordinates, polygons in
+///        that of their corners.
 /// Keeps: colours, and where polygons came from.
 /// Errors: kOutOfRange (a coordinate is beyond the numbers; the surface moves
 ///         farther than it may; no grid was found on which it crosses nothing:
@@ -64,8 +70,31 @@ struct RoundedMesh {
 /// Cost:   n log n where rounding makes no contact; else of resolve(), for each
 ///         round.
 /// Source: VL25, with a uniform grid and a coarser one only where triangles
-///         meet that did so before.
+///         meet that did so before; SZL92, LAW77 and HM83 for triangles.
 Result<RoundedMesh> rounded_mesh(const Solid& solid,
                                  const RoundingOptions& options = {});
+
+/// A scene whose surface does not cross itself any more.
+struct SettledScene {
+  Scene scene;                      ///< in the unit and grid of the other
+  std::vector<PolygonId> polygons;  ///< by polygon: which one it is a part of
+  /// No point of its surface is farther from the other's along an axis. Units:
+  /// grid steps.
+  double max_move = 0;
+  std::size_t contacts = 0;  ///< where the other one's surface met itself
+};
+
+/// The surface of a solid whose vertices were moved to the points of a grid,
+/// and which crosses itself for that: it becomes a solid's again, on the same
+/// grid, as a result that is rounded to a file's numbers does (S6.8).
+///
+/// Requires: closed (make_solid() takes it); the surface crossed itself nowhere
+///           before its vertices were moved. Otherwise the result is that of
+///           resolution (S6.7), rounded.
+/// Keeps:    colours.
+/// Errors:   kOutOfRange (no rounding was found that does not cross itself; the
+///           message names a place, in grid steps).
+/// Cost:     n log n, and that of resolve(), for each round.
+Result<SettledScene> settled_scene(const Scene& scene, int threads = 1);
 
 }  // namespace halfspace::fast

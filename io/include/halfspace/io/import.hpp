@@ -11,6 +11,12 @@
 
 namespace halfspace::io {
 
+/// A light far away.
+struct Light {
+  std::array<double, 3> to_light = {0.15, -0.45, 0.88};  ///< about 1 long
+  double strength = 1;
+};
+
 /// How a mesh becomes a scene (S1.7).
 struct ImportOptions {
   /// Use this grid (26, 40 or 54), and round where it is too small.
@@ -21,13 +27,22 @@ struct ImportOptions {
   int refine_bits = 0;
   /// Give the scene colours at its corners, and make every polygon a triangle.
   bool gouraud = false;
+  /// Make every polygon a triangle, without colours at its corners, too.
+  bool triangles = false;
+  /// Tell which vertex of the mesh each corner of the scene was.
+  bool keep_vertices = false;
   /// Replaces the colours of the mesh, and that of surfaces without one.
   std::optional<Rgb> surface = std::nullopt;
   /// Light the colours of the mesh by the directions of its faces, as surfaces
   /// without colours are lit.
   bool light_colors = false;
-  /// From where the light comes, with length 1 or nearly so.
-  std::array<double, 3> to_light = {0.15, -0.45, 0.88};
+  /// Where light comes from. A surface has the ambient share of its colour, and
+  /// of the rest what each light adds, up to all of it.
+  std::vector<Light> lights = {Light()};
+  double ambient = 0.22;  ///< 0 to 1
+  /// Corners are lit by the normals of those faces at the vertex that turn by
+  /// at most so much from the corner's own; nothing: of all.
+  std::optional<double> crease_deg = std::nullopt;
 };
 
 /// What import did to a mesh (S1.7).
@@ -49,6 +64,9 @@ struct Imported {
   /// part of.
   std::vector<PolygonId> faces;
   ImportReport report;
+  /// For each corner of the scene, the vertex of the mesh; empty unless
+  /// ImportOptions::keep_vertices.
+  std::vector<VertexId> corner_vertices = {};
 };
 
 /// The scene of a mesh (S1.7).

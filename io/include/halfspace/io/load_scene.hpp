@@ -19,6 +19,7 @@ struct LoadedScene {
   std::vector<PolygonId> polygons;
   ImportReport report;  ///< of a scene file: that nothing was changed
   bool is_scene_file = false;
+  std::vector<VertexId> corner_vertices = {};  ///< as Imported has them
 };
 
 /// The error with the file's name at the front of its message, unless the name

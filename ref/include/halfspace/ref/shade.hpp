@@ -13,6 +13,15 @@ namespace halfspace::ref {
 /// A colour before it is rounded: red, green, blue.
 using ExactColor = std::array<Rational, 3>;
 
+/// The shares of a triangle's corners in the point that the image point sees
+/// in its plane: barycentric coordinates, which sum up to 1.
+///
+/// Requires: the ray of the point meets the triangle's plane in front of the
+/// eye. Exact:    yes.
+std::array<Rational, 3> corner_shares(const Scene& scene, const Camera& camera,
+                                      PolygonId triangle,
+                                      const ImagePoint& point);
+
 /// The colour of a polygon at an image point (S5.4, S5.7, S5.8), as color_at()
 /// without the rounding.
 ///

@@ -1,0 +1,143 @@
+#include "halfspace/fast/image/moving.hpp"
+
+#include <string>
+#include <utility>
+
+#include "halfspace/assert.hpp"
+#include "moving/object_painter.hpp"
+#include "raster/bands.hpp"
+#include "sah/cell_tree.hpp"
+
+namespace halfspace::fast {
+namespace {
+
+struct MovingBand {
+  std::size_t pixels = 0;
+  std::size_t fragments = 0;
+  FilterStats stats;
+};
+
+template <int kBits>
+MovingBand render_moving_band(const MovingFrame& all, const Frame& world,
+                              TileBuffer& buffer) {
+  TileView& screen = buffer.view();
+  PolygonRasterizer<kBits> rasterizer(world, screen);
+  ObjectPainter objects(all, buffer);
+  objects.set_world(rasterizer);
+  FilterStats stats;
+  show_front_to_back(
+      world, buffer, rasterizer, stats,
+      ObjectPainter::cell(all.trees.models[0], [&](std::int32_t object) {
+        objects.show(0, object);
+      }));
+  const std::int64_t unlit = rasterizer.fill_rest(all.image.background);
+  const std::int64_t area =
+      std::int64_t{screen.columns.end - screen.columns.first} *
+      (screen.lines.end - screen.lines.first);
+  const std::size_t fragments = rasterizer.fragments() + objects.fragments();
+  stats.add(rasterizer.stats());
+  stats.add(objects.stats());
+  return {static_cast<std::size_t>(area - unlit), fragments, stats};
+}
+
+std::optional<Error> fault_of_cells(const KeptCells& cells,
+                                    std::int32_t model) {
+  const std::string of_model = " of model " + std::to_string(model);
+  if (const auto object = cells.locked()) {
+    return Error{ErrorCode::kOutOfRange,
+                 "the region of object " + std::to_string(*object) + of_model +
+                     " is interlocked with others: every plane between two "
+                     "of them cuts a third; move one of them",
+                 *object};
+  }
+  if (!cells.filled() || cells.cuts()) return std::nullopt;
+  const auto [object, polygon] = *cells.filled();
+  return Error{ErrorCode::kOutOfRange,
+               "the region of object " + std::to_string(object) + of_model +
+                   " is not free: polygon " + std::to_string(polygon) +
+                   " reaches into it; move it, or ask to cut",
+               polygon};
+}
+
+}  // namespace
+
+Result<MovingTrees> build_moving_trees(const Assembly& assembly,
+                                       InRegion in_region,
+                                       const DisplayTreeOptions& options) {
+  MovingTrees trees;
+  for (const Model& model : assembly.models()) {
+    KeptCells cells(model.objects, in_region == InRegion::kCut);
+    FilterStats stats;
+    KeptTree built = build_cell_tree(model.scene, cells, options, stats);
+    const auto index = static_cast<std::int32_t>(trees.models.size());
+    if (const auto fault = fault_of_cells(cells, index)) return *fault;
+    ModelTree tree;
+    tree.object_at.assign(model.objects.empty() ? 0 : built.tree.nodes.size(),
+                          -1);
+    for (std::size_t k = 0; k < built.node_of_object.size(); ++k) {
+      const NodeId node = built.node_of_object[k];
+      if (node == kNoNode) {
+        return Error{ErrorCode::kStopped, "the build of trees was stopped"};
+      }
+      tree.object_at[static_cast<std::size_t>(node)] =
+          static_cast<std::int32_t>(k);
+    }
+    tree.tree = std::move(built.tree);
+    trees.models.push_back(std::move(tree));
+  }
+  return trees;
+}
+
+Rendering render_moving(const Assembly& assembly, const MovingTrees& trees,
+                        const Placement& placement, const Camera& camera,
+                        const ImageOptions& image,
+                        const RenderOptions& options) {
+  HALFSPACE_ASSERT(options.threads >= 1);
+  HALFSPACE_ASSERT(image.clips.empty());
+  const CameraData& data = camera.data();
+  const Rectangle rectangle = options.rectangle.value_or(
+      Rectangle{0, 0, data.width_px, data.height_px});
+  const std::int32_t width = rectangle.right - rectangle.left;
+  const std::int32_t height = rectangle.bottom - rectangle.top;
+  Rendering result;
+  if (options.items) resize_image(result.items, width, height);
+  if (options.colors) resize_image(result.colors, width, height);
+  const Scene& scene = assembly.models()[0].scene;
+  const TreeReader reader(scene, trees.models[0].tree);
+  const View view = make_view(camera, scene.grid_bits());
+  const ClipSet clips(image.clips, false, scene.grid_bits());
+  const TileKernel& kernel = best_kernel(options.simd);
+  const MovingFrame all = {assembly, trees,  placement, data,
+                           image,    kernel, clips};
+  const Frame world = {reader, data, image, view, kernel, clips};
+  const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
+  std::vector<MovingBand> found(bands.size());
+  const auto one = [&](std::size_t b) {
+    TileBuffer buffer(rectangle, bands[b], result, true);
+    found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
+      return render_moving_band<bits()>(all, world, buffer);
+    });
+  };
+  if (options.threads == 1) {
+    one(0);
+  } else {
+    for_bands(bands.size(), options.threads, one);
+  }
+  for (const MovingBand& band : found) {
+    result.pixels_painted += band.pixels;
+    result.fragments_displayed += band.fragments;
+    result.decisions.add(band.stats);
+  }
+  return result;
+}
+
+std::size_t bytes_of(const MovingTrees& trees) {
+  std::size_t bytes = 0;
+  for (const ModelTree& model : trees.models) {
+    bytes += bytes_of(model.tree) +
+             model.object_at.capacity() * sizeof(model.object_at[0]);
+  }
+  return bytes;
+}
+
+}  // namespace halfspace::fast

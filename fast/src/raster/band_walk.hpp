@@ -1,0 +1,95 @@
+#pragma once
+
+#include "halfspace/fast/predicate.hpp"
+#include "raster/culler.hpp"
+#include "raster/frame.hpp"
+#include "raster/polygon_rasterizer.hpp"
+#include "raster/tile_buffer.hpp"
+#include "tree/traversal.hpp"
+
+namespace halfspace::fast {
+
+/// The eye's side of a fragment's source, from that of its node.
+inline int source_side(const TreeFragment& fragment, int node_sign) {
+  return fragment.flipped != 0 ? -node_sign : node_sign;
+}
+
+/// The clip planes that may cut what is in a node.
+inline ClipMask clip_mask(const Frame& frame, const Node& node) {
+  if (frame.clips.empty()) return 0;
+  const BspTree& tree = frame.reader.tree();
+  if (tree.boxes.size() != tree.nodes.size()) return frame.clips.all();
+  const auto n = static_cast<std::size_t>(&node - tree.nodes.data());
+  const ClipState state = frame.clips.classify(tree.boxes[n]);
+  return state.is_gone ? frame.clips.all() : state.mask;
+}
+
+/// Shows the frame's tree front to back on what is unlit of the band.
+///
+/// A leaf without fragments is a cell that is kept free: show_cell(id) shows
+/// what is in it now, with rasterizers of its own; `screen.exact` must be
+/// afterwards as it was.
+template <int kBits, class ShowCell>
+void show_front_to_back(const Frame& frame, TileBuffer& buffer,
+                        PolygonRasterizer<kBits>& rasterizer,
+                        FilterStats& stats, ShowCell&& show_cell) {
+  const BspTree& tree = frame.reader.tree();
+  TileView& screen = buffer.view();
+  const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats,
+                               frame.moved);
+  const Culler culler(frame.view, frame.kernel, screen);
+  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
+  const bool has_clips = !frame.clips.empty();
+  const auto enter = [&](NodeId id) {
+    if (!has_boxes) return true;
+    const auto n = static_cast<std::size_t>(id);
+    const Node& node = tree.nodes[n];
+    if (has_clips && frame.clips.classify(tree.boxes[n]).is_gone) return false;
+    // Drawing one fragment is faster than testing its box.
+    const bool is_single = node.splitter != kNoPlane &&
+                           node.positive == kNoNode && node.negative == kNoNode;
+    return is_single || culler.can_show(tree.boxes[n]);
+  };
+  const auto side_of_source = [&](const TreeFragment& fragment) {
+    return eye_side(frame.reader.planes().plane(fragment.source),
+                    fragment.source);
+  };
+  // A leaf is drawn when the next one is found: its vertices are fetched from
+  // memory meanwhile.
+  const Node* waiting = nullptr;
+  ClipMask waiting_clips = 0;
+  const auto draw_waiting = [&] {
+    if (waiting == nullptr) return;
+    // One fragment hides nothing of its own.
+    const auto first = static_cast<std::size_t>(waiting->first_fragment);
+    if (tree.fragments[first].next != kNoFragment) buffer.enter_leaf();
+    rasterizer.set_clips(waiting_clips);
+    rasterizer.draw_leaf(*waiting, side_of_source);
+    waiting = nullptr;
+  };
+  const auto show = [&](const Node& node, int sign) {
+    if (node.splitter == kNoPlane) {
+      if (node.first_fragment == kNoFragment) {
+        draw_waiting();
+        show_cell(static_cast<NodeId>(&node - tree.nodes.data()));
+        return screen.open_tiles > 0;
+      }
+      rasterizer.prefetch(node);
+      draw_waiting();
+      waiting = &node;
+      waiting_clips = clip_mask(frame, node);
+    } else if (node.first_fragment != kNoFragment) {
+      draw_waiting();
+      rasterizer.set_clips(clip_mask(frame, node));
+      for_fragments(tree, node, [&](const TreeFragment& fragment) {
+        rasterizer.draw(fragment, source_side(fragment, sign));
+        return true;
+      });
+    }
+    return screen.open_tiles > 0;
+  };
+  walk_front_to_back(tree, eye_side, enter, show);
+  draw_waiting();
+}
+
+}  // namespace halfspace::fast

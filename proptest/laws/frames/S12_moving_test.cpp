@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "adapters/both.hpp"
+#include "generate/moving_views.hpp"
+#include "halfspace/fast/image/moving.hpp"
+#include "halfspace/ref/moving.hpp"
+#include "halfspace/splitmix.hpp"
+#include "laws/law.hpp"
+
+/// Laws of moving objects (S12).
+namespace halfspace {
+namespace {
+
+using generate::MovingView;
+
+constexpr int kMovingViews = 900;
+
+std::uint64_t seed_of_moves(const SceneFile& view) {
+  std::uint64_t seed = view.scene.data().vertices.size() + 99;
+  for (const GridPoint& p : view.scene.data().vertices)
+    seed = mix(seed + static_cast<std::uint64_t>(p.x + 3 * p.y + 7 * p.z));
+  return seed;
+}
+
+ImageOptions plain_options(const SceneFile& view) {
+  ImageOptions options = view.options;
+  options.clips.clear();
+  options.caps = std::nullopt;
+  return options;
+}
+
+struct RefMoving {
+  static Result<Done> check_free(const Assembly& assembly) {
+    return ref::check_free(assembly);
+  }
+  static std::vector<Image> images(const Assembly& assembly,
+                                   const Placement& placement,
+                                   const Camera& camera,
+                                   const ImageOptions& options) {
+    auto image = ref::render_moving(assembly, placement, camera, options);
+    return {{std::move(image.items), std::move(image.colors),
+             image.pixels_painted}};
+  }
+};
+
+struct FastMoving {
+  static Result<Done> check_free(const Assembly& assembly) {
+    const auto trees =
+        fast::build_moving_trees(assembly, fast::InRegion::kError, {});
+    if (!trees) return trees.error();
+    return Done{};
+  }
+  static std::vector<Image> images(const Assembly& assembly,
+                                   const Placement& placement,
+                                   const Camera& camera,
+                                   const ImageOptions& options) {
+    std::vector<Image> images;
+    for (const std::size_t leaf : {1u, 3u, 500u}) {
+      fast::DisplayTreeOptions display;
+      display.leaf_size = leaf;
+      display.threads = 1;
+      const auto trees =
+          fast::build_moving_trees(assembly, fast::InRegion::kCut, display);
+      fast::RenderOptions how;
+      how.threads = leaf == 3u ? 2 : 1;
+      if (leaf == 500u) how.simd = fast::SimdLevel::kPortable;
+      auto image = fast::render_moving(assembly, *trees, placement, camera,
+                                       options, how);
+      images.push_back({std::move(image.items), std::move(image.colors),
+                        image.pixels_painted});
+    }
+    return images;
+  }
+};
+
+/// Calls the property for views of which parts move.
+void for_all_moving(
+    const std::function<void(const SceneFile&, const MovingView&)>& property) {
+  std::size_t drawn = 0;
+  law::for_all_views(
+      [&](const SceneFile& view) {
+        const auto moving = generate::moving_view(view, seed_of_moves(view));
+        if (!moving) return;
+        ++drawn;
+        property(view, *moving);
+      },
+      kMovingViews);
+  // The others do not fit a grid at whose limits they are.
+  EXPECT_GT(drawn, static_cast<std::size_t>(law::runs(kMovingViews)) / 2);
+}
+
+template <class Impl>
+class S12Moving : public ::testing::Test {};
+using MovingImplementations = ::testing::Types<RefMoving, FastMoving>;
+TYPED_TEST_SUITE(S12Moving, MovingImplementations);
+
+/// The image of the moved polygons as an ordinary scene, by all oracles.
+std::optional<Image> flat_image(const MovingView& moving, const Camera& camera,
+                                const ImageOptions& options) {
+  if (!ref::check_free(moving.assembly)) return std::nullopt;
+  const auto flat = ref::flat_scene(moving.assembly, moving.placement, camera);
+  if (!flat) return std::nullopt;
+  Image image = oracle::zbuffer(flat->scene, flat->camera, options);
+  const auto tree = ref::build(flat->scene, {});
+  HALFSPACE_LAW(ref::paint(flat->scene, tree, flat->camera, options).items ==
+                image.items);
+  HALFSPACE_LAW(ref::raycast(flat->scene, flat->camera, options).items ==
+                image.items);
+  for (PolygonId& item : image.items.pixels) {
+    if (item != kBackground) item = flat->ids[static_cast<std::size_t>(item)];
+  }
+  return image;
+}
+
+TYPED_TEST(S12Moving, L1TheImageIsThatOfTheMovedPolygons) {
+  std::size_t compared = 0;
+  std::size_t objects_seen = 0;
+  for_all_moving([&](const SceneFile& view, const MovingView& moving) {
+    const ImageOptions options = plain_options(view);
+    const auto expected = flat_image(moving, moving.camera, options);
+    if (!expected) return;
+    ++compared;
+    const auto own = static_cast<PolygonId>(
+        moving.assembly.models()[0].scene.polygon_count());
+    objects_seen += static_cast<std::size_t>(std::count_if(
+        expected->items.pixels.begin(), expected->items.pixels.end(),
+        [own](PolygonId item) { return item >= own; }));
+    for (const Image& image : TypeParam::images(
+             moving.assembly, moving.placement, moving.camera, options)) {
+      HALFSPACE_LAW(image.items == expected->items);
+      HALFSPACE_LAW(image.colors == expected->colors);
+    }
+  });
+  EXPECT_GT(compared, 200u);
+  EXPECT_GT(objects_seen, 800u);
+}
+
+TYPED_TEST(S12Moving, L2WhatIsInsideOfRegionsIsCutAway) {
+  std::size_t cut = 0;
+  for_all_moving([&](const SceneFile& view, const MovingView& moving) {
+    const ImageOptions options = plain_options(view);
+    const auto expected = ref::render_moving(moving.assembly, moving.placement,
+                                             moving.camera, options);
+    cut += ref::check_free(moving.assembly) ? 0u : 1u;
+    for (const Image& image : TypeParam::images(
+             moving.assembly, moving.placement, moving.camera, options)) {
+      HALFSPACE_LAW(image.items == expected.items);
+      HALFSPACE_LAW(image.colors == expected.colors);
+    }
+  });
+  EXPECT_GT(cut, 30u);
+}
+
+TYPED_TEST(S12Moving, L3ARegionIsFreeOrTheFirstPolygonInItIsNamed) {
+  std::size_t refused = 0;
+  for_all_moving([&](const SceneFile&, const MovingView& moving) {
+    const auto expected = ref::check_free(moving.assembly);
+    const auto found = TypeParam::check_free(moving.assembly);
+    HALFSPACE_LAW(found.has_value() == expected.has_value());
+    if (expected) return;
+    ++refused;
+    HALFSPACE_LAW(found.error().message == expected.error().message);
+    HALFSPACE_LAW(found.error().index == expected.error().index);
+  });
+  EXPECT_GT(refused, 30u);
+}
+
+/// The pose with one number of one map changed.
+Pose shifted(const Pose& pose, std::size_t axis, Int128 by) {
+  Pose result = pose;
+  result.maps[0][0]->t[axis] += by;
+  return result;
+}
+
+TYPED_TEST(S12Moving, L4AnObjectStaysStrictlyInItsRegion) {
+  for_all_moving([&](const SceneFile&, const MovingView& moving) {
+    const AffineMap& map = *moving.pose.maps[0][0];
+    const Model& model = moving.assembly.model(1);
+    const Region& region = moving.assembly.models()[0].objects[0].region;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      // How far the object is from the upper face, in steps of 2^-shift.
+      std::optional<Int128> room;
+      const auto reach = [&](const GridPoint& p, Int128 margin) {
+        const Int128 high = axis == 0   ? region.high.x
+                            : axis == 1 ? region.high.y
+                                        : region.high.z;
+        const Int128 at = Int128{map.m[3 * axis]} * p.x +
+                          Int128{map.m[3 * axis + 1]} * p.y +
+                          Int128{map.m[3 * axis + 2]} * p.z + map.t[axis];
+        const Int128 left = (high << map.shift) - at - margin;
+        room = room ? std::min(*room, left) : left;
+      };
+      for (const VertexId v : model.scene.data().corners)
+        reach(model.scene.point(v), 1);
+      for (const MovingObject& object : model.objects) {
+        for (std::size_t k = 0; k < 8; ++k) {
+          const Region& r = object.region;
+          reach({k & 1u ? r.high.x : r.low.x, k & 2u ? r.high.y : r.low.y,
+                 k & 4u ? r.high.z : r.low.z},
+                0);
+        }
+      }
+      const auto is_valid = [&](Int128 by) {
+        const auto placed =
+            make_placement(moving.assembly, shifted(moving.pose, axis, by));
+        if (placed) return true;
+        HALFSPACE_LAW(placed.error().code == ErrorCode::kOutOfRange);
+        return false;
+      };
+      HALFSPACE_LAW(is_valid(*room));
+      HALFSPACE_LAW(!is_valid(*room + 1));
+    }
+    Pose flat = moving.pose;
+    for (std::size_t k = 0; k < 3; ++k) flat.maps[0][0]->m[k] = 0;
+    const auto refused = make_placement(moving.assembly, flat);
+    HALFSPACE_LAW(!refused && refused.error().code == ErrorCode::kZeroArea);
+  });
+}
+
+TYPED_TEST(S12Moving, L5WithoutAnObjectTheOthersStayAsTheyAre) {
+  for_all_moving([&](const SceneFile& view, const MovingView& moving) {
+    const ImageOptions options = plain_options(view);
+    Pose pose = moving.pose;
+    pose.maps[0][0].reset();
+    const auto placement = make_placement(moving.assembly, pose);
+    HALFSPACE_LAW(placement.has_value());
+    const auto with = TypeParam::images(moving.assembly, moving.placement,
+                                        moving.camera, options)[0];
+    const auto without = TypeParam::images(moving.assembly, *placement,
+                                           moving.camera, options)[0];
+    // Its polygons, and those in it, follow each other.
+    const auto& all = moving.assembly.occurrences();
+    const PolygonId first = all[1].first_polygon;
+    const auto end =
+        static_cast<PolygonId>(static_cast<std::size_t>(first) +
+                               moving.assembly.model(1).scene.polygon_count() +
+                               moving.assembly.model(2).scene.polygon_count());
+    for (std::size_t k = 0; k < with.items.pixels.size(); ++k) {
+      const PolygonId before = with.items.pixels[k];
+      const PolygonId after = without.items.pixels[k];
+      HALFSPACE_LAW(after < first || after >= end);
+      if (before < first || before >= end) HALFSPACE_LAW(after == before);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace halfspace

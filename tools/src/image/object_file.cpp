@@ -1,0 +1,303 @@
+#include "image/object_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include "cli/arguments.hpp"
+#include "cli/loading.hpp"
+#include "halfspace/io/file.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// A million lines and more.
+constexpr std::uint64_t kMostObjectBytes = std::uint64_t{1} << 28;
+
+/// The bits that the greatest entry of a map gets: at three levels of nesting
+/// maps stay within S12.3.
+constexpr int kEntryBits = 20;
+
+double length_of(const Unit& unit) {
+  return std::pow(unit.base, unit.exponent);
+}
+
+/// What is read of a model before regions are on grids.
+struct ReadModel {
+  std::string name;
+  Scene scene;
+  std::vector<std::pair<std::size_t, std::array<glm::dvec3, 2>>> objects;
+};
+
+/// Reads the lines.
+class ObjectReader {
+ public:
+  ObjectReader(const std::string& path, const io::ImportOptions& options)
+      : folder_(std::filesystem::path(path).parent_path()), options_(options) {}
+
+  std::optional<Error> read(const std::string& text) {
+    std::istringstream lines(text);
+    std::string content;
+    bool has_head = false;
+    while (std::getline(lines, content)) {
+      ++line_;
+      std::istringstream tokens(content.substr(0, content.find('#')));
+      const std::vector<std::string> words{
+          std::istream_iterator<std::string>(tokens), {}};
+      if (words.empty()) continue;
+      if (!has_head) {
+        if (words != std::vector<std::string>{"halfspace-objects", "1"})
+          return wrong("begins with halfspace-objects 1");
+        has_head = true;
+        continue;
+      }
+      if (auto error = read_line(words)) return error;
+    }
+    if (models_.empty()) return wrong("has no world");
+    return std::nullopt;
+  }
+
+  Result<ObjectFile> finish() {
+    std::vector<Model> models;
+    for (ReadModel& read : models_) {
+      Result<Model> model = on_grid(std::move(read));
+      if (!model) return model.error();
+      models.push_back(*std::move(model));
+    }
+    Result<Assembly> assembly = make_assembly(std::move(models));
+    if (!assembly) return assembly.error();
+    file_.assembly = *std::move(assembly);
+    file_.world.file.scene = file_.assembly.models()[0].scene;
+    return std::move(file_);
+  }
+
+ private:
+  Error wrong(const std::string& what) const {
+    return {ErrorCode::kSyntax, "line " + std::to_string(line_) + ": " + what,
+            line_};
+  }
+
+  std::optional<std::size_t> model_of(const std::string& name) const {
+    for (std::size_t m = 0; m < models_.size(); ++m) {
+      if (models_[m].name == name) return m;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> read_line(const std::vector<std::string>& words) {
+    if (words[0] == "cut" && words.size() == 1) {
+      file_.cut = true;
+      return std::nullopt;
+    }
+    if (words[0] == "world" && words.size() == 2 && models_.empty())
+      return read_model("world", words[1]);
+    if (words[0] == "model" && words.size() == 3 && !models_.empty()) {
+      if (model_of(words[1])) return wrong("has a second model " + words[1]);
+      return read_model(words[1], words[2]);
+    }
+    if (words[0] == "object") return read_object(words);
+    return wrong(
+        "is `world FILE` first, then `model NAME FILE`, `object NAME MODEL "
+        "[in MODEL] region X,Y,Z X,Y,Z ...` or `cut`");
+  }
+
+  std::optional<Error> read_model(const std::string& name,
+                                  const std::string& file) {
+    const std::string path = (folder_ / file).string();
+    Result<io::LoadedScene> loaded = load(path, options_);
+    if (!loaded) return io::error_about(path, loaded.error());
+    models_.push_back({name, loaded->file.scene, {}});
+    if (models_.size() == 1) file_.world = *std::move(loaded);
+    return std::nullopt;
+  }
+
+  std::optional<Error> read_object(const std::vector<std::string>& words) {
+    if (words.size() < 6)
+      return wrong("an object has a name, a model and a region");
+    NamedObject object;
+    object.name = words[1];
+    if (object.name.find('.') != std::string::npos)
+      return wrong("an object's name has no dot");
+    for (const NamedObject& other : file_.objects) {
+      if (other.name == object.name)
+        return wrong("has a second object " + object.name);
+    }
+    const auto model = model_of(words[2]);
+    if (!model) return wrong("there is no model " + words[2] + " above");
+    std::size_t k = 3;
+    if (words[k] == "in") {
+      const auto owner = model_of(words[k + 1]);
+      if (!owner) return wrong("there is no model " + words[k + 1] + " above");
+      object.owner = *owner;
+      k += 2;
+    }
+    if (k + 2 >= words.size() || words[k] != "region")
+      return wrong("an object has region X,Y,Z X,Y,Z");
+    const auto low = parse_vector(words[k + 1]);
+    const auto high = parse_vector(words[k + 2]);
+    if (!low || !high) return wrong("a region is X,Y,Z X,Y,Z, finite numbers");
+    for (k += 3; k < words.size(); k += 2) {
+      const std::string value = k + 1 < words.size() ? words[k + 1] : "";
+      const auto understood = set_stand(object.stand, words[k], value);
+      if (!understood)
+        return wrong("knows move, turn, scale and there, not " + words[k]);
+      if (!*understood)
+        return wrong(words[k] + " has a value like in the guide");
+    }
+    auto& owner = models_[object.owner];
+    object.object = owner.objects.size();
+    owner.objects.push_back({*model, {*low, *high}});
+    file_.objects.push_back(std::move(object));
+    return std::nullopt;
+  }
+
+  /// The model with its regions on its grid, which grows if they need that.
+  static Result<Model> on_grid(ReadModel read) {
+    Model model;
+    const double unit = length_of(read.scene.unit());
+    std::vector<GridPoint> corners;
+    const Error out = {ErrorCode::kOutOfRange,
+                       "a region in " + read.name + " is beyond every grid"};
+    for (const auto& [of, box] : read.objects) {
+      std::array<GridPoint, 2> on;
+      for (std::size_t end = 0; end < 2; ++end) {
+        const glm::dvec3 at = box[end] / unit;
+        if (!(glm::length(at) < 0x1p52)) return out;
+        on[end] = {std::llround(at.x), std::llround(at.y), std::llround(at.z)};
+        corners.push_back(on[end]);
+      }
+      model.objects.push_back({static_cast<std::int32_t>(of), {on[0], on[1]}});
+    }
+    const int bits = grid_bits_for(corners);
+    if (bits > read.scene.grid_bits()) {
+      SceneData data = read.scene.data();
+      data.grid_bits = bits;
+      Result<Scene> scene = make_scene(std::move(data));
+      if (!scene) return scene.error();
+      read.scene = *std::move(scene);
+    }
+    model.scene = std::move(read.scene);
+    return model;
+  }
+
+  std::filesystem::path folder_;
+  const io::ImportOptions& options_;
+  std::int64_t line_ = 0;
+  std::vector<ReadModel> models_;
+  ObjectFile file_;
+};
+
+/// The map of a stand, from steps of `inner` to those of `outer`.
+AffineMap map_of(const Stand& stand, double inner, double outer) {
+  const double angle = stand.turn_deg * std::numbers::pi / 180;
+  const double quarter = stand.turn_deg / 90;
+  // Right angles are exact.
+  const bool is_right = quarter == std::floor(quarter);
+  const double c = is_right ? std::nearbyint(std::cos(angle)) : std::cos(angle);
+  const double s = is_right ? std::nearbyint(std::sin(angle)) : std::sin(angle);
+  const double length = glm::length(stand.axis);
+  const glm::dvec3 a = length > 0 ? stand.axis / length : glm::dvec3(0, 0, 1);
+  const double size = stand.scale * inner / outer;
+  const double entries[9] = {
+      c + a.x * a.x * (1 - c),       a.x * a.y * (1 - c) - a.z * s,
+      a.x * a.z * (1 - c) + a.y * s, a.y * a.x * (1 - c) + a.z * s,
+      c + a.y * a.y * (1 - c),       a.y * a.z * (1 - c) - a.x * s,
+      a.z * a.x * (1 - c) - a.y * s, a.z * a.y * (1 - c) + a.x * s,
+      c + a.z * a.z * (1 - c)};
+  double greatest = 0;
+  for (const double e : entries)
+    greatest = std::max(greatest, std::abs(e * size));
+  AffineMap map;
+  if (greatest > 0 && std::isfinite(greatest))
+    map.shift = std::clamp(kEntryBits - std::ilogb(greatest), 0, kMapBits);
+  const double scale = std::ldexp(1.0, map.shift);
+  const auto whole = [](double value) {
+    // Beyond every limit of S12.2, but within the type's.
+    return std::nearbyint(std::clamp(value, -0x1p100, 0x1p100));
+  };
+  for (std::size_t k = 0; k < 9; ++k) {
+    map.m[k] = static_cast<std::int64_t>(
+        std::clamp(whole(entries[k] * size * scale), -0x1p60, 0x1p60));
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    map.t[k] = static_cast<Int128>(
+        whole(stand.move[static_cast<glm::length_t>(k)] / outer * scale));
+  }
+  return map;
+}
+
+}  // namespace
+
+std::optional<bool> set_stand(Stand& stand, const std::string& word,
+                              const std::string& value) {
+  if (word == "move") {
+    const auto to = parse_vector(value);
+    if (to) stand.move = *to;
+    return to.has_value();
+  }
+  if (word == "turn") {
+    const auto comma = value.rfind(',');
+    if (comma == std::string::npos) return false;
+    const auto axis = parse_vector(value.substr(0, comma));
+    const auto degrees = parse_number<double>(value.substr(comma + 1));
+    if (!axis || !degrees || *axis == glm::dvec3(0)) return false;
+    stand.axis = *axis;
+    stand.turn_deg = *degrees;
+    return true;
+  }
+  if (word == "scale") {
+    const auto scale = parse_number<double>(value);
+    if (scale) stand.scale = *scale;
+    return scale.has_value();
+  }
+  if (word == "there") {
+    stand.is_there = value == "yes";
+    return value == "yes" || value == "no";
+  }
+  return std::nullopt;
+}
+
+Stand between(const Stand& a, const Stand& b, double share) {
+  const auto mixed = [share](double from, double to) {
+    return from == to ? from : from + (to - from) * share;
+  };
+  const auto vector = [&](const glm::dvec3& from, const glm::dvec3& to) {
+    return glm::dvec3(mixed(from.x, to.x), mixed(from.y, to.y),
+                      mixed(from.z, to.z));
+  };
+  return {vector(a.move, b.move), vector(a.axis, b.axis),
+          mixed(a.turn_deg, b.turn_deg), mixed(a.scale, b.scale), a.is_there};
+}
+
+Result<ObjectFile> read_object_file(const std::string& path,
+                                    const io::ImportOptions& options) {
+  const Result<std::string> text = io::read_file(path, kMostObjectBytes);
+  if (!text) return io::error_about(path, text.error());
+  ObjectReader reader(path, options);
+  if (const auto error = reader.read(*text))
+    return io::error_about(path, *error);
+  Result<ObjectFile> file = reader.finish();
+  if (!file) return io::error_about(path, file.error());
+  return file;
+}
+
+Pose pose_of(const ObjectFile& file, const std::vector<Stand>& stands) {
+  Pose pose = empty_pose(file.assembly);
+  for (std::size_t k = 0; k < stands.size(); ++k) {
+    if (!stands[k].is_there) continue;
+    const NamedObject& object = file.objects[k];
+    const Model& owner = file.assembly.models()[object.owner];
+    const Scene& inner =
+        file.assembly.model(owner.objects[object.object].model).scene;
+    pose.maps[object.owner][object.object] = map_of(
+        stands[k], length_of(inner.unit()), length_of(owner.scene.unit()));
+  }
+  return pose;
+}
+
+}  // namespace halfspace::tools

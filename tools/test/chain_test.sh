@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# Results that are written, read, and gone on with, beside solids that are
+# turned; and surfaces that a coarser grid makes cross themselves.
+. "$(dirname "$0")/expect.sh"
+trips=${0%/*}/../round_trips.py
+
+# Cuts through files, and pairs; read here without the program's code.
+python3 "$trips" "$program" --pairs 2 --steps 12 --seeds 1 \
+  --formats off stl >out.txt || wrong "round_trips.py: $(cat out.txt)"
+for format in off stl; do
+  grep -q "seed 0, $format: 12 steps" out.txt || wrong "no 12 steps in $format"
+done
+# No more polygons than the same in one run.
+whole=$(sed -n 's/^seed 0, in one run: \([0-9]*\) .*/\1/p' out.txt)
+for n in $(sed -n 's/^seed 0, .*steps, \([0-9]*\) polygons.*/\1/p' out.txt); do
+  [ "$n" -le "$whole" ] || wrong "$n polygons through files, $whole in one run"
+done
+
+# Sheets that are nearer to each other than the grid's steps.
+expect 0 closed csg 'rotate(sphere(1, 12), 1, 2, 3, 10) -
+  rotate(sphere(1, 12), 1, 2, 3, 10.00001)' -o shell.off
+expect 0 'met in .* places and were moved' csg A A=shell.off --grid 26 \
+  -o coarse.off
+expect 0 'moved 0 coordinates' csg A A=coarse.off -o again.off
+# One that crossed itself before is not mended so.
+box 0 0 0 2 2 2 >a.off
+box 1 1 1 3 3 3 >b.off
+python3 - <<'END'
+a, b = (open(name).read().split("\n") for name in ("a.off", "b.off"))
+points = [line for text in (a, b) for line in text[2:10]]
+faces = [line for line in a[10:16]] + [
+    " ".join(["4"] + [str(int(w) + 8) for w in line.split()[1:5]])
+    for line in b[10:16]]
+open("both.off", "w").write("\n".join(["OFF", "16 12 0", *points, *faces, ""]))
+END
+expect 2 'crosses itself' csg 'rotate(A, 1, 2, 3, 10)' A=both.off -o out.off
+
+# Solids in millimetres and in inches, and one that no grid holds: the others
+# stay as they are.
+box 0 0 0 25.4 25.4 25.4 >mm.off
+box 0 0 0 1 1 1 >inch.off
+expect 0 'volume 16387.064,' csg 'A | scale(B, 25.4)' A=mm.off B=inch.off \
+  -o same.off
+expect 0 '^volume     16387.064$' info same.off
+expect 0 'volume 0,' csg 'A ^ scale(B, 25.4)' A=mm.off B=inch.off -o none.off
+expect 0 closed csg '(A | translate(B, 30, 0, 0)) |
+  translate(rotate(B, 1, 2, 3, 25), 60, 0, 0)' A=mm.off B=inch.off -o three.off
+for corner in '25.3999[0-9]* 25.3999' '25.4[0-9]* 25.4'; do
+  grep -q "^$corner" three.off && found=yes
+done
+[ "${found:-}" ] || wrong "the cube's corner is not in three.off"
+
+# Exact files that say that they were checked are not checked again, where their
+# checksum agrees: this one crosses itself, and no one looks.
+"$program" csg 'A | translate(A, 7, 1, 1)' A=a.off -o - \
+  --format hsolid-text >apart.hsolid || wrong 'csg --format hsolid-text'
+python3 - "${0%/*}/../../examples" <<'END'
+import re
+import sys
+
+sys.path.insert(0, sys.argv[1])
+from read_solid import crc32c
+
+text = open("apart.hsolid").read()
+moved = "".join(
+    re.sub(r"\b9\b", "3", re.sub(r"\b7\b", "1", line))
+    if re.match("point|plane", line) else line
+    for line in text.splitlines(keepends=True)
+    if not re.match("checksum|conforming", line))
+for name, body in (("said", moved), ("unsaid", moved.replace("checked\n", ""))):
+    with open(f"{name}.hsolid", "w") as file:
+        file.write(f"{body}checksum {crc32c(body.encode()):08x}\n")
+    with open(f"{name}-changed.hsolid", "w") as file:
+        file.write(f"{body}checksum {crc32c(body.encode()) ^ 1:08x}\n")
+END
+expect 0 closed csg X X=said.hsolid -o out.hsolid
+expect 2 'crosses itself' csg X X=unsaid.hsolid -o out.hsolid
+expect 2 'checksum' csg X X=said-changed.hsolid -o out.hsolid
+finish
