@@ -7,6 +7,7 @@
 
 #include "papers/frames.hpp"
 #include "papers/report.hpp"
+#include "papers/screens.hpp"
 #include "papers/tree_sizes.hpp"
 
 namespace halfspace::bench {
@@ -63,6 +64,9 @@ int run(const Request& request) {
     good = publish(f2b_figures_12_to_14(request.effort), request.out) && good;
     good = publish(f2b_figures_15_16(request.effort), request.out) && good;
   }
+  if (request.wants("faq")) {
+    good = publish(faq_screens(request.effort), request.out) && good;
+  }
   return good ? 0 : 1;
 }
 
@@ -81,8 +85,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(16, 8192));
   app.add_option("--most-parallel", request.effort.most_parallel,
                  "The most parallel triangles, F2B fig. 15 and 16");
-  app.add_option("--only", request.only, "Any of f2b, fag83, heur")
-      ->check(CLI::IsMember({"f2b", "fag83", "heur"}));
+  app.add_option("--only", request.only, "Any of f2b, fag83, heur, faq")
+      ->check(CLI::IsMember({"f2b", "fag83", "heur", "faq"}));
   app.add_option("--scan", request.scans,
                  "Mesh files that join the models of FAG83");
   CLI11_PARSE(app, argc, argv);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -61,7 +62,7 @@ class ViewerSession : public ::testing::Test {
   ColorImage rendered(const State& state) const {
     const std::string file = path("state.view");
     EXPECT_TRUE(write_state(file, state));
-    const auto loaded = load_view(file);
+    const auto loaded = load_view(file, Sections::kByPlanes);
     EXPECT_TRUE(loaded);
     const auto tree = fast::build_display_tree(loaded->file.scene);
     return fast::render(loaded->file.scene, tree, *loaded->file.camera,
@@ -243,6 +244,74 @@ TEST_F(ViewerSession, ASectionIsClosedByACapThatCanBePicked) {
   EXPECT_NE(measures->find("volume 2 = 2\n"), std::string::npos) << *measures;
   EXPECT_NE(measures->find("section of area 4"), std::string::npos)
       << *measures;
+}
+
+TEST_F(ViewerSession, ASectionMovesWithoutAnotherModel) {
+  Session session(state_of({ball_, box_}), nullptr, ignore);
+  settle(session);
+  const auto model = session.model();
+  const auto whole = session.finished_picture();
+  for (int i = 0; i < 10; ++i) {
+    session.change([i](State& s) {
+      s.sections = {{{1, 0.25, 0}, 0.1 * i, true}};
+    });
+    EXPECT_FALSE(session.is_loading());
+    settle(session);
+    EXPECT_EQ(session.model(), model);
+    EXPECT_EQ(*session.finished_picture(), rendered(session.state()));
+  }
+  session.change([](State& s) { s.sections[0].is_on = false; });
+  settle(session);
+  EXPECT_EQ(session.finished_picture(), whole);
+}
+
+TEST_F(ViewerSession, AnOpenSurfaceIsCutWithoutCaps) {
+  std::ofstream(path("open.off"))
+      << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  State state = state_of({path("open.off")});
+  state.sections.push_back({{1, 0, 0}, 0.5, true});
+  Session session(state, nullptr, ignore);
+  settle(session);
+  EXPECT_EQ(session.message(), "");
+  const ItemImage items = session.items();
+  EXPECT_EQ(*std::max_element(items.pixels.begin(), items.pixels.end()), 0);
+}
+
+TEST_F(ViewerSession, NumbersColourAFile) {
+  std::ofstream(path("heat.ply"))
+      << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+         "property float y\nproperty float z\nproperty float heat\n"
+         "element face 1\nproperty list uchar int vertex_indices\n"
+         "end_header\n0 0 0 1\n1 0 0 2\n0 1 0 nan\n3 0 1 2\n";
+  Session session(state_of({path("heat.ply")}), nullptr, ignore);
+  settle(session);
+  const auto plain = session.finished_picture();
+  ScalarLook look;
+  look.source = "heat";
+  look.has_legend = false;
+  session.change([&look](State& s) { s.looks.scalar = look; });
+  settle(session);
+  ASSERT_EQ(session.message(), "");
+  ASSERT_TRUE(session.model()->numbers);
+  EXPECT_EQ(session.model()->numbers->extent, (std::array<double, 2>{1, 2}));
+  EXPECT_TRUE(session.model()->numbers->has_gaps);
+  const auto colored = session.finished_picture();
+  EXPECT_NE(colored, plain);
+  // The range needs no other model.
+  const auto model = session.model();
+  session.change([](State& s) { s.looks.scalar->has_legend = true; });
+  EXPECT_FALSE(session.is_loading());
+  settle(session);
+  EXPECT_EQ(session.model(), model);
+  EXPECT_NE(session.finished_picture(), colored);
+  // What is not there is a message, and the numbers stay.
+  session.change([](State& s) { s.looks.scalar->source = "cold"; });
+  settle(session);
+  EXPECT_NE(session.message().find("no property 'cold'"), std::string::npos)
+      << session.message();
+  session.change([](State& s) { s.looks.scalar.reset(); });
+  settle(session);
+  EXPECT_EQ(session.finished_picture(), plain);
 }
 
 TEST_F(ViewerSession, OneDragOfAWidgetIsUndoneAsOne) {

@@ -12,6 +12,7 @@ State some_state() {
   state.combination = Combination::kDifference;
   state.sections = {{{1, 0, -0.5}, 0.1, true}, {{0, 0, 1}, -3, false}};
   state.looks = {true, true, {3, 4, 5}, {{1, 2, 3.5}}};
+  state.looks.scalar = ScalarLook{"heat", "turbo", {{0.1, 3}}, true, 8, false};
   io::ViewOptions camera;
   camera.eye = {1.0 / 3, -2e-300, 5e300};
   camera.near = 0.25;

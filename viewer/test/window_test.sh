@@ -80,6 +80,30 @@ END
 same out-0.png out-3.png
 cmp -s out-1.png out-2.png && wrong 'both files look the same'
 
+# A section is one more clip plane, which other keys move; numbers colour.
+played 4 box.off --size 200x150 <<'END'
+dump
+key V
+dump
+key M
+dump
+key V
+dump
+END
+same out-0.png out-3.png
+cmp -s out-0.png out-1.png && wrong 'the section cuts nothing'
+cmp -s out-1.png out-2.png && wrong 'the section does not move'
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n' >heat.ply
+printf 'property float y\nproperty float z\nproperty float heat\n' >>heat.ply
+printf 'element face 1\nproperty list uchar int vertex_indices\n' >>heat.ply
+printf 'end_header\n0 0 0 1\n4 0 0 2\n0 0 3 9\n3 0 1 2\n' >>heat.ply
+echo dump | played 1 heat.ply --size 300x200 --view front
+cp out-0.png plain.png
+echo dump | played 1 heat.ply --size 300x200 --view front --scalar heat \
+  --map turbo --legend
+cmp -s out-0.png plain.png && wrong 'numbers colour nothing'
+expect 2 "no property 'cold'" render heat.ply --scalar cold -o none.png
+
 # Dropped files: one that is bad leaves what was there.
 echo nonsense >bad.off
 played 3 box.off --size 200x150 <<'END'

@@ -41,7 +41,7 @@ GridMesh block(std::int64_t size) {
   return mesh;
 }
 
-bool is_closed(const GridMesh& mesh) {
+bool edges_cancel(const GridMesh& mesh) {
   std::map<std::pair<std::int32_t, std::int32_t>, int> sum;
   for (const GridTriangle& t : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -71,7 +71,7 @@ TEST(FastGridMesh, WhatMovedAnyhowIsClosedAndHasAreas) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
     GridMesh mesh = block(3);
-    ASSERT_TRUE(is_closed(mesh));
+    ASSERT_TRUE(edges_cancel(mesh));
     // To a coarser grid, mostly onto others and into lines.
     for (std::size_t p = 0; p < mesh.points.size(); ++p) {
       if (random() % 3 != 0) continue;
@@ -82,7 +82,7 @@ TEST(FastGridMesh, WhatMovedAnyhowIsClosedAndHasAreas) {
     const double before = volume(mesh);
     const Collapse collapse = clean(mesh);
     EXPECT_GT(collapse.points, 0u);
-    EXPECT_TRUE(is_closed(mesh));
+    EXPECT_TRUE(edges_cancel(mesh));
     // What went has no volume.
     EXPECT_EQ(volume(mesh), before);
     for (const GridTriangle& t : mesh.triangles) {
@@ -115,12 +115,12 @@ TEST(FastGridMesh, AVertexThatComesIntoAnEdgeCutsTheTriangleThere) {
   mesh.moved = {0, 0, 0, 0, 1};
   mesh.triangles = {{{0, 2, 4}, 0}, {{4, 2, 1}, 0}, {{0, 4, 1}, 0},
                     {{0, 1, 3}, 1}, {{0, 3, 2}, 2}, {{1, 2, 3}, 3}};
-  ASSERT_TRUE(is_closed(mesh));
+  ASSERT_TRUE(edges_cancel(mesh));
   mesh.points[4].y = 0;
   const Collapse collapse = clean(mesh);
   EXPECT_EQ(collapse.triangles, 1u);
   EXPECT_EQ(mesh.triangles.size(), 6u);
-  EXPECT_TRUE(is_closed(mesh));
+  EXPECT_TRUE(edges_cancel(mesh));
 }
 
 }  // namespace

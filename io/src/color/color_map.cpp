@@ -73,7 +73,7 @@ Triple lab_of(const Rgb& color) {
   return {116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])};
 }
 
-Rgb rgb_of(const Triple& lab) {
+Rgb srgb_of(const Triple& lab) {
   const double y = (lab[0] + 16) / 116;
   const Triple f = {y + lab[1] / 500, y, y - lab[2] / 200};
   Triple xyz{};
@@ -128,7 +128,7 @@ ColorMap coolwarm_map() {
     Triple msh{};
     for (std::size_t c = 0; c < 3; ++c)
       msh[c] = share * end[c] + (1 - share) * white[c];
-    map.push_back(rgb_of(lab_of_msh(msh)));
+    map.push_back(srgb_of(lab_of_msh(msh)));
   }
   return map;
 }

@@ -157,4 +157,21 @@ Result<ScalarColumn> read_ply_scalars(const std::filesystem::path& path,
   return error_about(path.string(), column.error());
 }
 
+std::vector<std::string> ply_scalar_names(const std::filesystem::path& path) {
+  std::vector<std::string> names;
+  if (!has_extension(path, ".ply")) return names;
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return names;
+  TextReader text(*bytes, {});
+  const Result<PlyHeader> header = read_ply_header(text);
+  if (!header) return names;
+  for (const PlyElement& element : header->elements) {
+    if (element.name != "vertex" && element.name != "face") continue;
+    for (const PlyProperty& property : element.properties) {
+      if (!property.is_list) names.push_back(property.name);
+    }
+  }
+  return names;
+}
+
 }  // namespace halfspace::io

@@ -50,8 +50,9 @@ Result<ScalarField> scalars_of(const LoadedScene& loaded,
       field.values.push_back(column.values[static_cast<std::size_t>(face)]);
     return make_scalars(scene, std::move(field));
   }
+  const bool has_own = loaded.corner_vertices.empty() && loaded.is_scene_file;
   const std::vector<VertexId>& vertices =
-      loaded.is_scene_file ? scene.data().corners : loaded.corner_vertices;
+      has_own ? scene.data().corners : loaded.corner_vertices;
   if (vertices.size() != scene.data().corners.size()) {
     return Error{ErrorCode::kOutOfRange,
                  "the vertices of this file are not kept apart; numbers can "

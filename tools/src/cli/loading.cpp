@@ -13,7 +13,8 @@ namespace halfspace::tools {
 Result<io::LoadedScene> load(const std::string& path,
                              const io::ImportOptions& options) {
   try {
-    if (viewer::is_view_name(path)) return viewer::load_view(path);
+    if (viewer::is_view_name(path))
+      return viewer::load_view(path, viewer::Sections::kOfSolids);
     return csg::load_scene(path, options);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfRange,

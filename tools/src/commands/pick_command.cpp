@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/loading.hpp"
 #include "cli/options.hpp"
+#include "cli/uncut_loading.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/io/ray.hpp"
@@ -183,8 +184,8 @@ Status run_ray(const PickArguments& arguments, const io::LoadedScene& loaded) {
 Status run_pick(const PickArguments& arguments) {
   const std::string wrong = complaint(arguments);
   if (!wrong.empty()) return fail(wrong);
-  const Result<io::LoadedScene> loaded =
-      load(arguments.path, import_options(arguments.view, arguments.grid_bits));
+  const Result<io::LoadedScene> loaded = load_uncut(
+      arguments.path, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.path, loaded.error());
   if (arguments.at) return run_pixel(arguments, *loaded);
   return arguments.sees ? run_sees(arguments, *loaded)

@@ -12,6 +12,8 @@
 #include "cli/measuring.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
+#include "cli/uncut_loading.hpp"
+#include "halfspace/viewer/state.hpp"
 #include "image/camera_path.hpp"
 #include "image/object_film.hpp"
 #include "image/rendering.hpp"
@@ -191,7 +193,29 @@ Status run_film(Engine& engine, const Subject& subject,
   return conclude(loaded, tree, last, count, max_move, shadow, arguments);
 }
 
-Status run_render(const RenderArguments& arguments) {
+/// The arguments with what a `.view` file says about numbers.
+Result<RenderArguments> with_view_file(const RenderArguments& arguments) {
+  RenderArguments all = arguments;
+  if (!viewer::is_view_name(arguments.path) || arguments.scalars.source)
+    return all;
+  const auto state = viewer::read_state(arguments.path);
+  if (!state) return state.error();
+  if (!state->looks.scalar || state->parts.empty()) return all;
+  const viewer::ScalarLook& look = *state->looks.scalar;
+  all.scalars.source = look.source;
+  all.scalars.owner = state->parts.front().path;
+  all.scalars.map = look.map;
+  all.scalars.range = look.range;
+  all.scalars.logarithmic = look.is_logarithmic;
+  if (look.steps > 0) all.scalars.steps = look.steps;
+  all.scalars.has_legend = look.has_legend;
+  return all;
+}
+
+Status run_render(const RenderArguments& given) {
+  const Result<RenderArguments> with_view = with_view_file(given);
+  if (!with_view) return fail(given.path, with_view.error());
+  const RenderArguments& arguments = *with_view;
   const std::unique_ptr<Engine> engine = make_engine(library_of(arguments));
   std::string wrong = complaint(arguments, *engine);
   if (wrong.empty()) {
@@ -204,7 +228,7 @@ Status run_render(const RenderArguments& arguments) {
   io::ImportOptions options =
       import_options(arguments.view, arguments.grid_bits);
   if (arguments.scalars.source) color_by_scalars(options);
-  const Result<io::LoadedScene> loaded = load(arguments.path, options);
+  const Result<io::LoadedScene> loaded = load_uncut(arguments.path, options);
   if (!loaded) return fail(arguments.path, loaded.error());
   if (loaded->is_scene_file && changes_colors(arguments.view))
     return fail(arguments.path +
@@ -215,7 +239,8 @@ Status run_render(const RenderArguments& arguments) {
   Subject subject{*loaded};
   if (arguments.scalars.source) {
     Result<ShownScalars> scalars =
-        load_scalars(arguments.path, *loaded, arguments.scalars);
+        load_scalars(arguments.scalars.owner.value_or(arguments.path), *loaded,
+                     arguments.scalars);
     if (!scalars) return fail(scalars.error().message);
     engine->set_scalars(loaded->file.scene, scalars->field,
                         scalars->legend.scale);

@@ -12,6 +12,7 @@
 #include "cli/options.hpp"
 #include "halfspace/viewer/run.hpp"
 #include "halfspace/viewer/state.hpp"
+#include "image/scalars.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -20,6 +21,7 @@ namespace {
 struct ViewCommandArguments {
   std::vector<std::string> paths;
   ViewArguments view;
+  ScalarArguments scalars;
   std::optional<double> scale;
   bool watch = false;
   std::optional<std::string> play_file;
@@ -54,6 +56,15 @@ Result<viewer::State> state_of(const ViewCommandArguments& arguments) {
   looks.cull = view.cull.value_or(looks.cull);
   if (view.background) looks.background = view.background->color;
   if (!view.lights.empty()) looks.light = view.lights.front().to_light;
+  const ScalarArguments& scalars = arguments.scalars;
+  if (scalars.source) {
+    looks.scalar = viewer::ScalarLook{*scalars.source,
+                                      scalars.map,
+                                      scalars.range,
+                                      scalars.logarithmic,
+                                      scalars.steps.value_or(0),
+                                      scalars.has_legend};
+  }
   return state;
 }
 
@@ -158,6 +169,7 @@ void add_view(CLI::App& program, Status& status) {
                   "Meshes, a .scene, or a .view that the window saved")
       ->type_name("");
   add_view_options(*app, arguments->view);
+  add_scalar_options(*app, arguments->scalars);
   add_window_options(*app, *arguments);
   add_quiet_option(*app);
   app->footer(

@@ -25,7 +25,7 @@ std::optional<std::array<double, 2>> parse_interval(std::string_view text) {
 }
 
 /// What a legend calls the numbers.
-std::string title_of(const std::string& source) {
+std::string legend_title(const std::string& source) {
   if (!io::is_scalar_file_name(source)) return source;
   const std::size_t colon = source.rfind(':');
   const std::string name = source.substr(source.find_last_of('/') + 1);
@@ -47,8 +47,8 @@ Result<io::ColorMap> chosen_map(const std::string& name) {
 
 /// The least and the greatest number that there is; those above 0 alone where
 /// asked for.
-std::optional<std::array<double, 2>> extent_of(const ScalarField& field,
-                                               bool positive) {
+std::optional<std::array<double, 2>> number_extent(const ScalarField& field,
+                                                   bool positive) {
   std::optional<std::array<double, 2>> extent;
   for (const double value : field.values) {
     if (std::isnan(value) || (positive && !(value > 0))) continue;
@@ -71,7 +71,7 @@ Result<io::ScaleRange> range_of(const ScalarField& field,
   if (arguments.range) {
     ends = *arguments.range;
   } else {
-    const auto extent = extent_of(field, arguments.logarithmic);
+    const auto extent = number_extent(field, arguments.logarithmic);
     if (!extent) {
       return Error{ErrorCode::kEmpty,
                    source + ": there is no number" +
@@ -155,7 +155,7 @@ Result<ShownScalars> load_scalars(const std::string& path,
                                   const ScalarArguments& arguments) {
   const std::string& source = *arguments.source;
   const bool is_file = io::is_scalar_file_name(source);
-  if (!is_file && loaded.is_scene_file) {
+  if (!is_file && loaded.is_scene_file && !arguments.owner) {
     return Error{ErrorCode::kUnknownFormat,
                  "--scalar: " + source +
                      " is no .npy or .csv, and only a PLY has properties"};
@@ -176,7 +176,7 @@ Result<ShownScalars> load_scalars(const std::string& path,
   ShownScalars shown;
   shown.legend.range = *range;
   shown.legend.scale = *std::move(scale);
-  shown.legend.title = arguments.title.value_or(title_of(source));
+  shown.legend.title = arguments.title.value_or(legend_title(source));
   shown.legend.shows_no_data =
       std::any_of(field->values.begin(), field->values.end(),
                   [](double value) { return std::isnan(value); });

@@ -22,6 +22,7 @@ namespace halfspace::tools {
 /// What the command line says about scalars and their colours (S11).
 struct ScalarArguments {
   std::optional<std::string> source;  ///< a property, or a file of numbers
+  std::optional<std::string> owner;   ///< of the property, if not the FILE
   std::optional<io::ScalarPlace> place;
   std::string map = "viridis";
   std::optional<std::array<double, 2>> range;

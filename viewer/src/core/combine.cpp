@@ -173,7 +173,8 @@ Result<Done> add_solid(const Solid& solid, const std::vector<ReadPart>& parts,
 }  // namespace
 
 Result<CombinedMesh> combined(const std::vector<ReadPart>& parts,
-                              const State& state, const Report& report) {
+                              const State& state, Sections sections,
+                              const Report& report) {
   // Parts that are not combined are cut one by one.
   std::vector<std::vector<const Part*>> groups;
   for (const ReadPart& part : parts) {
@@ -183,7 +184,9 @@ Result<CombinedMesh> combined(const std::vector<ReadPart>& parts,
   }
   CombinedMesh result;
   for (const auto& group : groups) {
-    const Solid solid = cut(expression(group, state.combination), state);
+    const Solid whole = expression(group, state.combination);
+    const Solid solid =
+        sections == Sections::kOfSolids ? cut(whole, state) : whole;
     const Result<Done> done = evaluated(solid, report);
     if (!done) return done.error();
     const Result<Done> added = add_solid(solid, parts, result);

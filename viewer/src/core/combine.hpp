@@ -29,12 +29,13 @@ struct ReadPart {
 /// Exact: yes.
 CombinedMesh joined(const std::vector<ReadPart>& parts);
 
-/// What the boolean and the sections make of the parts, each face in the colour
-/// of the part that it comes from, caps in one of their own.
+/// What the boolean, and sections of solids, make of the parts, each face in
+/// the colour of the part that it comes from, caps in one of their own.
 /// Exact:  rounded to doubles, once.
 /// Errors: those of Solid::mesh(); kEmpty.
 Result<CombinedMesh> combined(const std::vector<ReadPart>& parts,
-                              const State& state, const Report& report);
+                              const State& state, Sections sections,
+                              const Report& report);
 
 /// The solid of a state's visible parts: their boolean, or their union.
 Solid solid_of(const State& state);

@@ -30,6 +30,17 @@ std::string camera_options(const io::ViewOptions& camera) {
   return text;
 }
 
+std::string scalar_options(const ScalarLook& look) {
+  std::string text =
+      " --scalar " + shell_word(look.source) + " --map " + shell_word(look.map);
+  if (look.range)
+    text += fmt::format(" --range={},{}", (*look.range)[0], (*look.range)[1]);
+  if (look.is_logarithmic) text += " --log";
+  if (look.steps > 0) text += fmt::format(" --steps {}", look.steps);
+  if (look.has_legend) text += " --legend";
+  return text;
+}
+
 const Part* only_part(const State& state) {
   const Part* found = nullptr;
   for (const Part& part : state.parts) {
@@ -91,6 +102,8 @@ std::string render_command(const State& state, const std::string& output,
       command += " --light=" + vector_text(x, y, z);
     }
   }
+  if (fits_command_line(state) && state.looks.scalar)
+    command += scalar_options(*state.looks.scalar);
   return command + " -o " + shell_word(output);
 }
 

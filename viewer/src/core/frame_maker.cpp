@@ -26,6 +26,21 @@ int thread_count() {
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
+/// Colours the rows from `row` on by numbers.
+void color_numbers(const FrameRequest& request, std::int32_t row, int threads,
+                   fast::Rendering& rendering) {
+  fast::ScalarOptions how;
+  how.top = row;
+  how.threads = threads;
+  fast::color_scalars(request.model->loaded.file.scene, request.camera,
+                      request.options, rendering.items, request.numbers->colors,
+                      how, rendering.colors);
+  if (request.numbers->has_legend) {
+    io::draw_legend(request.numbers->legend, rendering.items,
+                    request.options.background, rendering.colors);
+  }
+}
+
 }  // namespace
 
 FrameMaker::FrameMaker(std::function<void()> wake)
@@ -119,21 +134,26 @@ bool FrameMaker::is_newer_wanted(const FrameRequest& request) const {
 void FrameMaker::make(const FrameRequest& request) {
   const auto start = Clock::now();
   const std::int32_t height = request.camera->height_px;
-  const double strips =
-      expected_ms_ > kLongFrameMs ? std::ceil(expected_ms_ / kStripMs) : 1;
+  // A legend stands over the whole picture.
+  const bool has_legend = request.numbers && request.numbers->has_legend;
+  const double strips = expected_ms_ > kLongFrameMs && !has_legend
+                            ? std::ceil(expected_ms_ / kStripMs)
+                            : 1;
   const auto strip_height = static_cast<std::int32_t>(
       std::clamp(std::ceil(height / strips), 1.0, double(height)));
   fast::RenderOptions how;
   how.threads = thread_count();
-  how.items = false;
+  how.items = request.numbers != nullptr;
+  how.colors = request.numbers == nullptr;
   fast::Rendering rendering;
-  std::int32_t row = next_row_ < height ? next_row_ : 0;
+  std::int32_t row = next_row_ < height && strips > 1 ? next_row_ : 0;
   for (std::int32_t made = 0; made < height;) {
     const std::int32_t end =
         std::min({row + strip_height, height, row + height - made});
     how.rectangle = {0, row, request.camera->width_px, end};
     fast::render(request.model->loaded.file.scene, *request.model->tree,
                  request.camera, request.options, how, rendering);
+    if (request.numbers) color_numbers(request, row, how.threads, rendering);
     publish(request, rendering.colors, row);
     made += end - row;
     row = end < height ? end : 0;

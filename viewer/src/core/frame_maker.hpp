@@ -21,6 +21,7 @@ struct FrameRequest {
   std::shared_ptr<const Model> model;
   Camera camera;
   ImageOptions options;
+  std::shared_ptr<const ShownNumbers> numbers;  ///< null: the scene's colours
 };
 
 /// Pixels for a screen: 0xffRRGGBB, row by row. Rows of two pictures may stand

@@ -8,8 +8,11 @@
 #include <utility>
 
 #include "core/combine.hpp"
+#include "core/numbers.hpp"
+#include "halfspace/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/tree_file.hpp"
+#include "halfspace/io/clip.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/read_mesh.hpp"
 
@@ -26,6 +29,12 @@ io::ImportOptions import_options(const Looks& looks) {
   options.refine_bits = kRefineBits;
   options.gouraud = looks.is_smooth;
   options.light_colors = true;
+  if (looks.scalar) {
+    // As `halfspace render --scalar` does: the colours are the light alone.
+    options.triangles = true;
+    options.keep_vertices = true;
+    options.surface = Rgb{255, 255, 255};
+  }
   if (looks.light) {
     const auto& v = *looks.light;
     const glm::dvec3 light = glm::normalize(glm::dvec3(v[0], v[1], v[2]));
@@ -75,7 +84,8 @@ Result<Model> imported(const io::Mesh& mesh, const io::ImportOptions& options,
   model.loaded = {{std::move(done->scene), std::nullopt, {}},
                   std::move(done->faces),
                   done->report,
-                  false};
+                  false,
+                  std::move(done->corner_vertices)};
   return model;
 }
 
@@ -91,7 +101,7 @@ Result<Model> scene_of_one(const ReadPart& part, const Looks& looks) {
   if (io::is_scene_name(part.part->path) && !part.part->color)
     return model_of_scene_file(part.part->path, looks);
   io::ImportOptions options = import_options(looks);
-  options.surface = part.part->color;
+  if (part.part->color) options.surface = part.part->color;
   return imported(*part.mesh, options, part.part->path);
 }
 
@@ -151,8 +161,8 @@ std::array<double, 2> Model::extent_along(const glm::dvec3& axis) const {
   return result;
 }
 
-Result<Model> make_scene_of(const State& state, MeshCache& cache,
-                            const Report& report) {
+Result<Model> make_scene_of(const State& state, Sections sections,
+                            MeshCache& cache, const Report& report) {
   const Result<std::vector<ReadPart>> parts = read_parts(state, cache, report);
   if (!parts) return parts.error();
   if (!report("import", 0)) return stopped();
@@ -160,8 +170,9 @@ Result<Model> make_scene_of(const State& state, MeshCache& cache,
   const bool is_alone =
       parts->size() == 1 && first.part->shift == std::array<double, 3>{};
   Result<Model> model = Error{ErrorCode::kEmpty, ""};
-  if (state.combination != Combination::kNone || has_sections(state)) {
-    const Result<CombinedMesh> all = combined(*parts, state, report);
+  const bool are_cut = sections == Sections::kOfSolids && has_sections(state);
+  if (state.combination != Combination::kNone || are_cut) {
+    const Result<CombinedMesh> all = combined(*parts, state, sections, report);
     if (!all) return all.error();
     model = imported(all->mesh, import_options(state.looks), "");
     if (model) note_parts(*model, *all);
@@ -171,10 +182,20 @@ Result<Model> make_scene_of(const State& state, MeshCache& cache,
       model->parts.assign(model->loaded.polygons.size(), first.index);
       model->faces = model->loaded.polygons;
     }
+    if (model && state.looks.scalar) {
+      const auto numbers =
+          numbers_of(first.part->path, model->loaded, *state.looks.scalar);
+      if (!numbers) return numbers.error();
+      model->numbers = *numbers;
+    }
   } else {
     const CombinedMesh all = joined(*parts);
     model = imported(all.mesh, import_options(state.looks), "");
     if (model) note_parts(*model, all);
+  }
+  if (model && state.looks.scalar && !model->numbers) {
+    return Error{ErrorCode::kUnknownFormat,
+                 "numbers colour one file that is not moved or combined"};
   }
   if (model) note_box(*model, *parts);
   if (model && model->loaded.file.scene.polygon_count() == 0) {
@@ -188,14 +209,17 @@ Result<std::shared_ptr<const Model>> make_model(const State& state,
                                                 MeshCache& cache,
                                                 const Model* before,
                                                 const Report& report) {
-  Result<Model> model = make_scene_of(state, cache, report);
+  Result<Model> model =
+      make_scene_of(state, Sections::kByPlanes, cache, report);
   if (!model) return model.error();
   const Scene& scene = model->loaded.file.scene;
   model->fingerprint = fast::fingerprint_of(scene);
   if (before != nullptr && before->fingerprint == model->fingerprint &&
       before->loaded.file.scene.data().corners == scene.data().corners) {
     model->tree = before->tree;
+    model->is_closed = before->is_closed;
   } else {
+    model->is_closed = bad_edges(scene).empty();
     bool is_stopped = false;
     fast::DisplayTreeOptions options;
     options.progress = [&](double share) {
@@ -211,15 +235,23 @@ Result<std::shared_ptr<const Model>> make_model(const State& state,
       std::make_shared<Model>(*std::move(model)));
 }
 
-Result<io::LoadedScene> load_view(const std::filesystem::path& path) {
+Result<io::LoadedScene> load_view(const std::filesystem::path& path,
+                                  Sections sections) {
   const Result<State> state = read_state(path);
   if (!state) return state.error();
   MeshCache cache;
   Result<Model> model = make_scene_of(
-      *state, cache, [](const std::string&, double) { return true; });
+      *state, sections, cache, [](const std::string&, double) { return true; });
   if (!model) return io::error_about(path.string(), model.error());
   SceneFile& file = model->loaded.file;
-  file.options = image_options(state->looks);
+  if (sections == Sections::kByPlanes) {
+    model->is_closed = has_sections(*state) && bad_edges(file.scene).empty();
+    file.options = image_options(*state, *model);
+  } else {
+    State whole = *state;
+    whole.sections.clear();
+    file.options = image_options(whole, *model);
+  }
   file.camera.reset();
   if (state->camera) {
     const Result<io::Viewed> viewed = io::look_at(file.scene, *state->camera);
@@ -231,11 +263,37 @@ Result<io::LoadedScene> load_view(const std::filesystem::path& path) {
   return std::move(model->loaded);
 }
 
-ImageOptions image_options(const Looks& looks) {
+namespace {
+
+/// The plane of a section, whose normal points to what is not there; nothing
+/// where the plane is beyond the scene's numbers.
+std::optional<ClipPlane> clip_of(const Scene& scene, const Section& section) {
+  const auto& [x, y, z] = section.normal;
+  const Result<ClipPlane> plane = io::clip_plane(
+      scene, {io::number_of(0 - x), io::number_of(0 - y), io::number_of(0 - z),
+              io::number_of(section.offset)});
+  return plane ? std::optional(*plane) : std::nullopt;
+}
+
+constexpr CapStyle kCaps = {{0xc9, 0x4f, 0x4f}, Rgb{0x8e, 0x2f, 0x2f}};
+
+}  // namespace
+
+ImageOptions image_options(const State& state, const Model& model) {
+  const Looks& looks = state.looks;
+  const Scene& scene = model.loaded.file.scene;
   ImageOptions options;
   options.cull = looks.cull;
   options.shading = looks.is_smooth ? Shading::kGouraud : Shading::kFlat;
   options.background = looks.background;
+  for (const Section& section : state.sections) {
+    const auto plane =
+        section.is_on ? clip_of(scene, section) : std::optional<ClipPlane>();
+    if (plane) options.clips.push_back(*plane);
+  }
+  const auto clips = make_clips(options.clips, scene.grid_bits());
+  options.clips = clips ? *clips : std::vector<ClipPlane>();
+  if (!options.clips.empty() && model.is_closed) options.caps = kCaps;
   return options;
 }
 

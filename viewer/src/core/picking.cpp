@@ -34,6 +34,38 @@ dvec3 normal_of(const Scene& scene, PolygonId polygon) {
   return glm::normalize(sum);
 }
 
+/// Where a pixel sees a cap, whose nearest corner is that point itself.
+PickedPoint picked_cap(const Scene& scene, const Camera& camera,
+                       const ClipPlane& plane, PickedPoint result,
+                       std::int32_t x, std::int32_t y) {
+  const double step = step_of(scene.unit());
+  const double lattice = 1 << kLatticeBits;
+  const auto vector = [&](const LatticeVector& v) {
+    return dvec3(static_cast<double>(v.x), static_cast<double>(v.y),
+                 static_cast<double>(v.z)) /
+           lattice;
+  };
+  const dvec3 eye = vector(camera->eye);
+  const dvec3 s = vector(camera->s0) + (x + 0.5) * vector(camera->sx) +
+                  (y + 0.5) * vector(camera->sy);
+  const dvec3 normal(static_cast<double>(plane.a), static_cast<double>(plane.b),
+                     static_cast<double>(plane.c));
+  const dvec3 start = camera->perspective ? eye : s;
+  const dvec3 along = camera->perspective ? s - eye : -eye;
+  const double t = -(glm::dot(normal, start) + static_cast<double>(plane.d)) /
+                   glm::dot(normal, along);
+  result.part = kCapPart;
+  result.point = step * (start + t * along);
+  result.corner = result.point;
+  for (int axis = 0; axis < 3; ++axis) {
+    result.exact_corner[static_cast<std::size_t>(axis)] =
+        fmt::format("{:.6g}", result.point[axis]);
+  }
+  // Towards what was removed.
+  result.normal = -glm::normalize(normal);
+  return result;
+}
+
 }  // namespace
 
 std::string decimal_text(std::int64_t coordinate, const Unit& unit) {
@@ -68,6 +100,10 @@ std::optional<PickedPoint> picked(const Model& model, const Camera& camera,
   PickedPoint result;
   result.polygon = polygon;
   const auto p = static_cast<std::size_t>(polygon);
+  if (p >= scene.polygon_count()) {
+    const std::size_t plane = p - scene.polygon_count();
+    return picked_cap(scene, camera, options.clips[plane], result, x, y);
+  }
   result.part = model.parts[p];
   result.face = model.faces[p];
   result.point = io::pixel_point(scene, camera, polygon, x, y).point;

@@ -19,7 +19,7 @@ Result<Done> save_shown(Session& session, const std::string& path) {
     return io::write_npy(path, session.items());
   if (io::is_scene_name(path)) {
     SceneFile file = session.model()->loaded.file;
-    file.options = image_options(session.state().looks);
+    file.options = image_options(session.state(), *session.model());
     const auto viewed = io::look_at(file.scene, *session.camera());
     if (!viewed) return viewed.error();
     file.camera = viewed->camera;

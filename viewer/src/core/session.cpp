@@ -77,8 +77,10 @@ void Session::give_up(const Error& error) {
     undone_from_.pop_back();
   const auto camera = state_.camera;
   const Looks looks = state_.looks;
+  const std::vector<Section> sections = state_.sections;
   state_ = shown_;
   state_.camera = camera;
+  state_.sections = sections;
   if (!model_) state_.looks = looks;
 }
 
@@ -137,10 +139,30 @@ void Session::see_from(const io::ViewDirection& direction) {
   if (camera) set_camera(*camera);
 }
 
+void Session::prepare_numbers() {
+  const std::optional<ScalarLook>& look = state_.looks.scalar;
+  if (!model_->numbers || !look || look->source != model_->numbers->source) {
+    numbers_.reset();
+    return;
+  }
+  if (numbers_ && numbers_model_ == model_->numbers && numbers_look_ == look)
+    return;
+  const auto shown = shown_numbers(*model_, *look);
+  if (!shown) {
+    // The scale before stays.
+    message_ = shown.error().message;
+    return;
+  }
+  numbers_ = *shown;
+  numbers_model_ = model_->numbers;
+  numbers_look_ = look;
+}
+
 void Session::ask_for_frame() {
   if (!model_ || !camera_) return;
-  frames_.request(
-      {++frame_number_, model_, *camera_, image_options(state_.looks)});
+  prepare_numbers();
+  frames_.request({++frame_number_, model_, *camera_,
+                   image_options(state_, *model_), numbers_});
 }
 
 bool Session::is_settled() const {
@@ -152,7 +174,9 @@ void Session::change(const std::function<void(State&)>& edit,
   State next = state_;
   edit(next);
   const bool same_scene = have_same_scene(next, state_);
-  if (same_scene && next.looks == state_.looks) return;
+  if (same_scene && next.looks == state_.looks &&
+      next.sections == state_.sections)
+    return;
   if (gesture == 0 || gesture != gesture_) undone_from_.push_back(state_);
   gesture_ = gesture;
   if (undone_from_.size() > kMostUndone)
@@ -241,7 +265,7 @@ void Session::reload_if_changed() {
 
 std::optional<PickedPoint> Session::pick(std::int32_t x, std::int32_t y) const {
   if (!model_ || !camera_) return std::nullopt;
-  return picked(*model_, *camera_, image_options(state_.looks), x, y);
+  return picked(*model_, *camera_, image_options(state_, *model_), x, y);
 }
 
 std::optional<ColorImage> Session::finished_picture() {
@@ -249,8 +273,11 @@ std::optional<ColorImage> Session::finished_picture() {
 }
 
 const std::vector<fast::Stroke>* Session::edge_lines() {
-  // Not while the camera moves: they take longer than pictures.
+  // Not while the camera moves: they take longer than pictures. Lines are
+  // those of the whole model, so a section has none.
+  static const std::vector<fast::Stroke> kNoLines;
   if (!model_ || !camera_ || !is_settled()) return nullptr;
+  if (has_sections(state_)) return &kNoLines;
   edges_.request(frame_number_, model_, *camera_, state_.looks.cull);
   return edges_.lines_of(frame_number_);
 }
@@ -259,7 +286,7 @@ ItemImage Session::items() const {
   fast::RenderOptions how;
   how.colors = false;
   return fast::render(model_->loaded.file.scene, *model_->tree, *camera_,
-                      image_options(state_.looks), how)
+                      image_options(state_, *model_), how)
       .items;
 }
 

@@ -101,6 +101,7 @@ class Session {
  private:
   void load();
   void ask_for_frame();
+  void prepare_numbers();
   void take(Loaded loaded);
   void give_up(const Error& error);
   void see_first();
@@ -112,6 +113,10 @@ class Session {
   std::vector<State> undone_from_, redone_from_;
   std::shared_ptr<const Model> model_;
   std::optional<Camera> camera_;
+  /// The numbers shown, of that model and look; null: none.
+  std::shared_ptr<const ShownNumbers> numbers_;
+  std::shared_ptr<const Numbers> numbers_model_;
+  std::optional<ScalarLook> numbers_look_;
   std::int32_t width_px_ = 640, height_px_ = 480;
   std::string message_;
   unsigned gesture_ = 0;

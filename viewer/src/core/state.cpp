@@ -8,6 +8,7 @@
 
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/load_scene.hpp"
+#include "halfspace/io/scalars.hpp"
 
 namespace halfspace::viewer {
 namespace {
@@ -91,6 +92,14 @@ class Reader {
     }
     fail(key, "must be three numbers");
     return {};
+  }
+
+  std::array<double, 2> pair(const char* key) const {
+    const json& value = has(key) ? object_[key] : json();
+    if (value.is_array() && value.size() == 2)
+      return {number(value[0], key), number(value[1], key)};
+    fail(key, "must be two numbers");
+    return {0, 1};
   }
 
   std::array<std::int32_t, 2> size(const char* key) const {
@@ -201,6 +210,32 @@ void parse_sections(const json& list, State& state, std::string& fault) {
   }
 }
 
+ScalarLook parse_scalar(const json& object, const std::filesystem::path& folder,
+                        std::string& fault) {
+  const Reader reader(object, "scalar", fault);
+  ScalarLook look;
+  look.source = reader.text("source");
+  if (!folder.empty() && io::is_scalar_file_name(look.source) &&
+      !std::filesystem::path(look.source).is_absolute())
+    look.source = (folder / look.source).string();
+  if (reader.has("map")) look.map = reader.text("map");
+  look.is_logarithmic = reader.flag("log", false);
+  look.has_legend = reader.flag("legend", true);
+  if (reader.has("steps")) {
+    const double steps = reader.number("steps");
+    if (steps != 0 && !(steps >= 2 && steps <= 4096))
+      reader.fail("steps", "must be 0, or from 2 to 4096");
+    else
+      look.steps = static_cast<std::int32_t>(steps);
+  }
+  if (reader.has("range")) {
+    const auto range = reader.pair("range");
+    if (!(range[0] < range[1])) reader.fail("range", "must go upwards");
+    look.range = range;
+  }
+  return look;
+}
+
 State parse_all(const json& object, const std::filesystem::path& folder,
                 std::string& fault) {
   const Reader reader(object, "view", fault);
@@ -224,6 +259,8 @@ State parse_all(const json& object, const std::filesystem::path& folder,
     if (to_glm(*state.looks.light) == glm::dvec3(0))
       reader.fail("light", "must not be zero");
   }
+  if (reader.has("scalar"))
+    state.looks.scalar = parse_scalar(object["scalar"], folder, fault);
   if (reader.has("sections")) parse_sections(object["sections"], state, fault);
   if (reader.has("camera"))
     state.camera = parse_camera(object["camera"], fault);
@@ -239,10 +276,19 @@ bool is_same(const io::ViewOptions& a, const io::ViewOptions& b) {
          a.width_px == b.width_px && a.height_px == b.height_px;
 }
 
+namespace {
+
+std::string source_of(const Looks& looks) {
+  return looks.scalar ? looks.scalar->source : std::string();
+}
+
+}  // namespace
+
 bool have_same_scene(const State& a, const State& b) {
   return a.parts == b.parts && a.combination == b.combination &&
-         a.sections == b.sections && a.looks.is_smooth == b.looks.is_smooth &&
-         a.looks.light == b.looks.light;
+         a.looks.is_smooth == b.looks.is_smooth &&
+         a.looks.light == b.looks.light &&
+         source_of(a.looks) == source_of(b.looks);
 }
 
 bool has_sections(const State& state) {
@@ -271,6 +317,15 @@ std::string to_text(const State& state) {
                                   {"on", section.is_on}});
   }
   if (state.looks.light) result["light"] = *state.looks.light;
+  if (state.looks.scalar) {
+    const ScalarLook& look = *state.looks.scalar;
+    result["scalar"] = {{"source", look.source},
+                        {"map", look.map},
+                        {"log", look.is_logarithmic},
+                        {"steps", look.steps},
+                        {"legend", look.has_legend}};
+    if (look.range) result["scalar"]["range"] = *look.range;
+  }
   if (state.camera) result["camera"] = to_json(*state.camera);
   return result.dump(2) + '\n';
 }
@@ -308,6 +363,12 @@ Result<Done> write_state(const std::filesystem::path& path,
     std::error_code ignored;
     const auto full = std::filesystem::absolute(part.path, ignored);
     if (!ignored) part.path = full.string();
+  }
+  auto& scalar = absolute.looks.scalar;
+  if (scalar && io::is_scalar_file_name(scalar->source)) {
+    std::error_code ignored;
+    const auto full = std::filesystem::absolute(scalar->source, ignored);
+    if (!ignored) scalar->source = full.string();
   }
   return io::write_file(path, to_text(absolute));
 }

@@ -9,6 +9,7 @@
 #include "core/command_line.hpp"
 #include "core/measure.hpp"
 #include "core/moves.hpp"
+#include "halfspace/io/scalars.hpp"
 #include "window/fonts.hpp"
 #include "window/ui.hpp"
 
@@ -139,6 +140,63 @@ void draw_light(Session& session, Looks& looks) {
     ImGui::SetTooltip("The light comes from where the eye is now");
 }
 
+/// The properties of the only file, read when it is another one.
+const std::vector<std::string>& properties_of(const State& state) {
+  static std::string path;
+  static std::vector<std::string> names;
+  const std::string now =
+      state.parts.size() == 1 ? state.parts[0].path : std::string();
+  if (now != path) {
+    path = now;
+    names =
+        now.empty() ? std::vector<std::string>() : io::ply_scalar_names(now);
+  }
+  return names;
+}
+
+constexpr const char* kMaps[] = {"viridis", "heated", "turbo",
+                                 "cividis", "grey",   "coolwarm"};
+
+/// Which numbers colour the file, and how.
+void draw_numbers(Session& session, Looks& looks) {
+  const auto& names = properties_of(session.state());
+  if (names.empty() && !looks.scalar) return;
+  const std::string shown = looks.scalar ? looks.scalar->source : "none";
+  if (ImGui::BeginCombo("Numbers", shown.c_str())) {
+    if (ImGui::Selectable("none", !looks.scalar)) looks.scalar.reset();
+    for (const std::string& name : names) {
+      if (!ImGui::Selectable(name.c_str(), name == shown)) continue;
+      const ScalarLook before = looks.scalar.value_or(ScalarLook());
+      looks.scalar = ScalarLook{name,  before.map,   std::nullopt,
+                                false, before.steps, before.has_legend};
+    }
+    ImGui::EndCombo();
+  }
+  if (!looks.scalar) return;
+  ScalarLook& look = *looks.scalar;
+  if (ImGui::BeginCombo("Map", look.map.c_str())) {
+    for (const char* map : kMaps) {
+      if (ImGui::Selectable(map, look.map == map)) look.map = map;
+    }
+    ImGui::EndCombo();
+  }
+  const auto numbers = session.model() ? session.model()->numbers : nullptr;
+  if (numbers && numbers->source == look.source) {
+    const auto range = look.range.value_or(numbers->extent);
+    std::array<float, 2> ends = {static_cast<float>(range[0]),
+                                 static_cast<float>(range[1])};
+    const auto step =
+        static_cast<float>((numbers->extent[1] - numbers->extent[0]) / 200);
+    if (ImGui::DragFloat2("Range", ends.data(), step, 0, 0, "%.4g") &&
+        ends[0] < ends[1])
+      look.range = {six_digits(double{ends[0]}), six_digits(double{ends[1]})};
+    if (look.range && ImGui::SmallButton("All of them")) look.range.reset();
+    if (numbers->extent[0] > 0)
+      ImGui::Checkbox("Logarithmic", &look.is_logarithmic);
+  }
+  ImGui::Checkbox("Legend", &look.has_legend);
+}
+
 void draw_looks(Session& session, Ui& ui) {
   Looks looks = session.state().looks;
   int is_smooth = looks.is_smooth ? 1 : 0;
@@ -160,6 +218,7 @@ void draw_looks(Session& session, Ui& ui) {
       looks.background = color;
     ImGui::PopID();
   }
+  draw_numbers(session, looks);
   if (looks != session.state().looks)
     change(session, [&looks](State& state) { state.looks = looks; });
 }

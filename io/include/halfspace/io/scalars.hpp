@@ -42,6 +42,9 @@ Result<ScalarColumn> read_scalars(const std::string& name);
 Result<ScalarColumn> read_ply_scalars(const std::filesystem::path& path,
                                       const std::string& property);
 
+/// The properties that read_ply_scalars() would find, none for other files.
+std::vector<std::string> ply_scalar_names(const std::filesystem::path& path);
+
 /// The field over a scene whose file has these numbers for its vertices or
 /// faces; their number says for which, where the column does not.
 ///

@@ -11,15 +11,27 @@
 #include <vector>
 
 #include "halfspace/fast/build.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
+#include "halfspace/io/legend.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/mesh.hpp"
 #include "halfspace/result.hpp"
+#include "halfspace/scalars.hpp"
 #include "halfspace/viewer/state.hpp"
 
 namespace halfspace::viewer {
 
 /// The part of faces that close a cut.
 constexpr std::uint32_t kCapPart = 0xffffffff;
+
+/// The numbers of a model, and from what to what they are.
+struct Numbers {
+  std::string source;
+  ScalarField field;
+  std::array<double, 2> extent = {0, 1};
+  double least_positive = 1;  ///< what a logarithmic scale begins with
+  bool has_gaps = false;      ///< some are no data
+};
 
 /// A state's scene with its tree: never changed once it is made, so that any
 /// thread may look at it.
@@ -31,6 +43,8 @@ struct Model {
   std::vector<PolygonId> faces;
   std::uint64_t fingerprint = 0;  ///< of the scene, without its colours
   std::shared_ptr<const fast::BspTree> tree;
+  std::shared_ptr<const Numbers> numbers;  ///< null where there are none
+  bool is_closed = false;                  ///< whether caps can fill its cuts
   /// The box round the files' points, before any cut. Units: model units.
   std::array<double, 3> low{}, high{};
 
@@ -59,6 +73,12 @@ class MeshCache {
   std::map<std::string, Entry> entries_;
 };
 
+/// What becomes of sections.
+enum class Sections : std::uint8_t {
+  kByPlanes,  ///< image_options() has them: nothing is cut
+  kOfSolids,  ///< the parts are cut as solids, and closed
+};
+
 /// The scene of the state's visible parts, without a tree.
 ///
 /// One visible part, not moved, is what `halfspace render` makes of the file;
@@ -67,8 +87,8 @@ class MeshCache {
 /// Errors: those of reading and of import; kStopped; kEmpty (no part is
 ///         visible, or a boolean holds nothing); those of Solid for
 ///         booleans.
-Result<Model> make_scene_of(const State& state, MeshCache& cache,
-                            const Report& report);
+Result<Model> make_scene_of(const State& state, Sections sections,
+                            MeshCache& cache, const Report& report);
 
 /// The same with a tree: that of `before`, if it is of the same scene but for
 /// colours.
@@ -77,11 +97,24 @@ Result<std::shared_ptr<const Model>> make_model(const State& state,
                                                 const Model* before,
                                                 const Report& report);
 
-/// The options of the image (S5.2).
-ImageOptions image_options(const Looks& looks);
+/// The options of the image (S5.2), with the sections as clip planes, and caps
+/// where the model is closed (S10).
+ImageOptions image_options(const State& state, const Model& model);
 
-/// What `halfspace render` shows for a `.view` file: scene, camera, options.
+/// How numbers are coloured, prepared for pictures.
+struct ShownNumbers {
+  fast::ScalarColors colors;
+  io::Legend legend;
+  bool has_legend = false;
+};
+
+/// Errors: those of io::read_color_map() and io::make_scale().
+Result<std::shared_ptr<const ShownNumbers>> shown_numbers(
+    const Model& model, const ScalarLook& look);
+
+/// What a `.view` file shows: scene, camera, options.
 /// Errors: those of read_state() and make_scene_of(); kBadCamera.
-Result<io::LoadedScene> load_view(const std::filesystem::path& path);
+Result<io::LoadedScene> load_view(const std::filesystem::path& path,
+                                  Sections sections);
 
 }  // namespace halfspace::viewer

@@ -44,12 +44,24 @@ struct Section {
 /// As many planes as cut at once.
 constexpr std::size_t kMostSections = 3;
 
+/// Numbers that colour a file (S11).
+struct ScalarLook {
+  std::string source;  ///< a property of a PLY, or a file of numbers
+  std::string map = "viridis";
+  std::optional<std::array<double, 2>> range;  ///< nothing: all there are
+  bool is_logarithmic = false;
+  std::int32_t steps = 0;  ///< 0: as many as the map has colours
+  bool has_legend = true;
+  friend bool operator==(const ScalarLook&, const ScalarLook&) = default;
+};
+
 /// How the parts look.
 struct Looks {
   bool is_smooth = false;  ///< Gouraud shading
   bool cull = false;       ///< polygons seen from behind are not there
   Rgb background = {255, 255, 255};
   std::optional<std::array<double, 3>> light;  ///< nothing: the usual one
+  std::optional<ScalarLook> scalar = {};       ///< of a file that is alone
   friend bool operator==(const Looks&, const Looks&) = default;
 };
 
