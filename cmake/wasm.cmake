@@ -18,7 +18,8 @@ set(CMAKE_CXX_FLAGS_INIT
     "-msimd128 -mnontrapping-fptoint -mbulk-memory -msign-ext -mmutable-globals \
 -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections \
 -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION -DBOOST_NO_EXCEPTIONS \
--DBOOST_NO_RTTI -DBOOST_NO_TYPEID")
+-DBOOST_NO_RTTI -DBOOST_NO_TYPEID \
+-include ${CMAKE_CURRENT_LIST_DIR}/wasm_boost.hpp")
 # What a page loads is to be small; web/CMakeLists.txt has what is to be fast.
 set(CMAKE_CXX_FLAGS_RELEASE "-Oz -DNDEBUG" CACHE STRING "")
 
