@@ -122,6 +122,10 @@ need_test_packages() {
   need python3-matplotlib "figures that the package makes right"
   need python3-meshio "meshes that the package takes"
   need mypy "checks the package's annotations"
+}
+
+# What the package for the web takes, where HALFSPACE_WEB is ON.
+need_web_packages() {
   need clang-19 "compiles the package for the web"
   need lld-19 "links it"
   need xz-utils "packs it"

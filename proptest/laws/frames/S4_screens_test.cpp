@@ -35,8 +35,8 @@ struct FastScreens {
 
 template <class Impl>
 class S4Screens : public ::testing::Test {};
-using ScreenImplementations = ::testing::Types<RefScreens, FastScreens>;
-TYPED_TEST_SUITE(S4Screens, ScreenImplementations);
+using ScreenKindImplementations = ::testing::Types<RefScreens, FastScreens>;
+TYPED_TEST_SUITE(S4Screens, ScreenKindImplementations);
 
 TYPED_TEST(S4Screens, L12ScreensOfAllKindsGiveOneImage) {
   std::size_t lit = 0;
