@@ -123,3 +123,18 @@ need_test_packages() {
   need python3-meshio "meshes that the package takes"
   need mypy "checks the package's annotations"
 }
+
+# What the package for the web takes, where HALFSPACE_WEB is ON.
+need_web_packages() {
+  need clang-19 "compiles the package for the web"
+  need lld-19 "links it"
+  need xz-utils "packs it"
+  need llvm-19 "its archives"
+  need wasi-libc "the C library of WebAssembly"
+  need libc++-19-dev-wasm32 "the C++ library of WebAssembly"
+  need libc++abi-19-dev-wasm32 "the same"
+  need libclang-rt-19-dev-wasm32 "128-bit integers of WebAssembly"
+  command -v node >/dev/null || need nodejs "runs the package for the web"
+  command -v npm >/dev/null || need npm "packs it"
+  need chromium "shows its page"
+}

@@ -90,9 +90,9 @@ class FastAlgebra {
   /// The leaf as its file has it.
   Result<Value> unresolved(std::int32_t id) {
     if (operands_.is_exact(id)) return operands_.exact_leaf(id, nothing_);
-    const Result<GridSolid> solid = operands_.leaf(id);
+    const auto solid = operands_.leaf(id);
     if (!solid) return solid.error();
-    return numbered(fast::to_solid(*solid, nothing_, id),
+    return numbered(fast::to_solid(**solid, nothing_, id),
                     operands_.polygons_of(id));
   }
 

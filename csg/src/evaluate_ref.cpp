@@ -30,9 +30,9 @@ class RefAlgebra {
                        "library does",
                    -1};
     }
-    const Result<GridSolid> solid = operands_.leaf(id);
+    const auto solid = operands_.leaf(id);
     if (!solid) return solid.error();
-    Value value{ref::to_solid(*solid), false};
+    Value value{ref::to_solid(**solid), false};
     if (!operands_.to_repair(id)) return value;
     ref::Solid resolved = ref::resolve(value.solid, options_);
     if (resolved.faces.empty()) return operands_.nothing_left(id);

@@ -92,15 +92,29 @@ Error with_advice(Error error, const OperandOptions& options) {
   return error;
 }
 
+/// What there is to know of a surface before it is used.
+struct Checked {
+  bool to_repair = false;
+  bool is_lean = false;
+};
+
+/// Whether no faces in one plane have an edge in common, and no vertex lies
+/// within an edge.
+bool is_lean(fast::Solid solid) {
+  const std::size_t faces = solid.faces.size(), edges = solid.edges.size();
+  solid = fast::merge_faces(std::move(solid), fast::Merge::kColor);
+  return solid.faces.size() == faces && solid.edges.size() == edges;
+}
+
 /// Whether the surface must be repaired; an error if that is not wanted.
-Result<bool> needs_repair(const GridSolid& solid,
-                          const std::vector<PolygonId>& polygons,
-                          const OperandOptions& options) {
-  if (solid.scene().polygon_count() == 0) return false;
+Result<Checked> checked(const GridSolid& solid,
+                        const std::vector<PolygonId>& polygons,
+                        const OperandOptions& options) {
+  if (solid.scene().polygon_count() == 0) return Checked{};
   if (!options.find_crossings) {
     // What is found without a search.
     const std::string volume = exact_volume(solid.scene());
-    if (volume != "0" && volume.front() != '-') return false;
+    if (volume != "0" && volume.front() != '-') return Checked{};
     return Error{
         ErrorCode::kInsideOut,
         volume == "0"
@@ -108,10 +122,11 @@ Result<bool> needs_repair(const GridSolid& solid,
             : "the surface is inside out: its volume is " + volume +
                   "; flip(...) in an expression turns its faces round"};
   }
-  const Result<Done> fine = fast::check_operand(
-      numbered(fast::to_solid(solid), polygons), options.check);
+  fast::Solid made = numbered(fast::to_solid(solid), polygons);
+  const Result<Done> fine = fast::check_operand(made, options.check);
   if (!fine && fine.error().code == ErrorCode::kStopped) return fine.error();
-  if (fine || options.repair) return !fine;
+  if (fine || options.repair)
+    return Checked{!fine, options.find_coplanar && is_lean(std::move(made))};
   Error error = fine.error();
   // Resolution would keep nothing of a surface that faces inwards.
   if (error.code == ErrorCode::kSelfCrossing) {
@@ -123,6 +138,14 @@ Result<bool> needs_repair(const GridSolid& solid,
   return error;
 }
 
+Result<bool> needs_repair(const GridSolid& solid,
+                          const std::vector<PolygonId>& polygons,
+                          const OperandOptions& options) {
+  const Result<Checked> found = checked(solid, polygons, options);
+  if (!found) return found.error();
+  return found->to_repair;
+}
+
 }  // namespace
 
 Scene Operands::closed(Scene scene) {
@@ -131,25 +154,38 @@ Scene Operands::closed(Scene scene) {
   return std::move(result.scene);
 }
 
-Result<Source> make_source(const std::string& path,
-                           const io::Imported& imported,
-                           const OperandOptions& options) {
+Result<Source> closed_source(const std::string& path, Scene scene,
+                             const io::Imported& imported) {
   Source source;
   source.path = path;
   source.polygons = imported.faces;
   source.report = imported.report;
-  Result<Scene> scene = make_scene(trimmed(imported.scene));
-  if (!scene) return io::error_about(path, scene.error());
-  ClosedScene closed = closed_on_lines(*std::move(scene));
+  ClosedScene closed = closed_on_lines(std::move(scene));
   source.corners_added = closed.added;
   source.scene = std::move(closed.scene);
-  const Result<GridSolid> solid = make_solid(source.scene);
-  if (!solid)
-    return io::error_about(
-        path, with_advice(open_error(source.scene, source.polygons), options));
-  const Result<bool> repairs = needs_repair(*solid, source.polygons, options);
-  if (!repairs) return io::error_about(path, repairs.error());
-  source.to_repair = *repairs;
+  Result<GridSolid> solid = make_solid(source.scene);
+  if (!solid) return open_error(source.scene, source.polygons);
+  const Extent extent =
+      extent_of(step_map(identity_matrix(), source.scene.unit()),
+                source.scene.data().vertices);
+  source.need = {extent.step, extent.least, extent.greatest};
+  source.solid = std::make_shared<const GridSolid>(*std::move(solid));
+  return source;
+}
+
+Result<Source> make_source(const std::string& path,
+                           const io::Imported& imported,
+                           const OperandOptions& options) {
+  Result<Scene> scene = make_scene(trimmed(imported.scene));
+  if (!scene) return io::error_about(path, scene.error());
+  Result<Source> source = closed_source(path, *std::move(scene), imported);
+  if (!source)
+    return io::error_about(path, with_advice(source.error(), options));
+  const Result<Checked> found =
+      checked(*source->solid, source->polygons, options);
+  if (!found) return io::error_about(path, found.error());
+  source->to_repair = found->to_repair;
+  source->is_lean = found->is_lean;
   return source;
 }
 
@@ -370,7 +406,21 @@ Result<GridSolid> Operands::settled(const Scene& scene,
   return make_solid(std::move(made->scene));
 }
 
-Result<GridSolid> Operands::leaf(std::int32_t id) {
+/// Whether a leaf's solid is that of its source, on the same grid.
+bool Operands::stays_in_place(std::int32_t id) const {
+  const Source& source = source_of(id);
+  return source.solid && matrix_of(id) == identity_matrix() &&
+         source.scene.unit() == report_.unit &&
+         source.scene.grid_bits() == report_.grid_bits;
+}
+
+Result<std::shared_ptr<const GridSolid>> Operands::leaf(std::int32_t id) {
+  lean_[static_cast<std::size_t>(id)] = source_of(id).is_lean;
+  if (stays_in_place(id)) {
+    polygons_[static_cast<std::size_t>(id)] = source_of(id).polygons;
+    repair_[static_cast<std::size_t>(id)] = source_of(id).to_repair;
+    return source_of(id).solid;
+  }
   const Leaf& leaf = plan_->leaves[static_cast<std::size_t>(id)];
   const auto located = [&](Error error) {
     return this->located(id, std::move(error));
@@ -379,11 +429,14 @@ Result<GridSolid> Operands::leaf(std::int32_t id) {
   std::vector<PolygonId>& polygons = polygons_[static_cast<std::size_t>(id)];
   Result<Scene> scene = moved_scene(leaf, source_of(id), polygons);
   if (!scene) return located(scene.error());
-  Result<GridSolid> solid = make_solid(closed(*std::move(scene)));
+  const bool is_exact = report_.moved == moved_before;
+  // An exact map opens nothing, and makes no new crossings.
+  Result<GridSolid> solid =
+      make_solid(is_exact ? *std::move(scene) : closed(*std::move(scene)));
   if (!solid) return located(solid.error());
-  // An exact map makes no new crossings.
   bool repairs = source_of(id).to_repair;
-  if (report_.moved != moved_before) {
+  if (!is_exact) {
+    lean_[static_cast<std::size_t>(id)] = false;
     const Result<bool> found = needs_repair(*solid, polygons, options_);
     if (may_settle(id, found)) {
       solid = settled(solid->scene(), polygons);
@@ -394,7 +447,7 @@ Result<GridSolid> Operands::leaf(std::int32_t id) {
     }
   }
   repair_[static_cast<std::size_t>(id)] = repairs;
-  return solid;
+  return std::make_shared<const GridSolid>(*std::move(solid));
 }
 
 Result<std::array<GridPoint, 3>> Operands::plane(std::int32_t id) {

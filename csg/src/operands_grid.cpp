@@ -149,7 +149,13 @@ void Operands::add_need(std::int32_t leaf,
                        {need->step, need->least, need->greatest});
     return;
   }
-  const Scene& scene = source_of(leaf).scene;
+  const Source& source = source_of(leaf);
+  const Scene& scene = source.scene;
+  if (source.need && matrix_of(leaf) == identity_matrix()) {
+    coordinates.insert(coordinates.end(), source.need->begin(),
+                       source.need->end());
+    return;
+  }
   add_extent(
       extent_of(step_map(matrix_of(leaf), scene.unit()), scene.data().vertices),
       coordinates);

@@ -3,22 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <numbers>
+#include <utility>
 
 #include "halfspace/csg/matrix.hpp"
+#include "halfspace/csg/turned.hpp"
 #include "numbers.hpp"
 
 namespace halfspace::csg {
 namespace {
 
 using io::Number;
-
-void add_face(io::Mesh& mesh, std::initializer_list<std::uint32_t> corners) {
-  for (const std::uint32_t corner : corners)
-    mesh.corners.push_back(static_cast<VertexId>(corner));
-  mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-}
 
 /// A multiple of 10^exponent.
 Number rounded(double value, std::int32_t exponent) {
@@ -54,99 +49,73 @@ std::vector<std::array<Number, 2>> circle(const Number& radius,
   return points;
 }
 
-/// The same in the plane z.
-void add_circle(io::Mesh& mesh, const Number& radius, const Number& z,
-                std::uint32_t segments, std::int32_t last_digit) {
-  for (const auto& [x, y] : circle(radius, segments, last_digit))
-    mesh.vertices.push_back({x, y, z});
-}
-
-/// The quads, or triangles at a pole, between two rings.
-void add_band(io::Mesh& mesh, std::uint32_t low, std::uint32_t high,
-              bool low_is_point, bool high_is_point, std::uint32_t segments) {
-  for (std::uint32_t i = 0; i < segments; ++i) {
-    const std::uint32_t j = (i + 1) % segments;
-    if (low_is_point)
-      add_face(mesh, {low, high + j, high + i});
-    else if (high_is_point)
-      add_face(mesh, {low + i, low + j, high});
-    else
-      add_face(mesh, {low + i, low + j, high + j, high + i});
+/// An outline of points (r, z) turned about the z axis.
+io::Mesh turned_mesh(const std::vector<std::array<Number, 2>>& outline,
+                     std::uint32_t segments, std::int32_t last_digit) {
+  std::vector<TurnedPoint> points;
+  std::vector<std::vector<std::array<Number, 2>>> circles;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto& next = outline[(i + 1) % outline.size()];
+    points.push_back({outline[i][0].mantissa == 0, outline[i][1] == next[1]});
+    circles.push_back(points.back().is_on_axis
+                          ? std::vector{std::array<Number, 2>{}}
+                          : circle(outline[i][0], segments, last_digit));
   }
-}
-
-/// The polygon of a ring, facing down or up.
-void add_cap(io::Mesh& mesh, std::uint32_t first, std::uint32_t segments,
-             bool up) {
-  for (std::uint32_t i = 0; i < segments; ++i) {
-    mesh.corners.push_back(
-        static_cast<VertexId>(first + (up ? i : segments - 1 - i)));
+  TurnedFaces turned = turned_faces(points, segments);
+  io::Mesh mesh;
+  mesh.decimal = true;
+  for (const auto& [point, step] : turned.vertices) {
+    const auto& [x, y] = circles[point][step];
+    mesh.vertices.push_back({x, y, outline[point][1]});
   }
-  mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  mesh.first_corner = std::move(turned.faces.first_corner);
+  mesh.corners = std::move(turned.faces.corners);
+  return mesh;
 }
 
 }  // namespace
 
 io::Mesh box_mesh(const std::array<Number, 3>& least,
                   const std::array<Number, 3>& most) {
-  io::Mesh mesh;
-  mesh.decimal = true;
-  for (unsigned i = 0; i < 8; ++i) {
-    mesh.vertices.push_back({(i & 1u) != 0 ? most[0] : least[0],
-                             (i & 2u) != 0 ? most[1] : least[1],
-                             (i & 4u) != 0 ? most[2] : least[2]});
-  }
-  add_face(mesh, {0, 2, 3, 1});
-  add_face(mesh, {4, 5, 7, 6});
-  add_face(mesh, {0, 1, 5, 4});
-  add_face(mesh, {2, 6, 7, 3});
-  add_face(mesh, {0, 4, 6, 2});
-  add_face(mesh, {1, 3, 7, 5});
-  return mesh;
+  return prism_mesh({{least[0], least[1]},
+                     {most[0], least[1]},
+                     {most[0], most[1]},
+                     {least[0], most[1]}},
+                    least[2], most[2]);
 }
 
 io::Mesh sphere_mesh(const Number& radius, std::uint32_t segments) {
-  io::Mesh mesh;
-  mesh.decimal = true;
   const double r = io::to_double(radius);
   const std::int32_t digit = last_digit_of(r);
   const std::uint32_t parallels = std::max(segments / 2, 2u) - 1;
-  mesh.vertices.push_back({Number{}, Number{}, negative(radius)});
+  std::vector<std::array<Number, 2>> outline = {{Number{}, negative(radius)}};
   for (std::uint32_t k = 1; k <= parallels; ++k) {
+    if (2 * k == parallels + 1) {
+      outline.push_back({radius, Number{}});
+      continue;
+    }
     const double angle = std::numbers::pi * k / (parallels + 1);
-    const Number z = 2 * k == parallels + 1
-                         ? Number{}
-                         : rounded(-r * std::cos(angle), digit);
-    const Number ring =
-        2 * k == parallels + 1 ? radius : rounded(r * std::sin(angle), digit);
-    add_circle(mesh, ring, z, segments, digit);
+    outline.push_back({rounded(r * std::sin(angle), digit),
+                       rounded(-r * std::cos(angle), digit)});
   }
-  const auto top = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.push_back({Number{}, Number{}, radius});
-  add_band(mesh, 0, 1, true, false, segments);
-  for (std::uint32_t k = 1; k < parallels; ++k)
-    add_band(mesh, 1 + (k - 1) * segments, 1 + k * segments, false, false,
-             segments);
-  add_band(mesh, 1 + (parallels - 1) * segments, top, false, true, segments);
-  return mesh;
+  outline.push_back({Number{}, radius});
+  return turned_mesh(outline, segments, digit);
 }
 
 io::Mesh ringed_ball_mesh(const Number& radius, std::uint32_t segments) {
-  io::Mesh mesh;
-  mesh.decimal = true;
   const double r = io::to_double(radius);
   const std::int32_t digit = last_digit_of(r);
   const std::uint32_t rings = (segments + 1) / 2;
+  std::vector<std::array<Number, 2>> outline;
   for (std::uint32_t k = 0; k < rings; ++k) {
     const double angle = std::numbers::pi * (k + 0.5) / rings;
-    add_circle(mesh, rounded(r * std::sin(angle), digit),
-               rounded(-r * std::cos(angle), digit), segments, digit);
+    outline.push_back({rounded(r * std::sin(angle), digit),
+                       rounded(-r * std::cos(angle), digit)});
   }
-  for (std::uint32_t k = 0; k + 1 < rings; ++k)
-    add_band(mesh, k * segments, (k + 1) * segments, false, false, segments);
-  add_cap(mesh, 0, segments, false);
-  add_cap(mesh, (rings - 1) * segments, segments, true);
-  return mesh;
+  const Number low = outline.front()[1], high = outline.back()[1];
+  outline.insert(outline.begin(), {Number{}, low});
+  outline.push_back({Number{}, high});
+  return turned_mesh(outline, segments, digit);
 }
 
 std::vector<std::array<Number, 2>> circle_points(const Number& radius,
@@ -169,37 +138,22 @@ io::Mesh prism_mesh(std::vector<std::array<Number, 2>> points,
   for (const Number* z : {&bottom, &top}) {
     for (const auto& [x, y] : points) mesh.vertices.push_back({x, y, *z});
   }
-  const auto count = static_cast<std::uint32_t>(points.size());
-  add_band(mesh, 0, count, false, false, count);
-  add_cap(mesh, 0, count, false);
-  add_cap(mesh, count, count, true);
+  Faces faces = prism_faces(static_cast<std::uint32_t>(points.size()));
+  mesh.first_corner = std::move(faces.first_corner);
+  mesh.corners = std::move(faces.corners);
   return mesh;
 }
 
 io::Mesh frustum_mesh(const Number& bottom_radius, const Number& top_radius,
                       const Number& bottom, const Number& top,
                       std::uint32_t segments) {
-  io::Mesh mesh;
-  mesh.decimal = true;
-  const bool low_is_point = bottom_radius.mantissa == 0;
-  const bool high_is_point = top_radius.mantissa == 0;
-  const std::int32_t digit = last_digit_of(
-      std::max(io::to_double(bottom_radius), io::to_double(top_radius)));
-  const auto add_ring = [&](const Number& radius, const Number& z,
-                            bool is_point) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    if (is_point)
-      mesh.vertices.push_back({Number{}, Number{}, z});
-    else
-      add_circle(mesh, radius, z, segments, digit);
-    return first;
-  };
-  const std::uint32_t low = add_ring(bottom_radius, bottom, low_is_point);
-  const std::uint32_t high = add_ring(top_radius, top, high_is_point);
-  add_band(mesh, low, high, low_is_point, high_is_point, segments);
-  if (!low_is_point) add_cap(mesh, low, segments, false);
-  if (!high_is_point) add_cap(mesh, high, segments, true);
-  return mesh;
+  std::vector<std::array<Number, 2>> outline = {{Number{}, bottom}};
+  if (bottom_radius.mantissa != 0) outline.push_back({bottom_radius, bottom});
+  if (top_radius.mantissa != 0) outline.push_back({top_radius, top});
+  outline.push_back({Number{}, top});
+  return turned_mesh(outline, segments,
+                     last_digit_of(std::max(io::to_double(bottom_radius),
+                                            io::to_double(top_radius))));
 }
 
 }  // namespace halfspace::csg

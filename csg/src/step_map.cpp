@@ -118,8 +118,12 @@ PlacedPoints placed_by(const Rows<Int>& rows, const Int& divisor,
     std::array<std::int64_t, 3> at{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Int value = rows.image(i, point);
-      Int quotient = value / divisor;
-      const Int rest = value % divisor;
+      Int quotient = value;
+      Int rest = 0;
+      if (divisor != 1) {
+        quotient = value / divisor;
+        rest = value % divisor;
+      }
       if (rest != 0) {
         const Int size = rest < 0 ? Int(-rest) : rest;
         const bool up = size + size >= divisor;

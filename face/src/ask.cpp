@@ -128,20 +128,21 @@ Result<Mesh> Solid::mesh(const MeshOptions& options) const {
   if (!evaluation) return evaluation.error();
   const Lock lock((*evaluation)->mutex);
   const fast::Solid solid = merged_by((*evaluation)->solid, options.merge);
-  const fast::ExportedMesh exported = fast::to_mesh(
-      solid, {options.triangles, detail::thread_count(options.threads)});
+  fast::ExportedMesh exported =
+      fast::to_mesh(solid, {options.triangles, options.threads});
   Mesh mesh;
   mesh.vertices.reserve(exported.vertices.size());
   for (const auto& v : exported.vertices)
     mesh.vertices.push_back({v[0], v[1], v[2]});
-  mesh.first_corner = exported.first_corner;
-  mesh.corners = exported.corners;
+  mesh.origins.reserve(exported.faces.size());
   for (const std::int32_t f : exported.faces) {
     const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
     mesh.origins.push_back(
         {static_cast<std::uint32_t>(face.part), face.polygon});
   }
   detail::carry_properties(**evaluation, solid, exported, mesh);
+  mesh.first_corner = std::move(exported.first_corner);
+  mesh.corners = std::move(exported.corners);
   return mesh;
 }
 
@@ -159,7 +160,7 @@ Result<Done> Solid::save(const std::filesystem::path& path,
   csg::EvaluateOptions how;
   how.merge = rule_of(options.merge);
   how.triangles = options.triangles;
-  how.threads = detail::thread_count(options.threads);
+  how.threads = options.threads;
   if (io::format_of(path) == io::Format::kStl) {
     how.triangles = true;
     how.number = fast::FileNumber::kFloat;

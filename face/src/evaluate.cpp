@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
@@ -95,12 +94,12 @@ Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
   csg::OperandOptions how;
   how.exact = true;
   how.repair_word = "OperandOptions::resolve";
-  how.check.threads = thread_count(options.threads);
+  how.check.threads = options.threads;
   Result<csg::Operands> operands =
       csg::Operands::join(*std::move(sources), lowered->script, *plan, how);
   if (!operands) return operands.error();
   csg::EvaluateOptions work;
-  work.threads = thread_count(options.threads);
+  work.threads = options.threads;
   work.progress = options.progress;
   auto solid = csg::evaluate_solid(*plan, *operands, work);
   if (!solid && solid.error().code != ErrorCode::kStopped &&
@@ -179,11 +178,6 @@ Solid faulty_solid(std::string name, ErrorCode code, std::string message) {
   node->error = Error{code, name + ": " + message};
   node->name = std::move(name);
   return SolidNode::solid_of(std::move(node));
-}
-
-int thread_count(int threads) {
-  if (threads > 0) return threads;
-  return machine_threads();
 }
 
 }  // namespace halfspace::detail

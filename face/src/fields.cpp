@@ -1,23 +1,22 @@
 #include "fields.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 #include <optional>
+#include <span>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
-#include "halfspace/csg/interval.hpp"
+#include "affine.hpp"
+#include "placed_vertices.hpp"
 
 namespace halfspace::detail {
 namespace {
 
-using csg::area2;
 using csg::ExactPoint;
 using csg::ExactSurface;
-using csg::in_steps;
 using csg::Integer;
-using csg::longest_axis;
-using csg::nearest_double;
-using csg::same;
 
 /// What a half-space cut has no colour of its own.
 constexpr Rgb kCutColor{170, 170, 170};
@@ -25,82 +24,127 @@ constexpr Rgb kCutColor{170, 170, 170};
 /// A field's value where there is none.
 constexpr double kNoField = 0;
 
-/// The affine function over a polygon: its values at three of its corners,
-/// and those corners, in homogeneous integers of some common scale.
-struct Triangle {
-  std::array<ExactPoint, 3> points;
-  std::array<std::size_t, 3> corners{};  ///< of the operand's mesh
-  std::size_t axis = 0;                  ///< along which areas are seen
-  Integer area2;                         ///< as area2() has it
+/// An operand of the result.
+struct Part {
+  const Mesh* properties = nullptr;        ///< null where there are none
+  std::optional<PlacedVertices> vertices;  ///< where there are fields
 };
 
-/// A double as numerator / 2^-two, two <= 0.
-struct Dyadic {
-  Integer mantissa;
-  std::int32_t two = 0;
+/// The triangle that a polygon's affine functions are given by: three corners
+/// of the operand's mesh, and the axis along which it is seen.
+struct Base {
+  std::size_t corner = 0;  ///< the first one; the others are next
+  std::size_t axis = 0;
+  std::array<std::size_t, 3> vertices{};
 };
-Dyadic dyadic_of(double value) {
-  const io::Number number = io::number_of(value);
-  Dyadic result{
-      number.mantissa * pow(Integer(5), static_cast<unsigned>(number.five)),
-      number.two};
-  if (result.two > 0) {
-    result.mantissa <<= result.two;
-    result.two = 0;
+
+/// A vertex of the result.
+struct ResultVertex {
+  bool is_known = false;
+  bool is_grid = false;
+  GridPoint point;  ///< it, or one near it
+};
+
+using Wide3 = std::array<Int128, 3>;
+
+Int128 magnitude(Int128 value) { return value < 0 ? -value : value; }
+
+/// As csg::longest_axis().
+std::size_t longest_axis(const Wide3& normal) {
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (magnitude(normal[i]) > magnitude(normal[axis])) axis = i;
   }
-  return result;
+  return axis;
+}
+
+/// A normal of three points of the grid; 0 where they are on a line.
+Wide3 normal_of(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
+  const Wide3 a = {q.x - p.x, q.y - p.y, q.z - p.z};
+  const Wide3 b = {r.x - p.x, r.y - p.y, r.z - p.z};
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+          a[0] * b[1] - a[1] * b[0]};
 }
 
 class Carrier {
  public:
   Carrier(const Evaluation& evaluation, const fast::Solid& solid,
-          const fast::ExportedMesh& rounded, Mesh& mesh)
-      : evaluation_(evaluation),
-        solid_(solid),
-        rounded_(rounded),
-        mesh_(mesh),
-        surface_(solid) {}
+          const fast::ExportedMesh& rounded, FieldPath path, Mesh& mesh);
   void carry();
 
  private:
-  const LeafData* data_of(const fast::Face& face) const;
-  void carry_fields();
-  const ExactPoint& corner_at(const fast::Face& face, const LeafData& data,
-                              std::size_t corner);
-  std::optional<Triangle> triangle_of(const fast::Face& face,
-                                      const LeafData& data);
-  void add_fields(const Mesh& properties, const Triangle& triangle,
-                  const ExactPoint& at);
+  /// Polygons between the one that is worked on and the one asked for.
+  static constexpr std::size_t kAhead = 8;
 
-  const Evaluation& evaluation_;
+  Part* part_of(const fast::Face& face);
+  void carry_fields(std::size_t polygon);
+  void prefetch(std::size_t polygon);
+  std::optional<Base> base_of(const fast::Face& face, Part& part);
+  std::size_t axis_of(const fast::Face& face) const;
+  bool has_area(const Base& base, Part& part);
+  Triangle exact_triangle(const Base& base, Part& part) const;
+  const ResultVertex& vertex_at(std::size_t v);
+  std::optional<std::size_t> corner_at(const Base& base, Part& part,
+                                       std::size_t v);
+  std::array<SeenPoint, 3> seen_triangle(const Base& base, Part& part,
+                                         const GridPoint& point);
+  std::optional<BoundedWeights> bounded_weights(const Base& base, Part& part,
+                                                std::size_t v);
+  void add_exactly(const Base& base, Part& part, std::size_t v,
+                   std::span<double> values);
+
   const fast::Solid& solid_;
   const fast::ExportedMesh& rounded_;
+  bool is_exact_;
   Mesh& mesh_;
+  std::vector<Part> parts_;
+  std::vector<ResultVertex> vertices_;
+  /// By vertex that is not on the grid: it less the point near it.
+  std::unordered_map<std::size_t, BoundedPoint> less_;
+  std::vector<bool> known_;  ///< of a corner's fields
   ExactSurface surface_;
-  std::map<std::pair<std::int32_t, std::size_t>, ExactPoint> corners_;
+  double steps_;  ///< in a model unit, about
 };
 
-/// The operand's data; null of a half-space's face.
-const LeafData* Carrier::data_of(const fast::Face& face) const {
+Carrier::Carrier(const Evaluation& evaluation, const fast::Solid& solid,
+                 const fast::ExportedMesh& rounded, FieldPath path, Mesh& mesh)
+    : solid_(solid),
+      rounded_(rounded),
+      is_exact_(path == FieldPath::kExact),
+      mesh_(mesh),
+      parts_(evaluation.uses.size()),
+      surface_(solid),
+      steps_(std::pow(static_cast<double>(solid.unit.base),
+                      -static_cast<double>(solid.unit.exponent))) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Evaluation::Use& use = evaluation.uses[i];
+    const LeafData& data = *use.node->leaf->data();
+    parts_[i].properties = data.properties.get();
+    if (parts_[i].properties && parts_[i].properties->field_count > 0)
+      parts_[i].vertices.emplace(use.matrix, solid_.unit, data);
+  }
+}
+
+/// The operand; null of a half-space's face.
+Part* Carrier::part_of(const fast::Face& face) {
   const auto part = static_cast<std::size_t>(face.part);
-  if (part >= evaluation_.uses.size()) return nullptr;
-  return &*evaluation_.uses[part].node->leaf->data();
+  return part < parts_.size() ? &parts_[part] : nullptr;
 }
 
 void Carrier::carry() {
-  std::size_t field_count = 0;
   bool any_colors = false, any_materials = false;
-  for (const Evaluation::Use& use : evaluation_.uses) {
-    const auto& properties = use.node->leaf->data()->properties;
-    if (!properties) continue;
-    any_colors = any_colors || !properties->colors.empty();
-    any_materials = any_materials || !properties->materials.empty();
-    field_count = std::max(field_count, properties->field_count);
+  for (const Part& part : parts_) {
+    if (!part.properties) continue;
+    any_colors = any_colors || !part.properties->colors.empty();
+    any_materials = any_materials || !part.properties->materials.empty();
+    mesh_.field_count =
+        std::max(mesh_.field_count, part.properties->field_count);
   }
+  if (!any_colors && !any_materials && mesh_.field_count == 0) return;
   for (const std::int32_t f : rounded_.faces) {
     const fast::Face& face = solid_.faces[static_cast<std::size_t>(f)];
-    const LeafData* data = data_of(face);
-    const Mesh* properties = data ? data->properties.get() : nullptr;
+    const Part* part = part_of(face);
+    const Mesh* properties = part ? part->properties : nullptr;
     const auto polygon = static_cast<std::size_t>(face.polygon);
     if (any_colors) {
       const bool has = properties && !properties->colors.empty();
@@ -111,111 +155,223 @@ void Carrier::carry() {
       mesh_.materials.push_back(has ? properties->materials[polygon] : 0);
     }
   }
-  mesh_.field_count = field_count;
-  if (field_count > 0) carry_fields();
-}
-
-void Carrier::carry_fields() {
+  if (mesh_.field_count == 0) return;
+  // Operands may have fewer fields than others, or none.
+  mesh_.fields.reserve(rounded_.corners.size() * mesh_.field_count);
+  vertices_.resize(rounded_.points.size());
   for (std::size_t p = 0; p < rounded_.faces.size(); ++p) {
-    const auto f = static_cast<std::size_t>(rounded_.faces[p]);
-    const fast::Face& face = solid_.faces[f];
-    const LeafData* data = data_of(face);
-    std::optional<Triangle> triangle;
-    if (data && data->properties && data->properties->field_count > 0)
-      triangle = triangle_of(face, *data);
-    for (std::size_t i = rounded_.first_corner[p];
-         i < rounded_.first_corner[p + 1]; ++i) {
-      const auto v = static_cast<std::size_t>(rounded_.corners[i]);
-      if (triangle) {
-        add_fields(*data->properties, *triangle,
-                   surface_.point(rounded_.points[v]));
-      }
-      // Operands may have fewer fields than others, or none.
-      mesh_.fields.resize((i + 1) * mesh_.field_count, kNoField);
-    }
+    prefetch(p + kAhead);
+    mesh_.fields.resize(rounded_.first_corner[p + 1] * mesh_.field_count,
+                        kNoField);
+    carry_fields(p);
   }
 }
 
-/// The point of a corner of the face's operand, where the result is.
-const ExactPoint& Carrier::corner_at(const fast::Face& face,
-                                     const LeafData& data, std::size_t corner) {
-  const auto [at, is_new] = corners_.try_emplace({face.part, corner});
-  if (is_new) {
-    const auto& use = evaluation_.uses[static_cast<std::size_t>(face.part)];
-    at->second =
-        in_steps(csg::image_of(use.matrix, data.corners[corner]), solid_.unit);
+/// Asks for the operand's numbers of a polygon that is soon to come: they are
+/// anywhere, for results are in another order.
+void Carrier::prefetch(std::size_t polygon) {
+#if defined(__GNUC__)
+  if (polygon >= rounded_.faces.size()) return;
+  const fast::Face& face =
+      solid_.faces[static_cast<std::size_t>(rounded_.faces[polygon])];
+  const Part* part = part_of(face);
+  if (!part || !part->vertices) return;
+  const Mesh& from = *part->properties;
+  const std::size_t first =
+      from.first_corner[static_cast<std::size_t>(face.polygon)];
+  const double* const fields = from.fields.data() + first * from.field_count;
+  // A line of the cache has 8 doubles.
+  for (std::size_t i = 0; i < 3 * from.field_count; i += 8)
+    __builtin_prefetch(fields + i);
+  __builtin_prefetch(from.corners.data() + first);
+#endif
+}
+
+/// Gives the corners of a polygon of the result their values: those of a corner
+/// of the base where it is one, else those of the affine function.
+void Carrier::carry_fields(std::size_t polygon) {
+  const auto f = static_cast<std::size_t>(rounded_.faces[polygon]);
+  const fast::Face& face = solid_.faces[f];
+  Part* part = part_of(face);
+  if (!part || !part->vertices) return;
+  const std::optional<Base> base = base_of(face, *part);
+  if (!base) return;
+  const Mesh& from = *part->properties;
+  const std::size_t count = from.field_count;
+  for (std::size_t i = rounded_.first_corner[polygon];
+       i < rounded_.first_corner[polygon + 1]; ++i) {
+    const auto v = static_cast<std::size_t>(rounded_.corners[i]);
+    const std::span<double> values(mesh_.fields.data() + i * mesh_.field_count,
+                                   count);
+    if (const auto corner = corner_at(*base, *part, v)) {
+      const double* const same = from.fields.data() + *corner * count;
+      double* const to = values.data();
+      // No value is -0.
+      for (std::size_t k = 0; k < count; ++k) to[k] = same[k] + 0.0;
+      continue;
+    }
+    known_.assign(count, false);
+    const auto weights =
+        is_exact_ ? std::nullopt : bounded_weights(*base, *part, v);
+    bool are_all_known = weights.has_value();
+    for (std::size_t k = 0; weights && k < count; ++k) {
+      const auto value =
+          value_of(*weights, {from.fields_at(base->corner)[k],
+                              from.fields_at(base->corner + 1)[k],
+                              from.fields_at(base->corner + 2)[k]});
+      known_[k] = value.has_value();
+      are_all_known = are_all_known && value;
+      if (value) values[k] = *value;
+    }
+    if (!are_all_known) add_exactly(*base, *part, v, values);
   }
-  return at->second;
+}
+
+std::size_t Carrier::axis_of(const fast::Face& face) const {
+  return longest_axis(fast::plane_at(solid_, face.plane).normal);
 }
 
 /// The first three corners of the face's polygon that are not on a line, as
 /// seen along the normal's longest component; nothing where there are none.
-std::optional<Triangle> Carrier::triangle_of(const fast::Face& face,
-                                             const LeafData& data) {
-  const std::size_t axis = longest_axis(surface_.normal(face));
+std::optional<Base> Carrier::base_of(const fast::Face& face, Part& part) {
+  const Mesh& from = *part.properties;
   const auto polygon = static_cast<std::size_t>(face.polygon);
-  const std::size_t first = data.properties->first_corner[polygon];
-  const std::size_t last = data.properties->first_corner[polygon + 1];
-  for (std::size_t i = first; i + 2 < last; ++i) {
-    Triangle triangle;
-    triangle.axis = axis;
-    for (std::size_t k = 0; k < 3; ++k) {
-      triangle.corners[k] = i + k;
-      triangle.points[k] = corner_at(face, data, i + k);
+  const std::size_t first = from.first_corner[polygon];
+  const std::size_t last = from.first_corner[polygon + 1];
+  const auto base_at = [&from](std::size_t corner) {
+    Base base;
+    base.corner = corner;
+    for (std::size_t k = 0; k < 3; ++k)
+      base.vertices[k] = static_cast<std::size_t>(from.corners[corner + k]);
+    return base;
+  };
+  if (!is_exact_ && last - first == 3) {
+    // A triangle of points of the grid is in its face's plane: both normals
+    // have the same longest component.
+    Base base = base_at(first);
+    const GridPoint* p = part.vertices->on_grid(base.vertices[0]);
+    const GridPoint* q = part.vertices->on_grid(base.vertices[1]);
+    const GridPoint* r = part.vertices->on_grid(base.vertices[2]);
+    if (p && q && r) {
+      const Wide3 normal = normal_of(*p, *q, *r);
+      base.axis = longest_axis(normal);
+      if (normal[base.axis] != 0) return base;
     }
-    triangle.area2 =
-        area2(triangle.points[0], triangle.points[1], triangle.points[2], axis);
-    if (triangle.area2 != 0) return triangle;
+  }
+  const std::size_t axis = axis_of(face);
+  for (std::size_t i = first; i + 2 < last; ++i) {
+    Base base = base_at(i);
+    base.axis = axis;
+    if (has_area(base, part)) return base;
   }
   return std::nullopt;
 }
 
-/// Adds the values at a point: those of a corner where it is one, else their
-/// mean weighted by the areas of the triangles that the point has with the
-/// other two.
-void Carrier::add_fields(const Mesh& properties, const Triangle& triangle,
-                         const ExactPoint& at) {
-  const auto& p = triangle.points;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!same(p[k], at)) continue;
-    const auto fields = properties.fields_at(triangle.corners[k]);
-    mesh_.fields.insert(mesh_.fields.end(), fields.begin(), fields.end());
-    return;
+/// Whether the corners are not on a line, as seen along the axis.
+bool Carrier::has_area(const Base& base, Part& part) {
+  if (!is_exact_) {
+    const GridPoint* p = part.vertices->on_grid(base.vertices[0]);
+    const GridPoint* q = part.vertices->on_grid(base.vertices[1]);
+    const GridPoint* r = part.vertices->on_grid(base.vertices[2]);
+    if (p && q && r) return normal_of(*p, *q, *r)[base.axis] != 0;
+    if (weights_at(seen_triangle(base, part, {}), SeenPoint{})) return true;
   }
-  // Each area has the product of its corners' denominators; the weight's is
-  // the point's in place of its corner's.
-  std::array<Integer, 3> weights;
-  for (std::size_t k = 0; k < 3; ++k) {
-    weights[k] =
-        area2(p[(k + 1) % 3], p[(k + 2) % 3], at, triangle.axis) * p[k].below;
-  }
-  Integer below = triangle.area2 * at.below;
-  if (below < 0) {
-    below = -below;
-    for (Integer& weight : weights) weight = -weight;
-  }
-  for (std::size_t field = 0; field < properties.field_count; ++field) {
-    std::array<Dyadic, 3> values;
-    std::int32_t two = 0;
+  return exact_triangle(base, part).area2 != 0;
+}
+
+Triangle Carrier::exact_triangle(const Base& base, Part& part) const {
+  Triangle triangle;
+  triangle.axis = base.axis;
+  for (std::size_t k = 0; k < 3; ++k)
+    triangle.points[k] = part.vertices->exact(base.vertices[k]);
+  triangle.area2 = csg::area2(triangle.points[0], triangle.points[1],
+                              triangle.points[2], base.axis);
+  return triangle;
+}
+
+const ResultVertex& Carrier::vertex_at(std::size_t v) {
+  ResultVertex& vertex = vertices_[v];
+  if (vertex.is_known) return vertex;
+  vertex.is_known = true;
+  const fast::SolidVertex from = fast::vertex_at(solid_, rounded_.points[v]);
+  vertex.is_grid = from.is_grid;
+  vertex.point = from.point;
+  if (from.is_grid) return vertex;
+  const auto whole = [this](double at) {
+    constexpr double kMost = 0x1p53;
+    return static_cast<std::int64_t>(
+        std::clamp(std::nearbyint(at * steps_), -kMost, kMost));
+  };
+  const auto& at = rounded_.vertices[v];
+  vertex.point = {whole(at[0]), whole(at[1]), whole(at[2])};
+  less_[v] = meet_less(solid_, from.planes, vertex.point);
+  return vertex;
+}
+
+/// The base's corner that the vertex is, if any: by points of the grid alone
+/// unless all is exact.
+std::optional<std::size_t> Carrier::corner_at(const Base& base, Part& part,
+                                              std::size_t v) {
+  if (is_exact_) {
     for (std::size_t k = 0; k < 3; ++k) {
-      values[k] = dyadic_of(properties.fields_at(triangle.corners[k])[field]);
-      two = std::min(two, values[k].two);
+      if (csg::same(part.vertices->exact(base.vertices[k]),
+                    surface_.point(rounded_.points[v])))
+        return base.corner + k;
     }
-    Integer sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      sum += weights[k] *
-             (values[k].mantissa << static_cast<unsigned>(values[k].two - two));
-    }
-    mesh_.fields.push_back(
-        nearest_double(sum, below << static_cast<unsigned>(-two)));
+    return std::nullopt;
+  }
+  const ResultVertex& vertex = vertex_at(v);
+  if (!vertex.is_grid) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const GridPoint* at = part.vertices->on_grid(base.vertices[k]);
+    if (at && *at == vertex.point) return base.corner + k;
+  }
+  return std::nullopt;
+}
+
+/// The base's corners less a point of the grid.
+std::array<SeenPoint, 3> Carrier::seen_triangle(const Base& base, Part& part,
+                                                const GridPoint& point) {
+  std::array<SeenPoint, 3> triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const BoundedPoint at = part.vertices->less(base.vertices[k], point);
+    triangle[k] = {at[(base.axis + 1) % 3], at[(base.axis + 2) % 3]};
+  }
+  return triangle;
+}
+
+std::optional<BoundedWeights> Carrier::bounded_weights(const Base& base,
+                                                       Part& part,
+                                                       std::size_t v) {
+  const ResultVertex& vertex = vertex_at(v);
+  const auto triangle = seen_triangle(base, part, vertex.point);
+  if (vertex.is_grid) return weights_at(triangle, SeenPoint{});
+  const BoundedPoint& less = less_.at(v);
+  return weights_at(triangle,
+                    {less[(base.axis + 1) % 3], less[(base.axis + 2) % 3]});
+}
+
+/// The values that are not known yet.
+void Carrier::add_exactly(const Base& base, Part& part, std::size_t v,
+                          std::span<double> values) {
+  const Triangle triangle = exact_triangle(base, part);
+  const Weights weights =
+      weights_at(triangle, surface_.point(rounded_.points[v]));
+  const Mesh& from = *part.properties;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (known_[k]) continue;
+    values[k] = value_of(weights, {from.fields_at(base.corner)[k],
+                                   from.fields_at(base.corner + 1)[k],
+                                   from.fields_at(base.corner + 2)[k]});
   }
 }
 
 }  // namespace
 
 void carry_properties(const Evaluation& evaluation, const fast::Solid& solid,
-                      const fast::ExportedMesh& rounded, Mesh& mesh) {
-  Carrier(evaluation, solid, rounded, mesh).carry();
+                      const fast::ExportedMesh& rounded, Mesh& mesh,
+                      FieldPath path) {
+  Carrier(evaluation, solid, rounded, path, mesh).carry();
 }
 
 }  // namespace halfspace::detail

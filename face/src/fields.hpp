@@ -1,12 +1,15 @@
 #pragma once
 
-#include <vector>
+#include <cstdint>
 
-#include "halfspace/csg/surface.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "node.hpp"
 
 namespace halfspace::detail {
+
+/// How the values of fields are decided: by doubles with bounds, and exactly
+/// only where those do not tell; or exactly always. The values are the same.
+enum class FieldPath : std::uint8_t { kFiltered, kExact };
 
 /// Gives the polygons of a mesh the properties of the operands' polygons that
 /// they come from: colours and materials as they are; fields as the affine
@@ -14,6 +17,7 @@ namespace halfspace::detail {
 ///
 /// `rounded` is the mesh as it came out, `solid` what it was made from.
 void carry_properties(const Evaluation& evaluation, const fast::Solid& solid,
-                      const fast::ExportedMesh& rounded, Mesh& mesh);
+                      const fast::ExportedMesh& rounded, Mesh& mesh,
+                      FieldPath path = FieldPath::kFiltered);
 
 }  // namespace halfspace::detail

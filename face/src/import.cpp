@@ -28,7 +28,9 @@ class Groups {
            codes_.size() < kMostCodes;
   }
   Rgb code_of(std::size_t polygon) {
-    if (properties_ == nullptr) return {};
+    if (properties_ == nullptr ||
+        (properties_->colors.empty() && properties_->materials.empty()))
+      return {};
     Key key{};
     if (!properties_->colors.empty()) key.first = properties_->colors[polygon];
     if (!properties_->materials.empty())
@@ -50,13 +52,10 @@ class Groups {
 /// The source that nothing has to be looked for in.
 Result<csg::Source> trusted_source(const std::string& name,
                                    const io::Imported& imported) {
-  csg::Source source;
-  source.path = name;
-  source.polygons = imported.faces;
-  source.report = imported.report;
   Result<Scene> scene = make_scene(csg::trimmed(imported.scene));
   if (!scene) return io::error_about(name, scene.error());
-  source.scene = *std::move(scene);
+  auto source = csg::closed_source(name, *std::move(scene), imported);
+  if (!source) return io::error_about(name, source.error());
   return source;
 }
 
@@ -104,7 +103,8 @@ Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
   if (!imported) return io::error_about(name, imported.error());
   csg::OperandOptions options;
   options.repair = how.options.resolve;
-  options.check.threads = thread_count(0);
+  options.find_coplanar = how.options.merge_coplanar && groups.may_merge();
+  options.check.threads = 0;
   options.repair_word = "OperandOptions::resolve";
   Result<csg::Source> source = how.is_trusted
                                    ? trusted_source(name, *imported)
@@ -114,10 +114,8 @@ Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
       how.is_free || how.options.may_round || imported->report.moved > 0;
   source->merge_coplanar = how.options.merge_coplanar && groups.may_merge();
   LeafData data;
-  if (properties && properties->field_count > 0) {
-    for (const VertexId corner : mesh.corners)
-      data.corners.push_back(mesh.vertices[static_cast<std::size_t>(corner)]);
-  }
+  if (properties && properties->field_count > 0)
+    data.vertices = std::move(mesh.vertices);
   data.source = std::make_shared<const csg::Source>(*std::move(source));
   data.properties = std::move(properties);
   return data;
@@ -168,19 +166,30 @@ std::optional<Error> fault_of(const Mesh& mesh) {
   return std::nullopt;
 }
 
-Result<LeafData> mesh_leaf(const std::string& name, const Mesh& mesh,
+Result<LeafData> mesh_leaf(const std::string& name,
+                           const std::shared_ptr<const Mesh>& mesh,
                            const ImportHow& how) {
-  if (const auto fault = fault_of(mesh)) return io::error_about(name, *fault);
-  ExactPoints exact = exact_points(mesh.vertices);
+  if (const auto fault = fault_of(*mesh)) return io::error_about(name, *fault);
+  ExactPoints exact = exact_points(mesh->vertices);
   io::Mesh made;
   made.vertices = std::move(exact.points);
   made.decimal = exact.decimal;
-  made.first_corner = mesh.first_corner;
-  made.corners = mesh.corners;
-  std::shared_ptr<const Mesh> properties;
-  if (!mesh.colors.empty() || !mesh.materials.empty() || mesh.field_count > 0)
-    properties = std::make_shared<const Mesh>(mesh);
-  return imported_leaf(name, std::move(made), std::move(properties), how);
+  made.first_corner = mesh->first_corner;
+  made.corners = mesh->corners;
+  const bool has_properties = !mesh->colors.empty() ||
+                              !mesh->materials.empty() || mesh->field_count > 0;
+  Result<LeafData> data = imported_leaf(name, std::move(made),
+                                        has_properties ? mesh : nullptr, how);
+  if (data) {
+    data->from = exact.decimal ? LeafData::From::kShortDecimals
+                               : LeafData::From::kDoubles;
+  }
+  return data;
+}
+
+Result<LeafData> mesh_leaf(const std::string& name, Mesh mesh,
+                           const ImportHow& how) {
+  return mesh_leaf(name, std::make_shared<const Mesh>(std::move(mesh)), how);
 }
 
 Result<LeafData> file_leaf(const std::string& path,
@@ -196,7 +205,7 @@ Result<LeafData> file_leaf(const std::string& path,
   }
   csg::OperandOptions read;
   read.repair = options.resolve;
-  read.check.threads = thread_count(0);
+  read.check.threads = 0;
   read.repair_word = "OperandOptions::resolve";
   Result<csg::Source> source = csg::read_source(path, read);
   if (!source) return source.error();
@@ -220,7 +229,7 @@ Result<LeafData> mended_leaf(const std::string& path,
   how.weld = options.weld;
   how.close_all = options.close_all;
   how.thicken = options.thicken;
-  how.check.threads = thread_count(0);
+  how.check.threads = 0;
   Result<csg::Repaired> repaired = csg::repaired(path, *mesh, how);
   if (!repaired) return repaired.error();
   done = repaired->report.sentences();

@@ -26,7 +26,11 @@ Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
 
 /// The leaf that a mesh of doubles is.
 /// Errors: those, and kBadIndex, kNotFinite (of the mesh as it is).
-Result<LeafData> mesh_leaf(const std::string& name, const Mesh& mesh,
+Result<LeafData> mesh_leaf(const std::string& name, Mesh mesh,
+                           const ImportHow& how);
+/// The same of one that may be kept for its properties.
+Result<LeafData> mesh_leaf(const std::string& name,
+                           const std::shared_ptr<const Mesh>& mesh,
                            const ImportHow& how);
 
 /// The leaf in a file.

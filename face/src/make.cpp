@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "halfspace/csg/hull.hpp"
+#include "halfspace/csg/turned.hpp"
 #include "import.hpp"
 #include "node.hpp"
 #include "number.hpp"
@@ -59,59 +60,25 @@ double area2(const std::vector<Point2>& loop) {
   return sum;
 }
 
-/// An outline turned about the z axis: a ring of vertices for each point off
-/// the axis, one vertex for each on it.
-class Revolution {
- public:
-  Revolution(const std::vector<Point2>& outline, int segments)
-      : outline_(outline), segments_(segments) {
-    for (const Point2& p : outline_) {
-      first_.push_back(static_cast<std::int32_t>(mesh_.vertices.size()));
-      for (int k = 0; k < (p.x == 0 ? 1 : segments_); ++k) {
-        const Point2 at = on_circle(k, segments_);
-        mesh_.vertices.push_back({p.x * at.x, p.x * at.y, p.y});
-      }
-    }
-    for (std::size_t i = 0; i < outline_.size(); ++i)
-      add_band(i, (i + 1) % outline_.size());
+/// An outline turned about the z axis.
+Mesh turned_mesh(const std::vector<Point2>& outline, int segments) {
+  std::vector<csg::TurnedPoint> points;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point2& next = outline[(i + 1) % outline.size()];
+    points.push_back({outline[i].x == 0, outline[i].y == next.y});
   }
-  Mesh mesh() && { return std::move(mesh_); }
-
- private:
-  std::int32_t vertex(std::size_t point, int k) const {
-    return first_[point] + (outline_[point].x == 0 ? 0 : k % segments_);
+  csg::TurnedFaces turned =
+      csg::turned_faces(points, static_cast<std::uint32_t>(segments));
+  Mesh mesh;
+  for (const auto& [point, step] : turned.vertices) {
+    const Point2& p = outline[point];
+    const Point2 at = on_circle(static_cast<int>(step), segments);
+    mesh.vertices.push_back({p.x * at.x, p.x * at.y, p.y});
   }
-
-  /// The polygons that the edge between two points passes over.
-  void add_band(std::size_t i, std::size_t j) {
-    const bool i_on = outline_[i].x == 0, j_on = outline_[j].x == 0;
-    if (i_on && j_on) return;
-    if ((i_on || j_on) && outline_[i].y == outline_[j].y) {
-      std::vector<std::int32_t> disc;
-      for (int k = 0; k < segments_; ++k)
-        disc.push_back(vertex(i_on ? j : i, k));
-      // Outlines go counterclockwise: outwards below is to the right.
-      if (i_on) std::reverse(disc.begin(), disc.end());
-      mesh_.add(disc);
-      return;
-    }
-    for (int k = 0; k < segments_; ++k) {
-      if (i_on) {
-        mesh_.add({vertex(i, 0), vertex(j, k + 1), vertex(j, k)});
-      } else if (j_on) {
-        mesh_.add({vertex(i, k), vertex(i, k + 1), vertex(j, 0)});
-      } else {
-        mesh_.add(
-            {vertex(i, k), vertex(i, k + 1), vertex(j, k + 1), vertex(j, k)});
-      }
-    }
-  }
-
-  const std::vector<Point2>& outline_;
-  int segments_;
-  std::vector<std::int32_t> first_;
-  Mesh mesh_;
-};
+  mesh.first_corner = std::move(turned.faces.first_corner);
+  mesh.corners = std::move(turned.faces.corners);
+  return mesh;
+}
 
 Solid revolved(const std::string& name, std::vector<Point2> outline,
                int segments, bool is_trusted) {
@@ -125,7 +92,7 @@ Solid revolved(const std::string& name, std::vector<Point2> outline,
     detail::ImportHow how;
     how.is_free = true;
     how.is_trusted = is_trusted;
-    return detail::mesh_leaf(name, Revolution(outline, segments).mesh(), how);
+    return detail::mesh_leaf(name, turned_mesh(outline, segments), how);
   });
 }
 
@@ -137,21 +104,12 @@ Solid bad_size(const char* name) {
 /// The mesh of a prism from `low` to `high`; the loop counterclockwise.
 Mesh prism_mesh(const std::vector<Point2>& loop, double low, double high) {
   Mesh mesh;
-  const auto n = static_cast<std::int32_t>(loop.size());
   for (const double z : {low, high}) {
     for (const Point2& p : loop) mesh.vertices.push_back({p.x, p.y, z});
   }
-  std::vector<std::int32_t> bottom, top;
-  for (std::int32_t i = 0; i < n; ++i) {
-    bottom.push_back(n - 1 - i);
-    top.push_back(n + i);
-  }
-  mesh.add(bottom);
-  mesh.add(top);
-  for (std::int32_t i = 0; i < n; ++i) {
-    const std::int32_t j = (i + 1) % n;
-    mesh.add({i, j, n + j, n + i});
-  }
+  csg::Faces faces = csg::prism_faces(static_cast<std::uint32_t>(loop.size()));
+  mesh.first_corner = std::move(faces.first_corner);
+  mesh.corners = std::move(faces.corners);
   return mesh;
 }
 
@@ -172,7 +130,7 @@ Solid prism_of(std::vector<Point2> loop, double height) {
 
 Solid::Solid()
     : Solid(leaf_solid("nothing", [] {
-        return detail::mesh_leaf("nothing", {}, trusted());
+        return detail::mesh_leaf("nothing", Mesh{}, trusted());
       })) {}
 
 Solid Solid::box(Point a, Point b) {
@@ -278,9 +236,10 @@ Solid Solid::hull(std::vector<Point> points) {
 }
 
 Solid Solid::from_mesh(Mesh mesh, const OperandOptions& options) {
-  return leaf_solid("mesh", [mesh = std::move(mesh), options] {
-    return detail::mesh_leaf("mesh", mesh, {.options = options});
-  });
+  return leaf_solid(
+      "mesh", [kept = std::make_shared<const Mesh>(std::move(mesh)), options] {
+        return detail::mesh_leaf("mesh", kept, {.options = options});
+      });
 }
 
 Solid Solid::from_file(std::filesystem::path path,

@@ -22,8 +22,12 @@ struct LeafData {
   std::shared_ptr<const csg::Source> source;
   /// The polygons' properties; null if they have none.
   std::shared_ptr<const Mesh> properties;
-  /// By corner of those, its point exactly; empty where there are no fields.
-  std::vector<csg::Numbers3> corners;
+  /// By vertex of those, its point exactly; empty where there are no fields.
+  std::vector<csg::Numbers3> vertices;
+  /// What these are made from: the doubles of `properties`, each as it is, or
+  /// each as the short decimal that it stands for; or neither.
+  enum class From : std::uint8_t { kDoubles, kShortDecimals, kOthers };
+  From from = From::kOthers;
 };
 
 /// A leaf of an expression: made, or read, when it is first needed.
@@ -108,8 +112,5 @@ Solid leaf_solid(std::string name, Leaf::Load load);
 
 /// A solid that is the error.
 Solid faulty_solid(std::string name, ErrorCode code, std::string message);
-
-/// How many threads `threads` asks for: 0 for all.
-int thread_count(int threads);
 
 }  // namespace halfspace::detail

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -34,12 +33,10 @@ io::Mesh mesh_of_corners(const Mesh& mesh) {
 
 Result<io::ColorMap> map_of(const std::string& name) {
   if (auto map = io::named_color_map(name)) return *std::move(map);
-  std::error_code code;
-  if (!std::filesystem::exists(name, code)) {
-    return Error{ErrorCode::kUnknownFormat,
-                 name + " is no file, and no map: " + io::color_map_names()};
-  }
-  return io::read_color_map(name);
+  Result<io::ColorMap> read = io::read_color_map(name);
+  if (read || read.error().code != ErrorCode::kUnreadable) return read;
+  return Error{ErrorCode::kUnknownFormat,
+               name + " is no file, and no map: " + io::color_map_names()};
 }
 
 Result<io::ScaleRange> scale_range_of(const std::vector<double>& values,
@@ -174,7 +171,7 @@ Result<Picture> ScalarDisplay::render(const View& view,
   options.caps = view.caps;
   fast::ScalarOptions how;
   how.samples = static_cast<std::int32_t>(view.anti_aliasing);
-  how.threads = detail::thread_count(view.threads);
+  how.threads = std::max(view.threads, 0);
   ItemImage items = picture->polygons;
   for (PolygonId& id : items.pixels) id = state_->scene_id(id);
   const fast::ScalarColors prepared =

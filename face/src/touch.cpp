@@ -18,16 +18,17 @@ using detail::Evaluation;
 using detail::SolidNode;
 
 /// A solid's surface, and what its grid steps are in those of the other.
-struct Side {
+struct TouchSide {
   ExactSurface surface;
   csg::Scale scale;  ///< a step of this one, in model units
 
-  explicit Side(const fast::Solid& solid)
+  explicit TouchSide(const fast::Solid& solid)
       : surface(solid), scale(csg::scale_of(solid.unit, 1)) {}
 };
 
 /// A point of one on the grid of the other.
-ExactPoint moved(const ExactPoint& point, const Side& from, const Side& to) {
+ExactPoint moved(const ExactPoint& point, const TouchSide& from,
+                 const TouchSide& to) {
   ExactPoint result = point;
   for (Integer& c : result.at) c *= from.scale.numerator * to.scale.denominator;
   result.below *= from.scale.denominator * to.scale.numerator;
@@ -88,7 +89,7 @@ bool segment_meets(ExactSurface& surface, const fast::Face& face,
 }
 
 /// Whether an edge of the first face meets the second one.
-bool edges_meet(Side& first, const fast::Face& face, Side& second,
+bool edges_meet(TouchSide& first, const fast::Face& face, TouchSide& second,
                 const fast::Face& other) {
   bool any = false;
   csg::for_edges(first.surface.solid(), face, [&](const fast::SolidEdge& edge) {
@@ -125,7 +126,7 @@ std::vector<ModelBox> boxes_of(const fast::Solid& solid) {
 }
 
 bool surfaces_meet(const fast::Solid& a, const fast::Solid& b) {
-  Side first(a), second(b);
+  TouchSide first(a), second(b);
   const auto a_boxes = boxes_of(a), b_boxes = boxes_of(b);
   const auto apart = [](const ModelBox& p, const ModelBox& q) {
     for (std::size_t i = 0; i < 3; ++i) {

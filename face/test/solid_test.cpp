@@ -233,6 +233,17 @@ TEST(FaceSolidDeathTest, AResultWithoutAValueTellsItsMessage) {
                "nowhere.off");
 }
 
+TEST(FaceSolid, LoopsMayGoOverResultsThatNobodyKeeps) {
+  const Solid part = cube(3) - cube(1).translated({1, 1, 1});
+  std::vector<std::string> names;
+  for (const Solid& operand : *part.operands()) names.push_back(operand.name());
+  EXPECT_EQ(names, (std::vector<std::string>{"box", "box"}));
+  std::size_t corners = 0;
+  for (const Region& region : *part.section({{0, 0, 1}, 1.5}))
+    corners += region.boundary.size() + region.holes.at(0).size();
+  EXPECT_EQ(corners, 8u);
+}
+
 TEST(FaceSolid, HullsAndPrismsAreExact) {
   std::vector<Point> points;
   for (int i = 0; i < 125; ++i)

@@ -16,6 +16,7 @@
 #include "halfspace/drawing.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/mesh.hpp"
+#include "halfspace/progress.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/solid.hpp"
@@ -53,9 +54,8 @@ struct View {
   Rgb background = {255, 255, 255};
   AntiAliasing anti_aliasing = AntiAliasing::kNone;
   int threads = 0;  ///< 0: as many as the machine has
-  /// As that of WorkOptions, for the display's tree, which the first view
-  /// makes.
-  std::function<bool(double)> progress = {};
+  /// Of the display's tree, which the first view makes.
+  Progress progress = {};
 };
 
 /// A picture: at each pixel its colour, and the polygon that is seen at its
@@ -165,6 +165,12 @@ struct Hit {
 
 /// Polygons to look at, with a BSP tree of them: made once, for any number of
 /// views. All that is asked of it may be asked from several threads at once.
+///
+/// Units:  model units; pixels from the upper left corner, whose first one is
+///         0, 0; degrees.
+/// Cost:   n log n for the tree, of n polygons, the first time that one is
+///         needed; then what is said at the functions.
+/// Source: S3 to S5, S8 to S10 of spec/, with the papers that they name.
 class HALFSPACE_API Display {
  public:
   /// Takes polygons, which need not bound a solid. What is not planar or not
@@ -188,16 +194,18 @@ class HALFSPACE_API Display {
   /// The picture. Exact, whatever the number of threads: at each pixel the
   /// nearest polygon (S5.1), an exact mean (View::anti_aliasing, not with clip
   /// planes: kOutOfRange), or as polygon_count() + k the cap of the k-th
-  /// different clip plane (S10.3). Errors, here and below: kBadCamera,
-  /// kNotFinite, kStopped (by view.progress); kOutOfRange (also for a ninth
-  /// clip plane); kZeroArea (a clip plane's normal is 0); kOpen (caps for what
-  /// is not closed).
+  /// different clip plane (S10.3). Cost: what is seen. Errors, here and below:
+  /// kBadCamera, kNotFinite, kStopped (by view.progress); kOutOfRange (also for
+  /// a ninth clip plane); kZeroArea (a clip plane's normal is 0); kOpen (caps
+  /// for what is not closed).
   Result<Picture> render(const View& view = {}) const;
   /// The edges that the view shows (S9): silhouettes, borders, intersections,
-  /// and creases where faces turn by more than an angle. Exact.
+  /// and creases where faces turn by more than an angle. Exact. Cost: n log n,
+  /// and the edges' crossings in the image.
   /// Errors: also kOutOfRange, where there are too many.
   Result<LineDrawing> draw(const View& view = {}, double crease_deg = 20) const;
   /// What is seen at a pixel; nothing at the background, and off the image.
+  /// Exact; the point is rounded once. Cost: a way through the tree.
   Result<std::optional<Pick>> pick(const View& view, std::int32_t x,
                                    std::int32_t y) const;
 
@@ -205,6 +213,7 @@ class HALFSPACE_API Display {
   /// included (S8.2): first, or all in order; and what the way from one point
   /// to another hits, its ends included. Polygons in whose plane the ray runs
   /// are not hit. Exact, once points are rounded to the camera's lattice.
+  /// Cost: a way through the tree, and what is hit.
   /// Errors: kNotFinite, kOutOfRange, kBadRay.
   Result<std::optional<Hit>> first_hit(const Point& from,
                                        const Point& along) const;

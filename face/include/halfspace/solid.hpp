@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +15,7 @@
 
 #include "halfspace/api.hpp"
 #include "halfspace/mesh.hpp"
+#include "halfspace/progress.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace {
@@ -33,9 +33,7 @@ inline std::string to_string(const Error& error) {
 /// How work is done, which does not change its result.
 struct WorkOptions {
   int threads = 0;  ///< 0: as many as the machine has
-  /// Receives the share that is done, 0 to 1, one call at a time; where it
-  /// returns false the work stops, with the error kStopped.
-  std::function<bool(double)> progress = {};
+  Progress progress = {};
 };
 
 /// How a mesh or a file becomes a solid.
@@ -76,9 +74,8 @@ enum class MergeFaces : std::uint8_t {
 struct MeshOptions {
   MergeFaces merge = MergeFaces::kOrigin;
   bool triangles = false;  ///< triangles only, in place of convex polygons
-  int threads = 0;         ///< as those of WorkOptions
-  /// As that of WorkOptions, of working the solid out.
-  std::function<bool(double)> progress = {};
+  int threads = 0;         ///< 0: as many as the machine has
+  Progress progress = {};  ///< of working the solid out
 };
 
 /// Where a point is against a solid.
@@ -136,7 +133,15 @@ struct RoundingReport {
 ///   comes out where the solid is used, as the Result of that: the codes of
 ///   reading; kOutOfRange (no grid holds all operands); kOpen,
 ///   kInsideOut, kSelfCrossing (an operand is no solid; the message names it
-///   and where); kUnbounded (a result that reaches infinitely far).
+///   and where); kUnbounded (a result that reaches infinitely far); kStopped.
+///   What Error::index counts is said at ErrorCode.
+/// Units: model units, and degrees. A file's or a mesh's numbers are in model
+///   units, whatever those are.
+/// Cost: making, moving and combining take no time. The first question checks
+///   operands that were not made here (n log n in their polygons) and takes the
+///   booleans (n log n, and what surfaces have in common); the next ones take
+///   what is said at them, with n the faces.
+/// Source: S6 of spec/, with the papers that it names.
 class HALFSPACE_API Solid {
  public:
   /// The empty solid.
@@ -224,29 +229,35 @@ class HALFSPACE_API Solid {
   /// they are the same points, which is is_empty(a ^ b).
   friend bool operator==(const Solid&, const Solid&) = default;
 
-  /// Works the solid out now. Errors: as above; kStopped.
+  /// Works the solid out now: what any question does first.
   Result<Done> evaluate(const WorkOptions& options = {}) const;
   /// The surface in doubles, with origins, and with the operands' properties if
   /// any of them has some. Equal solids of equal operands give equal meshes.
   /// Exact: rounded once, to nearest, from exact vertices; properties too.
+  /// Cost:  n log n. Source: S1.8.
   Result<Mesh> mesh(const MeshOptions& options = {}) const;
   /// Writes the surface; the name of the file says the format. Grid coordinates
   /// are written exactly. A name that ends in `.hsolid` gets the solid itself,
   /// exactly (spec/solid-format.md), with no options.
+  /// What a file's numbers do not hold is rounded so that it stays a solid
+  /// (S6.8).
   /// Errors: kUnwritable, kUnknownFormat, too; kUnbounded (for `.hsolid`).
+  /// Cost:   that of mesh(); where rounding makes contact, that of a boolean.
   Result<Done> save(const std::filesystem::path& path,
                     const MeshOptions& options = {}) const;
   /// The operands that the result was made of, unmoved, half-spaces last: as
   /// Origin::operand counts.
   Result<std::vector<Solid>> operands() const;
-  /// How many polygons of mesh() come from operands of each name.
+  /// How many polygons of mesh() come from operands of each name. Cost: that of
+  /// mesh().
   Result<std::map<std::string, std::size_t>> polygons_by_operand() const;
-  /// What rounding did to the operands.
+  /// What rounding did to the operands. Source: S1.7.
   Result<RoundingReport> rounding() const;
 
   /// Whether there is no point in it.
   Result<bool> is_empty() const;
-  /// The volume and the surface's area, rounded to the nearest double.
+  /// The volume and the surface's area, rounded to the nearest double, in cubes
+  /// and squares of model units. Cost, here and to inertia(): n.
   Result<double> volume() const;
   Result<double> area() const;
   /// The volume in full: a decimal, or a fraction such as 1/3.
@@ -268,15 +279,18 @@ class HALFSPACE_API Solid {
   Result<std::size_t> shell_count() const;
   Result<std::int64_t> genus() const;
 
-  /// Where a point is. Exact. Cost: linear in the faces.
+  /// Where a point is. Exact. Cost: n. Error: kNotFinite.
   Result<Location> locate(Point point) const;
   /// Whether the interiors of two have a point in common; whether the closed
-  /// solids have one; whether all of `other` is in this one.
+  /// solids have one; whether all of `other` is in this one. Exact.
+  /// Cost: a boolean of both; of touches() also each pair of faces' boxes.
   Result<bool> overlaps(const Solid& other) const;
   Result<bool> touches(const Solid& other) const;
   Result<bool> contains(const Solid& other) const;
   /// Where a plane cuts the solid: the regions of the plane with the solid on
   /// both sides, or on its negative side. Loops of a region do not cross.
+  /// Exact: rounded once, to nearest. Cost: n log n.
+  /// Errors: kNotFinite, kZeroArea (of the plane).
   Result<std::vector<Region>> section(const Plane& plane) const;
 
  private:

@@ -8,9 +8,15 @@
 
 namespace halfspace::fast {
 
+/// How many threads `threads` asks for: 0 for as many as the machine has.
+inline int thread_count(int threads) {
+  return threads > 0 ? threads : threads::default_threads();
+}
+
 /// Calls `work(block, first, last)` for blocks of `size` of the indices 0 to
 /// `count` - 1, on up to `threads` threads at once. The blocks are the same for
 /// any number of threads, so that results can be put in order.
+/// Requires: threads >= 1.
 template <class Work>
 void for_blocks(int threads, std::size_t count, std::size_t size, Work&& work) {
   const std::size_t blocks = (count + size - 1) / size;

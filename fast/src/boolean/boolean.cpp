@@ -1,5 +1,6 @@
 #include "halfspace/fast/boolean.hpp"
 
+#include "base/parallel.hpp"
 #include "boolean/assemble.hpp"
 #include "boolean/conform.hpp"
 #include "solid/move_to_table.hpp"
@@ -39,7 +40,8 @@ Solid boolean(BooleanOp operation, const Solid& a, const Solid& b,
   }
   return with_lease(
       a, b, [&](const Solid& first, const Solid& second, TableLease& lease) {
-        return carried_out(operation, first, second, lease, threads);
+        return carried_out(operation, first, second, lease,
+                           thread_count(threads));
       });
 }
 

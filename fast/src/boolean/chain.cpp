@@ -316,6 +316,7 @@ Solid boolean_all(BooleanOp operation, std::span<const Solid> solids,
   std::vector<Solid> level(solids.begin() + (without ? 1 : 0), solids.end());
   if (level.empty()) return solids[0];
   constexpr std::size_t kMany = 16;
+  threads = thread_count(threads);
   if (threads > 1 && level.size() >= kMany)
     level = blocks_of(among, level, threads);
   Solid result = paired(among, std::move(level), threads);

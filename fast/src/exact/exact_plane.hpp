@@ -160,11 +160,14 @@ int sign_at_meet(const ExactPlane<kBits>& q, const ExactPlane<kBits>& s,
   return sign(value) * sign(w0 + w1 + w2);
 }
 
-/// Calls `run` with the grid's bits as a compile-time constant.
+/// Calls `run` with the grid's bits as a compile-time constant; where code is
+/// to be small, with those of the widest grid, whose integers hold all.
 template <class Run>
-decltype(auto) with_grid(int grid_bits, Run&& run) {
+decltype(auto) with_grid([[maybe_unused]] int grid_bits, Run&& run) {
+#if !defined(HALFSPACE_WIDEST_GRID_ALONE)
   if (grid_bits == 26) return run(std::integral_constant<int, 26>{});
   if (grid_bits == 40) return run(std::integral_constant<int, 40>{});
+#endif
   return run(std::integral_constant<int, 54>{});
 }
 

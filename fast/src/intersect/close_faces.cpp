@@ -220,7 +220,7 @@ FacePairs undecided_pairs(const Solid& solid, const GeometryTable& table,
       break;
     const std::size_t size = std::min(kPart, count - begin);
     std::vector<FacePairs> found((size + kBlock - 1) / kBlock);
-    for_blocks(options.threads, size, kBlock,
+    for_blocks(thread_count(options.threads), size, kBlock,
                [&](std::size_t number, std::size_t first, std::size_t last) {
                  for (std::size_t i = begin + first; i < begin + last; ++i) {
                    const auto f = static_cast<std::int32_t>(i);

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "halfspace/assert.hpp"
 #include "moving/object_painter.hpp"
 #include "raster/bands.hpp"
@@ -92,7 +93,8 @@ Rendering render_moving(const Assembly& assembly, const MovingTrees& trees,
                         const Placement& placement, const Camera& camera,
                         const ImageOptions& image,
                         const RenderOptions& options) {
-  HALFSPACE_ASSERT(options.threads >= 1);
+  HALFSPACE_ASSERT(options.threads >= 0);
+  const int threads = thread_count(options.threads);
   HALFSPACE_ASSERT(image.clips.empty());
   const CameraData& data = camera.data();
   const Rectangle rectangle = options.rectangle.value_or(
@@ -110,7 +112,7 @@ Rendering render_moving(const Assembly& assembly, const MovingTrees& trees,
   const MovingFrame all = {assembly, trees,  placement, data,
                            image,    kernel, clips};
   const Frame world = {reader, data, image, view, kernel, clips};
-  const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
+  const std::vector<PixelRange> bands = bands_of(rectangle, threads);
   std::vector<MovingBand> found(bands.size());
   const auto one = [&](std::size_t b) {
     TileBuffer buffer(rectangle, bands[b], result, true);
@@ -118,10 +120,10 @@ Rendering render_moving(const Assembly& assembly, const MovingTrees& trees,
       return render_moving_band<bits()>(all, world, buffer);
     });
   };
-  if (options.threads == 1) {
+  if (threads == 1) {
     one(0);
   } else {
-    for_bands(bands.size(), options.threads, one);
+    for_bands(bands.size(), threads, one);
   }
   for (const MovingBand& band : found) {
     result.pixels_painted += band.pixels;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "raster/band_walk.hpp"
@@ -64,7 +65,8 @@ BandResult paint_band(const Frame& frame, TileBuffer& buffer) {
 void run(const Scene& scene, const BspTree& tree, const Camera& camera,
          const ImageOptions& image, const RenderOptions& options, Pass pass,
          Rendering& result) {
-  HALFSPACE_ASSERT(options.threads >= 1);
+  HALFSPACE_ASSERT(options.threads >= 0);
+  const int threads = thread_count(options.threads);
   const CameraData& data = camera.data();
   const Rectangle rectangle = options.rectangle.value_or(Rectangle{
       0, 0, data.width_px * pass.samples, data.height_px * pass.samples});
@@ -89,7 +91,7 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   const ClipSet clips(image.clips, image.caps.has_value(), scene.grid_bits());
   const Frame frame = {
       reader, data, image, view, best_kernel(options.simd), clips, pass.alpha};
-  const std::vector<PixelRange> bands = bands_of(rectangle, options.threads);
+  const std::vector<PixelRange> bands = bands_of(rectangle, threads);
   std::vector<BandResult> found(bands.size());
   const auto one = [&](std::size_t b) {
     TileBuffer buffer(rectangle, bands[b], result, leaves);
@@ -99,10 +101,10 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
                  : paint_band<bits()>(frame, buffer);
     });
   };
-  if (options.threads == 1) {
+  if (threads == 1) {
     one(0);
   } else {
-    for_bands(bands.size(), options.threads, one);
+    for_bands(bands.size(), threads, one);
   }
   if (has_caps) {
     add_caps(frame, rectangle, result);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "base/threads.hpp"
 #include "base/tsan.hpp"
 #include "halfspace/assert.hpp"
@@ -88,7 +89,8 @@ class SampledImage {
 Rendering render_samples(const Scene& scene, const BspTree& tree,
                          const Camera& camera, const ImageOptions& image,
                          std::int32_t samples, const RenderOptions& options) {
-  HALFSPACE_ASSERT(options.threads >= 1);
+  HALFSPACE_ASSERT(options.threads >= 0);
+  const int threads = thread_count(options.threads);
   HALFSPACE_ASSERT(samples == 1 || samples == 2 || samples == 4 ||
                    samples == 8);
   HALFSPACE_ASSERT(camera->width_px * samples <= kMaxImageSize &&
@@ -111,13 +113,13 @@ Rendering render_samples(const Scene& scene, const BspTree& tree,
     const std::int32_t top = rectangle.top + s * lines;
     sampled.fill(top, std::min(top + lines, rectangle.bottom), strip);
   };
-  if (options.threads == 1) {
+  if (threads == 1) {
     Rendering strip;
     for (std::int32_t s = 0; s < strips; ++s) fill(s, strip);
     return result;
   }
   const TsanForkJoin shared;
-  threads::in_arena(options.threads, [&] {
+  threads::in_arena(threads, [&] {
     threads::for_each_task(strips, [&](std::int32_t s) {
       shared.task([&] {
         Rendering strip;

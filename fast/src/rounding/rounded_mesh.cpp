@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "rounding/drop_corners.hpp"
 #include "rounding/file_grid.hpp"
@@ -24,7 +25,9 @@ namespace {
 class Rounding {
  public:
   Rounding(const Solid& solid, const RoundingOptions& options)
-      : solid_(solid), options_(options) {}
+      : solid_(solid), options_(options) {
+    options_.threads = thread_count(options.threads);
+  }
 
   Result<RoundedMesh> run() {
     exported_ = to_mesh(solid_, {.triangles = options_.triangles,
@@ -88,7 +91,7 @@ class Rounding {
   void count_losses(RoundedMesh& result) const;
 
   const Solid& solid_;
-  const RoundingOptions& options_;
+  RoundingOptions options_;
   ExportedMesh exported_;
   FileGrid grid_;
   LooseMesh exact_;        ///< polygons in fans, loose points not yet rounded

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "rounding/resolve_mesh.hpp"
 
 namespace halfspace::fast {
@@ -146,7 +147,7 @@ bool Settler::round(Way way) {
 }  // namespace
 
 Settled settle(const LooseMesh& start, const FileGrid& grid, int threads) {
-  return Settler(start, grid, threads).run();
+  return Settler(start, grid, thread_count(threads)).run();
 }
 
 }  // namespace halfspace::fast

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <mutex>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "halfspace/assert.hpp"
+#include "halfspace/threads.hpp"
 #include "shade/corner_blend.hpp"
 #include "shade/exact_double.hpp"
 #include "shade/scalar_classes.hpp"
@@ -212,7 +212,7 @@ FilterStats color_scalars(const Scene& scene, const Camera& camera,
     colors = ColorImage(width, height, Rgb{});
   const View view = make_view(camera, scene.grid_bits(), n);
   FilterStats stats;
-  std::mutex mutex;
+  Mutex mutex;
   const auto count = static_cast<unsigned>(n * n);
   for_blocks(
       how.threads, static_cast<std::size_t>(height), kLines,
@@ -243,7 +243,7 @@ FilterStats color_scalars(const Scene& scene, const Camera& camera,
             colors.at(i, j) = {mean(0), mean(1), mean(2)};
           }
         }
-        const std::lock_guard lock(mutex);
+        const Lock lock(mutex);
         stats.add(shader.stats());
       });
   return stats;

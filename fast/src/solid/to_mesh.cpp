@@ -116,7 +116,8 @@ void add_polygons(const Solid& solid, std::size_t first, std::size_t last,
 Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
   constexpr std::size_t kBlock = 256;
   Polygons all;
-  if (options.threads <= 1) {
+  const int threads = thread_count(options.threads);
+  if (threads == 1) {
     all.corners.reserve(solid.edges.size());
     all.first_corner.reserve(solid.faces.size() + 1);
     all.faces.reserve(solid.faces.size());
@@ -124,7 +125,7 @@ Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
     return all;
   }
   std::vector<Polygons> blocks((solid.faces.size() + kBlock - 1) / kBlock);
-  for_blocks(options.threads, solid.faces.size(), kBlock,
+  for_blocks(threads, solid.faces.size(), kBlock,
              [&](std::size_t number, std::size_t first, std::size_t last) {
                add_polygons(solid, first, last, options, blocks[number]);
              });

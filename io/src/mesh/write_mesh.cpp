@@ -24,7 +24,7 @@ Result<const FormatEntry*> output_format(const std::filesystem::path& path) {
                path.string() + ": a mesh is written to " + format_extensions()};
 }
 
-Error named(const std::filesystem::path& path, Error error) {
+Error error_at(const std::filesystem::path& path, Error error) {
   error.message = path.string() + ": " + error.message;
   return error;
 }
@@ -114,7 +114,7 @@ struct Writer {
   Result<ExportReport> write(const std::filesystem::path& path,
                              const FormatEntry& format) const {
     const Result<std::string> bytes = format.encoded(content);
-    if (!bytes) return named(path, bytes.error());
+    if (!bytes) return error_at(path, bytes.error());
     const Result<Done> done = write_file(path, *bytes);
     if (!done) return done.error();
     return report;
@@ -250,7 +250,7 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
                                 const OutputMesh& mesh) {
   const Result<const FormatEntry*> found = output_format(path);
   if (!found) return found.error();
-  if (const auto fault = shape_fault(mesh)) return named(path, *fault);
+  if (const auto fault = shape_fault(mesh)) return error_at(path, *fault);
   const FormatEntry& format = **found;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (const double value : mesh.vertices[v]) {
@@ -315,7 +315,7 @@ Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
     }
   }
   if (format.has_triangles_only) {
-    if (auto error = cut_scene(scene, writer)) return named(path, *error);
+    if (auto error = cut_scene(scene, writer)) return error_at(path, *error);
   }
   return writer.write(path, format);
 }

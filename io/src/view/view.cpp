@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
-#include <sstream>
 #include <string>
 
 #include "view/vectors.hpp"
@@ -276,11 +276,11 @@ std::optional<Error> eye_error(const Scene& scene, const dvec3& eye) {
   if (std::isfinite(scale) && greatest(eye) * scale < kUsedRange * limit) {
     return std::nullopt;
   }
-  std::ostringstream reach;
-  reach << limit / scale;
+  char reach[32];
+  std::snprintf(reach, sizeof reach, "%g", limit / scale);
   return Error{ErrorCode::kOutOfRange,
                "the eye is farther away than cameras of this scene reach, " +
-                   reach.str() + " model units"};
+                   std::string(reach) + " model units"};
 }
 
 }  // namespace

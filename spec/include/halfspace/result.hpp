@@ -12,6 +12,21 @@ namespace halfspace {
 
 /// The fault of an input. Which code a bad input gets is part of the
 /// definition (S1), so that every implementation agrees on it.
+///
+/// Error::index counts, where it is not -1:
+///   while a text is read     lines, from 1;
+///   while bytes are read     bytes;
+///   kSyntax, kTruncated      lines or bytes, as above;
+///   kNotFinite               vertices; of a field's number corners;
+///   kOutOfRange              vertices; where no grid holds operands, operands;
+///   kBadIndex                corners of a mesh, polygons of a scene;
+///   kTooFewVertices to
+///   kNotTriangle             polygons;
+///   kZeroArea, kOutOfRange   of a clip plane: clip planes;
+///   kOpen                    of make_solid() how many edges are bad, else
+///                            polygons;
+///   kSelfCrossing, kInsideOut polygons.
+/// The message says the same in words. Other codes have no index.
 enum class ErrorCode {
   kUnreadable,      ///< the file cannot be opened or read
   kUnwritable,      ///< the file cannot be created or written
@@ -94,7 +109,8 @@ struct Error {
   /// One sentence without a final full stop; names the file and the line or
   /// element where there is one.
   std::string message;
-  /// The index of the offending polygon, vertex, line or byte; -1 if none.
+  /// Which polygon, vertex, line or byte it is: what is counted is said at
+  /// ErrorCode. -1 where there is none.
   std::int64_t index = -1;
 };
 
@@ -112,7 +128,10 @@ struct Error {
 
 /// A value, or the error that stands in its place.
 ///
-/// The members are those of std::expected (C++23), no others.
+/// The members are those of std::expected (C++23), no others; but the value of
+/// a Result that nobody keeps comes out as a value, not as a reference to what
+/// is gone: `for (const Region& region : *solid.section(plane))` is right. What
+/// `->` leads to is gone at the end of the statement.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -125,10 +144,10 @@ class [[nodiscard]] Result {
   /// Requires: has_value(); without one the program stops with the message.
   const T& value() const& { return checked(), *std::get_if<0>(&state_); }
   T& value() & { return checked(), *std::get_if<0>(&state_); }
-  T&& value() && { return checked(), std::move(*std::get_if<0>(&state_)); }
+  T value() && { return checked(), std::move(*std::get_if<0>(&state_)); }
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
-  T&& operator*() && { return std::move(*this).value(); }
+  T operator*() && { return std::move(*this).value(); }
   const T* operator->() const { return &value(); }
   T* operator->() { return &value(); }
 

@@ -134,9 +134,11 @@ bool FrameMaker::is_newer_wanted(const FrameRequest& request) const {
 void FrameMaker::make(const FrameRequest& request) {
   const auto start = Clock::now();
   const std::int32_t height = request.camera->height_px;
-  // A legend stands over the whole picture.
-  const bool has_legend = request.numbers && request.numbers->has_legend;
-  const double strips = expected_ms_ > kLongFrameMs && !has_legend
+  // A legend stands over the whole picture; and each strip would look for the
+  // caps of all of it.
+  const bool is_whole =
+      (request.numbers && request.numbers->has_legend) || request.options.caps;
+  const double strips = expected_ms_ > kLongFrameMs && !is_whole
                             ? std::ceil(expected_ms_ / kStripMs)
                             : 1;
   const auto strip_height = static_cast<std::int32_t>(

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "halfspace/assert.hpp"
 #include "halfspace/csg/plan.hpp"
+#include "halfspace/progress.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::csg {
@@ -29,9 +29,6 @@ template <class Algebra>
 class Evaluator {
  public:
   using Value = typename Algebra::Value;
-  /// Receives the share that is done, 0 to 1; where it returns false, the work
-  /// stops.
-  using Progress = std::function<bool(double)>;
 
   Evaluator(const Plan& plan, Algebra& algebra, Progress progress)
       : plan_(plan),

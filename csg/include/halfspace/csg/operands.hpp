@@ -25,6 +25,9 @@ struct OperandOptions {
   /// Whether surfaces that cross themselves, or wind round something twice, are
   /// found, which takes time, and then whether they are noted, and not refused.
   bool find_crossings = true;
+  /// Whether it is found out that faces in one plane are apart, which spares
+  /// looking at them each time that the solid is used.
+  bool find_coplanar = false;
   bool repair = false;
   /// The word by which a user asks for `repair`, for messages.
   std::string repair_word = "repair";
@@ -57,9 +60,23 @@ struct Source {
   /// with them (by the fast library): a third of the work for a mesh of
   /// triangles. Origins then name the first of them.
   bool merge_coplanar = false;
+  /// Known to have no such faces: then nothing is done.
+  bool is_lean = false;
   io::ImportReport report;
   std::size_t corners_added = 0;  ///< where vertices lay within edges
+  /// Where the scene is a solid's: that solid, so that what is used as it
+  /// stands need not be looked at again, ...
+  std::shared_ptr<const GridSolid> solid;
+  /// ... and what a grid must hold of it: a step, and the least and the
+  /// greatest coordinate.
+  std::optional<std::array<io::Number, 3>> need;
 };
+
+/// The source whose surface is `scene`, from which corners may be missing where
+/// vertices lie within edges. Nothing is looked for but that it is closed.
+/// Errors: kOpen.
+Result<Source> closed_source(const std::string& path, Scene scene,
+                             const io::Imported& imported);
 
 /// The solid in a file; with `flip`, with every polygon turned round. The
 /// solid of a `.hsolid` file that says that it was checked is not checked
@@ -113,7 +130,7 @@ class Operands {
   /// Errors: those of make_source(); kOutOfRange (it is less than a step of
   ///         the grid). The message names the file, and where in the
   ///         script it is moved.
-  Result<GridSolid> leaf(std::int32_t id);
+  Result<std::shared_ptr<const GridSolid>> leaf(std::int32_t id);
 
   /// Whether a leaf is the solid of a `.hsolid` file, which the grid holds
   /// exactly: then it has no polygons on a grid, but exact_leaf().
@@ -154,9 +171,10 @@ class Operands {
   /// The error of a leaf of which a repair leaves no surface.
   Error nothing_left(std::int32_t leaf) const;
 
-  /// Whether a leaf's faces in one plane are to become one.
+  /// Whether faces in one plane of a leaf that was asked for are to become one.
   bool to_merge(std::int32_t leaf) const {
-    return source_of(leaf).merge_coplanar;
+    return source_of(leaf).merge_coplanar &&
+           !lean_[static_cast<std::size_t>(leaf)];
   }
 
   /// Whether nobody looked for that.
@@ -191,6 +209,7 @@ class Operands {
         exact_(plan.leaves.size()),
         needs_(plan.leaves.size()),
         repair_(plan.leaves.size()),
+        lean_(plan.leaves.size()),
         polygons_(plan.leaves.size()) {}
   Scene closed(Scene scene);
   bool may_settle(std::int32_t leaf, const Result<bool>& repairs) const;
@@ -201,6 +220,7 @@ class Operands {
   Result<Done> round_leaf(std::int32_t leaf);
   Result<Done> round_what_grid_lacks();
   void add_need(std::int32_t leaf, std::vector<io::Number>& coordinates) const;
+  bool stays_in_place(std::int32_t leaf) const;
   bool is_rounded_by_move(std::int32_t leaf) const;
   bool is_empty(std::int32_t leaf) const;
   std::int32_t leaf_count() const {
@@ -227,6 +247,7 @@ class Operands {
   std::vector<bool> exact_;                       // by leaf
   std::vector<std::optional<ExactNeed>> needs_;   // by leaf
   std::vector<bool> repair_;                      // by leaf
+  std::vector<bool> lean_;                        // by leaf
   std::vector<std::vector<PolygonId>> polygons_;  // by leaf
   io::ImportReport report_;
   std::size_t corners_added_ = 0;

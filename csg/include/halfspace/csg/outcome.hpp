@@ -12,6 +12,7 @@
 #include "halfspace/csg/operands.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/io/write_mesh.hpp"
+#include "halfspace/progress.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/solid_file.hpp"
@@ -47,14 +48,12 @@ struct EvaluateOptions {
   /// The result is wanted for a `.hsolid` file. The fast library's.
   bool exact_data = false;
   BuildOptions build;  ///< the trees of the reference
-  int threads = 1;     ///< the fast library's
+  int threads = 1;     ///< the fast library's; 0: as many as there are
   /// Replaces fast::boolean() where neither solid is a half-space, for instance
   /// to check its results. Long unions and intersections then go through it
   /// too, two solids at a time.
   Combine combine;
-  /// Receives the share that is done, 0 to 1; where it returns false, the work
-  /// stops.
-  std::function<bool(double)> progress;
+  Progress progress = {};
 };
 
 /// Where a polygon of a result comes from.

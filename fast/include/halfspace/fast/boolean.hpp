@@ -23,7 +23,8 @@ namespace halfspace::fast {
 /// Exact:   yes. Of closed surfaces that check_operand() refuses the result may
 ///          be anything, and open, but there is one.
 /// Threads: any thread may use any solids at any time. `threads` look for the
-///          places where the solids meet; the result is the same. While another
+///          places where the solids meet (0: as many as the machine has); the
+///          result is the same. While another
 ///          thread extends the operands' table the result has a table of its
 ///          own, with other ids: its mesh is the same.
 /// Cost:    n log n, and what the surfaces have in common.

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/types.hpp"
+#include "halfspace/progress.hpp"
 
 namespace halfspace::fast {
 
@@ -101,10 +101,6 @@ struct BspTree {
   /// Empty, or for each node its blocks, and where the last end.
   std::vector<FirstBlocks> first_blocks;
 };
-
-/// Called now and then with the share of the work that is done, from 0 to 1,
-/// never decreasing. If it returns false, the work stops.
-using Progress = std::function<bool(double)>;
 
 /// The tree of the scene (S3.5; FAG83 sec. 2.2.1, Make_tree).
 ///

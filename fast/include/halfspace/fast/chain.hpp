@@ -45,8 +45,9 @@ class Chain {
 /// `Face::source` means nothing here.
 ///
 /// The same point set as one after the other. With `Merge::kPlane`, the same
-/// mesh, whatever the order of the solids of a union (S6.4). With more threads,
-/// blocks of solids are combined at once, each in a table of its own: the faces
+/// mesh, whatever the order of the solids of a union (S6.4). With more threads
+/// (0: as many as the machine has) blocks of solids are combined at once, each
+/// in a table of its own: the faces
 /// and the mesh are the same, but points and planes may have other ids.
 /// Requires: not empty, and all in one unit.
 Solid boolean_all(BooleanOp operation, std::span<const Solid> solids,

@@ -20,11 +20,8 @@ struct DisplayTreeOptions {
   /// The number of polygons whose planes are tried where no plane across an
   /// axis divides well; 0 for none.
   std::size_t own_planes = 8;
-  /// Threads to work with; 0 for as many as the machine has.
-  int threads = 0;
-  /// Called now and then, one call at a time, from any of the threads, with the
-  /// share that is done, from 0 to 1. Where it returns false, the work stops.
-  Progress progress;
+  int threads = 0;  ///< 0: as many as the machine has
+  Progress progress = {};
 };
 
 /// A tree for displaying the scene (S3.1, S3.7) with few cuts and large leaves.

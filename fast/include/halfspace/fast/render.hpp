@@ -25,7 +25,7 @@ struct Rectangle {
 
 /// Options of render() that do not change a pixel.
 struct RenderOptions {
-  int threads = 1;  ///< at least 1
+  int threads = 1;  ///< 0: as many as the machine has
   /// The part of the image that is wanted; nothing: all of it. It must lie in
   /// the image and not be empty.
   std::optional<Rectangle> rectangle;
@@ -52,7 +52,7 @@ struct Rendering {
 ///
 /// The images do not depend on the number of threads, nor a pixel of them on
 /// the rectangle.
-/// Requires: options.threads >= 1; a rectangle within the image.
+/// Requires: options.threads >= 0; a rectangle within the image.
 /// Exact:    yes: doubles with bounds, and integers where they touch.
 /// Ties:     coplanar polygons: the lowest id is seen.
 /// Cost:     what is seen, and the way to it.

@@ -20,7 +20,7 @@ struct RoundingOptions {
   FileNumber number = FileNumber::kDouble;
   /// Whether all polygons are triangles.
   bool triangles = false;
-  int threads = 1;
+  int threads = 1;  ///< 0: as many as the machine has
   /// No point of the surface may move farther than this along an axis. Units:
   /// model units.
   std::optional<double> max_move = std::nullopt;

@@ -2,18 +2,17 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/progress.hpp"
 
 namespace halfspace::fast {
 
 /// How a surface is searched.
 struct CheckOptions {
-  int threads = 1;
-  /// Is given the share that is done, from 0 to 1; returns whether to go on.
-  std::function<bool(double)> progress = {};
+  int threads = 1;  ///< 0: as many as the machine has
+  Progress progress = {};
 };
 
 /// Two faces at a place where a surface passes through itself (S6.6): they

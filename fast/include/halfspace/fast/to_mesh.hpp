@@ -13,7 +13,8 @@ namespace halfspace::fast {
 struct ExportOptions {
   /// Whether faces that are convex become triangles like the others.
   bool triangles = false;
-  /// How many threads triangulate faces at once. The mesh is the same.
+  /// That triangulate faces at once; 0: as many as the machine has. The mesh is
+  /// the same.
   int threads = 1;
   /// Whether convex polygons may have straight corners; else those that would
   /// become triangles, too.
@@ -28,9 +29,9 @@ struct ExportedMesh {
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::uint32_t> first_corner = {0};
   std::vector<VertexId> corners;
-  std::vector<std::int32_t> faces;  ///< by polygon: which face it is a part of
+  std::vector<std::int32_t> faces;   ///< by polygon: which face it is a part of
   std::vector<std::int32_t> points;  ///< by vertex: the solid's id of its point
-  std::vector<Rgb> colors;          ///< by polygon
+  std::vector<Rgb> colors;           ///< by polygon
   std::size_t moved = 0;  ///< vertices that doubles may not hold exactly
   double max_move = 0;    ///< no coordinate moved farther
   /// The polygons that rounding may have flipped or flattened.

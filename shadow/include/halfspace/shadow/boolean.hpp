@@ -19,7 +19,8 @@ struct BooleanOptions {
   std::uint64_t seed = 1;   ///< chooses operations and points
   std::size_t points = 32;  ///< for each checked operation
   std::size_t kept = 16;    ///< the most mismatches kept in full
-  int threads = 1;          ///< of fast::boolean()
+  /// Of fast::boolean(); 0: as many as the machine has.
+  int threads = 1;
 };
 
 /// A point whose membership in the result is wrong, or at which a surface has a

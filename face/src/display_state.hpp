@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "halfspace/clip.hpp"
+#include "halfspace/display.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/render.hpp"
+#include "halfspace/io/mesh.hpp"
+#include "halfspace/ray.hpp"
+#include "halfspace/threads.hpp"
+
+namespace halfspace {
+
+/// What a display is made of.
+struct Display::State {
+  io::Mesh mesh;  ///< empty of a scene file
+  Scene scene;
+  std::vector<PolygonId> faces;  ///< by polygon of the scene
+  std::size_t polygon_count = 0;
+  std::vector<std::int32_t> solid_starts = {0};  ///< its first polygon
+
+  /// The tree for pictures, and one without leaves; made when first needed.
+  Mutex mutex;
+  std::optional<fast::BspTree> tree;
+  std::optional<fast::BspTree> ordered;
+  std::optional<bool> closed;
+
+  static Result<std::unique_ptr<State>> of(io::Mesh mesh);
+
+  /// Null where view.progress stopped it.
+  const fast::BspTree* picture_tree(const View& view);
+  const fast::BspTree& picture_tree() { return *picture_tree(View{}); }
+  const fast::BspTree* ordered_tree(const View& view);
+  /// The polygon of the display that a polygon of the scene is part of, and its
+  /// solid. Solids without polygons begin where the next one does.
+  std::int32_t polygon_of(PolygonId id) const;
+  std::int32_t solid_of(std::int32_t polygon) const;
+
+  /// What a view says about its image; whether caps can be is looked at once.
+  Result<ImageOptions> options_of(const View& view);
+  Result<fast::Rendering> rendered(const View& view,
+                                   const std::optional<fast::Rectangle>& part);
+
+  Hit hit_of(const RayHit& hit, const Ray& ray) const;
+  std::vector<Hit> hits_of(const Ray& ray);
+};
+
+namespace detail {
+
+glm::dvec3 vector_of(const Point& p);
+
+/// The camera of a view. Errors: those of Display::render().
+Result<Camera> camera_of(const Scene& scene, const View& view);
+
+/// The errors of a view without pixels, and of work that was stopped.
+Error no_pixels();
+Error stopped();
+
+}  // namespace detail
+}  // namespace halfspace
