@@ -100,6 +100,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const io::Format format = name == 'o'   ? io::Format::kObj
                             : name == 's' ? io::Format::kStl
                             : name == 'p' ? io::Format::kPly
+                            : name == '3' ? io::Format::k3mf
+                            : name == 'g' ? io::Format::kGlb
                                           : io::Format::kOff;
   const auto mesh = io::read_mesh(fuzz::text_of(data + 1, size - 1), format);
   if (!mesh) {

@@ -88,6 +88,8 @@ need_build_packages() {
   need libtbb-dev "threads (oneTBB)"
   need libpng-dev "writes PNG pictures"
   need zlib1g-dev "compression, for PNG"
+  need libzip-dev "packages, for 3MF"
+  need libexpat1-dev "XML, for 3MF"
   need libcli11-dev "command line of the program"
   need nlohmann-json3-dev "statistics as JSON"
   need libfmt-dev "messages of the program"
@@ -102,6 +104,7 @@ need_build_packages() {
 need_test_packages() {
   need libgtest-dev "test framework"
   need librapidcheck-dev "random properties, shrunk when they fail"
+  need lib3mf1 "judges the 3MF files that are written"
   need libbenchmark-dev "measures booleans"
   need python3 "scripts that check the tree of sources"
   need coq "checks the proofs of spec/coq"

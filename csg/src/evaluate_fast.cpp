@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "halfspace/csg/carry.hpp"
 #include "halfspace/csg/components.hpp"
 #include "halfspace/csg/evaluate.hpp"
 #include "halfspace/csg/outcome.hpp"
@@ -299,8 +300,7 @@ Result<Outcome> outcome_of(fast::Solid solid, const EvaluateOptions& options) {
       fast::rounded_mesh(solid, {.number = options.number,
                                  .triangles = options.triangles,
                                  .threads = options.threads,
-                                 .max_move = options.max_move,
-                                 .keep_corners = options.keep_origins});
+                                 .max_move = options.max_move});
   if (!mesh) return mesh.error();
   take_polygons(solid, *mesh, {2, 0}, result);
   result.moved = mesh->moved;
@@ -332,6 +332,8 @@ Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
           : outcome_of(**std::move(solid), options);
   if (!result) return result.error();
   result->repairs = algebra.repairs();
+  result->attributes = carried_attributes(plan, operands, *result, options);
+  result->mesh.attributes = result->attributes;
   return std::optional<Outcome>(*std::move(result));
 }
 

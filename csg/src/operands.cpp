@@ -230,10 +230,13 @@ Result<Source> read_source(const std::string& path,
       path == "-" ? io::scene_of_input(input, {}) : io::load_scene(path, {});
   if (!loaded) return loaded.error();
   if (flip) loaded->file.scene = flipped(loaded->file.scene);
-  return make_source(path,
-                     {std::move(loaded->file.scene),
-                      std::move(loaded->polygons), loaded->report},
-                     options);
+  Result<Source> source =
+      make_source(path,
+                  {std::move(loaded->file.scene), std::move(loaded->polygons),
+                   loaded->report},
+                  options);
+  if (source) source->attributed = std::move(loaded->attributed);
+  return source;
 }
 
 Result<Source> primitive_source(const std::string& name, const io::Mesh& mesh,

@@ -161,7 +161,8 @@ Result<Done> Solid::save(const std::filesystem::path& path,
   how.merge = rule_of(options.merge);
   how.triangles = options.triangles;
   how.threads = options.threads;
-  if (io::format_of(path) == io::Format::kStl) {
+  const auto format = io::format_of(path);
+  if (format && io::has_floats(*format)) {
     how.triangles = true;
     how.number = fast::FileNumber::kFloat;
   }

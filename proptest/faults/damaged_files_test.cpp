@@ -82,6 +82,8 @@ io::Format format_of(char name) {
   return name == 'o'   ? io::Format::kObj
          : name == 's' ? io::Format::kStl
          : name == 'p' ? io::Format::kPly
+         : name == '3' ? io::Format::k3mf
+         : name == 'g' ? io::Format::kGlb
                        : io::Format::kOff;
 }
 

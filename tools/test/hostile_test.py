@@ -15,12 +15,14 @@ and checks that
 
 Exit status: 0 if all tries hold, else 1.
 """
+import io
 import os
 import pathlib
 import random
 import resource
 import subprocess
 import sys
+import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "examples"))
 from read_solid import crc32c  # noqa: E402
@@ -60,7 +62,7 @@ class Tries:
         self.folder = folder
         self.random = random.Random(seed)
         self.sources = {}
-        for suffix in ("off", "obj", "ply", "stl", "scene"):
+        for suffix in ("off", "obj", "ply", "stl", "scene", "3mf", "glb"):
             name = f"cube.{suffix}"
             subprocess.run([make_model, "cube", "-o", name], cwd=folder,
                            check=True, stdout=subprocess.DEVNULL)
@@ -113,6 +115,30 @@ class Tries:
             return b" ".join(words)
         return b"\x1f\x8b" + bytes(data)
 
+    def damaged_inside(self, suffix):
+        """A whole package, or whole chunks, of a model with something wrong."""
+        data = self.sources[suffix]
+        if suffix == "3mf":
+            made = io.BytesIO()
+            with zipfile.ZipFile(io.BytesIO(data)) as package, \
+                    zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as other:
+                for name in package.namelist():
+                    entry = package.read(name)
+                    if name.endswith(".model"):
+                        entry = self.damaged(entry)
+                        if self.random.randrange(8) == 0:
+                            entry += b" " * 50_000_000
+                    other.writestr(name, entry)
+            return made.getvalue()
+        length = int.from_bytes(data[12:16], "little")
+        text, rest = data[20:20 + length], data[20 + length:]
+        text = self.damaged(text)
+        if self.random.randrange(2):
+            rest = rest[:8] + self.damaged(rest[8:])
+        body = (len(text).to_bytes(4, "little") + b"JSON" + text +
+                (len(rest) - 8).to_bytes(4, "little") + rest[4:])
+        return data[:8] + (12 + len(body)).to_bytes(4, "little") + body
+
     def words(self, number):
         """A command, and the names of the files it may write."""
         suffix = self.random.choice(list(self.sources))
@@ -124,11 +150,14 @@ class Tries:
             if suffix == "hsolid" and self.random.randrange(4):
                 # What is behind the checksum is to be reached, too.
                 data = data[:-4] + crc32c(data[:-4]).to_bytes(4, "little")
+            if suffix in ("3mf", "glb") and self.random.randrange(3):
+                data = self.damaged_inside(suffix)
         (self.folder / source).write_bytes(data)
         command = self.random.choice(list(OPTIONS))
         outputs = []
         if command == "csg":
-            out = self.random.choice(["out.off", "out.stl", "out.scene", source,
+            out = self.random.choice(["out.off", "out.stl", "out.3mf", "out.glb",
+                                      "out.scene", source,
                                       "out.hsolid", "b.off", "none/out.off", "/dev/full",
                                       "out.txt", ""])
             expression = (self.random.choice(EXPRESSIONS) if spoil == 1

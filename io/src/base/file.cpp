@@ -10,6 +10,8 @@
 #include <memory>
 #include <string>
 
+#include "base/plain_file.hpp"
+
 namespace halfspace::io {
 namespace {
 
@@ -162,6 +164,11 @@ bool may_write_in_place(int error) {
 }
 
 }  // namespace
+
+bool is_plain_file(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(path, error);
+}
 
 Result<std::string> read_file(const std::filesystem::path& path,
                               std::uint64_t most) {

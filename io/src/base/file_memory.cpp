@@ -1,6 +1,7 @@
 #include <map>
 #include <utility>
 
+#include "base/plain_file.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/memory_files.hpp"
 
@@ -33,6 +34,11 @@ std::optional<std::string> take_file(std::string_view name) {
   std::string bytes = std::move(found->second);
   files.erase(found);
   return bytes;
+}
+
+bool is_plain_file(const std::filesystem::path& path) {
+  const FilesByName& files = files_by_name();
+  return files.find(path.string()) != files.end();
 }
 
 Result<std::string> read_file(const std::filesystem::path& path,

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "halfspace/io/number.hpp"
 
 namespace halfspace::io {
 
@@ -44,6 +48,32 @@ Result<std::int64_t> parse_integer(std::string_view token) {
     return Error{ErrorCode::kSyntax, in_quotes(token) + " is not an integer"};
   }
   return value;
+}
+
+double value_or_none(std::string_view token) {
+  if (token.starts_with('+')) token.remove_prefix(1);
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  double value = 0;
+#if defined(__cpp_lib_to_chars)
+  const char* const end = token.data() + token.size();
+  const auto [at, code] = std::from_chars(token.data(), end, value);
+  if (code != std::errc{} || at != end) return kNone;
+#else
+  // Not every library has that for doubles.
+  const Result<Number> number = parse_number(token);
+  if (!number) return kNone;
+  value = to_double(*number);
+#endif
+  return std::isfinite(value) ? value : kNone;
+}
+
+std::string joined(std::span<const std::string_view> tokens) {
+  std::string text;
+  for (const std::string_view token : tokens) {
+    if (!text.empty()) text += ' ';
+    text += token;
+  }
+  return text;
 }
 
 TextReader::TextReader(std::string_view text, Rules rules)

@@ -25,6 +25,13 @@ std::optional<Error> not_plain_text(std::string_view bytes);
 /// Errors: kSyntax, kOutOfRange (beyond 63 bits).
 Result<std::int64_t> parse_integer(std::string_view token);
 
+/// The double that all of `token` spells; NaN where that is none, or not
+/// finite.
+double value_or_none(std::string_view token);
+
+/// The tokens with one blank between them.
+std::string joined(std::span<const std::string_view> tokens);
+
 /// Cuts a text into lines and tokens.
 class TextReader {
  public:

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "halfspace/io/attributes.hpp"
 #include "halfspace/polygon.hpp"
 #include "halfspace/result.hpp"
 
@@ -27,10 +30,28 @@ struct Faces {
 using DoublePoint = std::array<double, 3>;
 
 /// The bytes of a file in each format; `points` are three decimals each.
-std::string obj_text(std::span<const std::string> points, const Faces& faces);
+/// Attributes, which may be null, are those of the faces and their corners.
+/// `library` is the file that has the materials; empty: they are not named.
+std::string obj_text(std::span<const std::string> points, const Faces& faces,
+                     const Attributes* attributes = nullptr,
+                     std::string_view library = {});
 std::string off_text(std::span<const std::string> points, const Faces& faces);
-std::string ply_text(std::span<const std::string> points, const Faces& faces);
-std::string ply_binary(std::span<const DoublePoint> points, const Faces& faces);
+std::string ply_text(std::span<const std::string> points, const Faces& faces,
+                     const Attributes* attributes = nullptr);
+std::string ply_binary(std::span<const DoublePoint> points, const Faces& faces,
+                       const Attributes* attributes = nullptr);
+
+/// All digits of a double: no more than 17 + 1074 of them.
+std::string all_digits(double value);
+
+/// The file of materials of an OBJ; empty if no face has one, or a colour.
+std::string mtl_text(const Attributes& attributes);
+
+/// Whether all corners of a vertex have the same numbers; then those of each
+/// vertex, kNoValue of those without corners.
+std::optional<std::vector<double>> by_vertex(const Channel& channel,
+                                             std::span<const VertexId> corners,
+                                             std::size_t vertex_count);
 
 /// Errors: kNotFinite (a coordinate beyond floats), kOutOfRange (more than
 ///         2^32 - 1 triangles).

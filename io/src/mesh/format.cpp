@@ -4,12 +4,14 @@
 
 #include "mesh/format_table.hpp"
 #include "mesh/readers.hpp"
+#include "mesh/writers.hpp"
 
 namespace halfspace::io {
 namespace {
 
 Result<std::string> encoded_obj(const MeshContent& content) {
-  return obj_text(content.texts, content.faces);
+  return obj_text(content.texts, content.faces, content.attributes,
+                  content.library);
 }
 
 Result<std::string> encoded_stl(const MeshContent& content) {
@@ -17,8 +19,9 @@ Result<std::string> encoded_stl(const MeshContent& content) {
 }
 
 Result<std::string> encoded_ply(const MeshContent& content) {
-  return content.texts.empty() ? ply_binary(content.doubles, content.faces)
-                               : ply_text(content.texts, content.faces);
+  return content.texts.empty()
+             ? ply_binary(content.doubles, content.faces, content.attributes)
+             : ply_text(content.texts, content.faces, content.attributes);
 }
 
 Result<std::string> encoded_off(const MeshContent& content) {
@@ -26,12 +29,27 @@ Result<std::string> encoded_off(const MeshContent& content) {
 }
 
 using enum Coordinates;
+constexpr unsigned kObjRoom = kMaterialRoom | kObjectRoom | kGroupRoom |
+                              kTextureRoom | kNormalRoom | kCornerColorRoom |
+                              kFaceColorRoom;
+constexpr unsigned kPlyRoom = kObjRoom | kCornerNumberRoom | kFaceNumberRoom;
+constexpr unsigned k3mfRoom = kMaterialRoom | kObjectRoom | kGroupRoom |
+                              kCornerColorRoom | kFaceColorRoom | kOriginRoom;
+constexpr unsigned kGlbRoom = kObjRoom | kCornerNumberRoom | kOriginRoom;
+
 /// In the order of the enumerators.
 constexpr FormatEntry kFormats[] = {
-    {Format::kObj, "OBJ", ".obj", kText, false, read_obj, encoded_obj},
-    {Format::kStl, "STL", ".stl", kFloats, true, read_stl, encoded_stl},
-    {Format::kPly, "PLY", ".ply", kTextOrDoubles, false, read_ply, encoded_ply},
-    {Format::kOff, "OFF", ".off", kText, false, read_off, encoded_off}};
+    {Format::kObj, "OBJ", ".obj", kText, false, kObjRoom, read_obj,
+     encoded_obj},
+    {Format::kStl, "STL", ".stl", kFloats, true, 0, read_stl, encoded_stl},
+    {Format::kPly, "PLY", ".ply", kTextOrDoubles, false, kPlyRoom, read_ply,
+     encoded_ply},
+    {Format::kOff, "OFF", ".off", kText, false, kFaceColorRoom, read_off,
+     encoded_off},
+    {Format::k3mf, "3MF", ".3mf", kFloats, true, k3mfRoom, read_3mf,
+     three_mf_bytes},
+    {Format::kGlb, "GLB", ".glb", kFloats, true, kGlbRoom, read_glb,
+     glb_bytes}};
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -61,6 +79,11 @@ std::optional<Format> format_of(const std::filesystem::path& path) {
   return entry->format;
 }
 
+bool has_floats(Format format) {
+  const FormatEntry* entry = entry_of(format);
+  return entry != nullptr && entry->coordinates == Coordinates::kFloats;
+}
+
 std::string format_extensions(std::string_view other) {
   std::vector<std::string_view> words;
   for (const FormatEntry& entry : kFormats) words.push_back(entry.extension);
@@ -71,6 +94,45 @@ std::string format_extensions(std::string_view other) {
     list += words[i];
   }
   return list;
+}
+
+std::vector<std::string> lost_words(const Attributes& attributes,
+                                    unsigned room) {
+  std::vector<std::string> words;
+  const auto note = [&](bool is_there, unsigned bit, const std::string& what) {
+    if (is_there && (room & bit) == 0) words.push_back(what);
+  };
+  note(!attributes.face_materials.empty(), kMaterialRoom, "materials");
+  note(!attributes.objects.of_face.empty(), kObjectRoom, "names of objects");
+  note(!attributes.groups.of_face.empty(), kGroupRoom, "groups");
+  for (const Channel& channel : attributes.corners) {
+    switch (channel.kind) {
+      case ChannelKind::kTexture:
+        note(true, kTextureRoom, "texture points");
+        break;
+      case ChannelKind::kNormal:
+        note(true, kNormalRoom, "normals");
+        break;
+      case ChannelKind::kColor:
+        note(true, kCornerColorRoom, "colours of corners");
+        break;
+      case ChannelKind::kNumber:
+        note(true, kCornerNumberRoom, "numbers of corners: " + channel.name);
+    }
+  }
+  for (const Channel& channel : attributes.faces) {
+    const bool is_color = channel.kind == ChannelKind::kColor;
+    note(is_color, kFaceColorRoom, "colours of faces");
+    const bool is_origin =
+        channel.name == "origin_solid" || channel.name == "origin_polygon";
+    note(!is_color, is_origin ? kFaceNumberRoom | kOriginRoom : kFaceNumberRoom,
+         "numbers of faces: " + channel.name);
+  }
+  return words;
+}
+
+std::vector<std::string> words_of(const Attributes& attributes) {
+  return lost_words(attributes, 0);
 }
 
 std::string format_names() {

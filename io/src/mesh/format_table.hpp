@@ -19,8 +19,31 @@ struct MeshContent {
   Faces faces;
   std::vector<std::string> texts;                  ///< for formats of text
   std::vector<DoublePoint> doubles;                ///< for formats of bytes
-  std::vector<std::array<VertexId, 3>> triangles;  ///< for STL
+  std::vector<std::array<VertexId, 3>> triangles;  ///< for those of triangles
+  /// By triangle its corners, among those of the faces, and its face.
+  std::vector<std::array<std::uint32_t, 3>> triangle_corners;
+  std::vector<std::uint32_t> triangle_faces;
+  const Attributes* attributes = nullptr;  ///< of the faces; null: none
+  std::string library;  ///< the OBJ's file of materials; empty: there is none
 };
+
+/// Which attributes a format has room for, one bit each.
+enum Room : unsigned {
+  kMaterialRoom = 1,
+  kObjectRoom = 2,
+  kGroupRoom = 4,
+  kTextureRoom = 8,
+  kNormalRoom = 16,
+  kCornerColorRoom = 32,
+  kCornerNumberRoom = 64,
+  kFaceColorRoom = 128,
+  kFaceNumberRoom = 256,
+  kOriginRoom = 512  ///< for channels of where faces come from
+};
+
+/// What of the attributes is not in a format of that room, in words.
+std::vector<std::string> lost_words(const Attributes& attributes,
+                                    unsigned room);
 
 /// How a format writes coordinates.
 enum class Coordinates : std::uint8_t {
@@ -36,6 +59,7 @@ struct FormatEntry {
   std::string_view extension;
   Coordinates coordinates;
   bool has_triangles_only;
+  unsigned room;
   Result<Mesh> (*read)(std::string_view bytes);
   Result<std::string> (*encoded)(const MeshContent& content);
 };

@@ -47,6 +47,7 @@ enum class PlyEncoding : std::uint8_t { kText, kLittle, kBig };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
   std::vector<PlyElement> elements;
+  std::vector<std::string> comments;
 };
 
 /// Reads a header, to the end of the line `end_header`.

@@ -130,7 +130,11 @@ bool HeaderReader::property(Tokens tokens) {
 }
 
 bool HeaderReader::line(Tokens tokens) {
-  if (tokens[0] == "comment" || tokens[0] == "obj_info") return true;
+  if (tokens[0] == "comment") {
+    header_.comments.push_back(joined(tokens.subspan(1)));
+    return true;
+  }
+  if (tokens[0] == "obj_info") return true;
   if (tokens[0] == "format") return format(tokens);
   if (tokens[0] == "element") return element(tokens);
   if (tokens[0] == "property") return property(tokens);

@@ -4,6 +4,7 @@
 
 #include "halfspace/io/file.hpp"
 #include "mesh/format_table.hpp"
+#include "mesh/readers.hpp"
 
 namespace halfspace::io {
 namespace {
@@ -11,6 +12,18 @@ namespace {
 Error named(const std::filesystem::path& path, Error error) {
   error.message = path.string() + ": " + error.message;
   return error;
+}
+
+/// The mesh that the bytes of a file in a folder hold.
+Result<Mesh> read_bytes(std::string_view bytes, Format format,
+                        const std::filesystem::path* folder) {
+  if (bytes.empty()) return Error{ErrorCode::kEmpty, "the file is empty", 0};
+  const FormatEntry* entry = entry_of(format);
+  if (entry == nullptr)
+    return Error{ErrorCode::kUnknownFormat, "the format is unknown"};
+  Result<Mesh> mesh = entry->read(bytes);
+  if (mesh && !mesh->attributes.files.empty()) add_materials(folder, *mesh);
+  return mesh;
 }
 
 }  // namespace
@@ -24,17 +37,14 @@ Result<Mesh> read_mesh(const std::filesystem::path& path) {
   }
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return bytes.error();
-  Result<Mesh> mesh = read_mesh(*bytes, *format);
+  const std::filesystem::path folder = path.parent_path();
+  Result<Mesh> mesh = read_bytes(*bytes, *format, &folder);
   if (!mesh) return named(path, mesh.error());
   return mesh;
 }
 
 Result<Mesh> read_mesh(std::string_view bytes, Format format) {
-  if (bytes.empty()) return Error{ErrorCode::kEmpty, "the file is empty", 0};
-  const FormatEntry* entry = entry_of(format);
-  if (entry == nullptr)
-    return Error{ErrorCode::kUnknownFormat, "the format is unknown"};
-  return entry->read(bytes);
+  return read_bytes(bytes, format, nullptr);
 }
 
 }  // namespace halfspace::io

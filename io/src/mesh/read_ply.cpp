@@ -3,6 +3,7 @@
 #include "base/binary.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "mesh/ply.hpp"
+#include "mesh/ply_channels.hpp"
 #include "mesh/readers.hpp"
 
 namespace halfspace::io {
@@ -18,6 +19,12 @@ class TextSource {
   }
   std::optional<Error> integer(PlyType, std::int64_t& value) {
     return take(parse_integer, value);
+  }
+  std::optional<Error> real(PlyType, double& value) {
+    std::string_view token;
+    if (!text_.next(token)) return ended();
+    value = value_or_none(token);
+    return std::nullopt;
   }
   std::optional<Error> skip(PlyType, std::int64_t count) {
     for (; count > 0; --count) {
@@ -80,6 +87,11 @@ class BinarySource {
   }
   std::optional<Error> integer(PlyType type, std::int64_t& value) {
     return take(type, value);
+  }
+  std::optional<Error> real(PlyType type, double& value) {
+    if (auto error = take(type, value)) return error;
+    if (!std::isfinite(value)) value = kNoValue;
+    return std::nullopt;
   }
   std::optional<Error> skip(PlyType type, std::int64_t count) {
     const std::size_t size = size_of(type);
@@ -192,6 +204,8 @@ class BodyReader {
       if (auto error = read_element(element)) return *error;
     }
     if (auto error = source_.finish()) return *error;
+    vertex_channels_.add_to_corners(builder_.mesh);
+    face_channels_.add_to_faces(header_.comments, builder_.mesh);
     return std::move(builder_.mesh);
   }
 
@@ -219,6 +233,20 @@ class BodyReader {
                    static_cast<std::int64_t>(room)};
     }
     const Places places(element);
+    channels_ = places.point[0] >= 0  ? &vertex_channels_
+                : places.indices >= 0 ? &face_channels_
+                                      : nullptr;
+    if (channels_ != nullptr) {
+      std::vector<bool> is_read(element.properties.size());
+      for (const auto& known : {places.point, places.color}) {
+        for (const int place : known) {
+          if (place >= 0) is_read[static_cast<std::size_t>(place)] = true;
+        }
+      }
+      if (places.indices >= 0)
+        is_read[static_cast<std::size_t>(places.indices)] = true;
+      channels_->begin(element, is_read);
+    }
     for (std::int64_t i = 0; i < element.count; ++i) {
       if (auto error = read_one(element, places)) {
         error->message = element.name + " " + std::to_string(i) + " of " +
@@ -256,6 +284,7 @@ class BodyReader {
     if (places.indices >= 0) {
       if (color) mesh.face_colors.push_back(color);
       builder_.end_face();
+      face_channels_.end_face(mesh);
     }
     return std::nullopt;
   }
@@ -271,8 +300,15 @@ class BodyReader {
         return Error{ErrorCode::kOutOfRange,
                      "a list has the length " + std::to_string(count)};
       }
-      if (place != places.indices) return source_.skip(property.type, count);
-      return read_indices(property, count);
+      if (place == places.indices) return read_indices(property, count);
+      if (channels_ == nullptr || !channels_->wants(place))
+        return source_.skip(property.type, count);
+      for (; count > 0; --count) {
+        double value = 0;
+        if (auto error = source_.real(property.type, value)) return error;
+        channels_->add(place, value);
+      }
+      return std::nullopt;
     }
     if (const int axis = index_in(places.point, place); axis >= 0) {
       return source_.number(property.type,
@@ -282,7 +318,12 @@ class BodyReader {
       return source_.number(property.type,
                             values.color[static_cast<std::size_t>(part)]);
     }
-    return source_.skip(property.type, 1);
+    if (channels_ == nullptr || !channels_->wants(place))
+      return source_.skip(property.type, 1);
+    double value = 0;
+    if (auto error = source_.real(property.type, value)) return error;
+    channels_->add(place, value);
+    return std::nullopt;
   }
 
   std::optional<Error> read_indices(const PlyProperty& property,
@@ -303,6 +344,9 @@ class BodyReader {
   Source source_;
   const PlyHeader& header_;
   MeshBuilder builder_;
+  PlyChannels vertex_channels_;
+  PlyChannels face_channels_;
+  PlyChannels* channels_ = nullptr;  // of the element that is read
   std::int64_t vertex_count_ = 0;
 };
 

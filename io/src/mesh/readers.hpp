@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 
 #include "halfspace/io/mesh.hpp"
@@ -12,5 +13,12 @@ Result<Mesh> read_obj(std::string_view bytes);
 Result<Mesh> read_stl(std::string_view bytes);
 Result<Mesh> read_ply(std::string_view bytes);
 Result<Mesh> read_off(std::string_view bytes);
+Result<Mesh> read_3mf(std::string_view bytes);
+Result<Mesh> read_glb(std::string_view bytes);
+
+/// Reads the files of materials that an OBJ names, from its folder. Whatever is
+/// wrong with them is noted, and they are left out of `files`; without a folder
+/// all are.
+void add_materials(const std::filesystem::path* folder, Mesh& mesh);
 
 }  // namespace halfspace::io

@@ -11,31 +11,7 @@
 #include "polygon/ear_clipping.hpp"
 
 namespace halfspace::io {
-namespace {
 
-/// A coordinate written exactly is not longer than this.
-constexpr std::size_t kMaxExactLength = 80;
-
-/// The format of the file to write.
-Result<const FormatEntry*> output_format(const std::filesystem::path& path) {
-  const std::optional<Format> format = format_of(path);
-  if (format) return entry_of(*format);
-  return Error{ErrorCode::kUnknownFormat,
-               path.string() + ": a mesh is written to " + format_extensions()};
-}
-
-Error error_at(const std::filesystem::path& path, Error error) {
-  error.message = path.string() + ": " + error.message;
-  return error;
-}
-
-std::string shortest(double value) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  return {digits, end};
-}
-
-/// All digits of a double: no more than 17 + 1074 of them.
 std::string all_digits(double value) {
   if (value == 0) return "0";
   // Below its last binary digit, 2^-k, there are k decimal ones.
@@ -61,6 +37,30 @@ std::string all_digits(double value) {
     text += "e-" + power;
   }
   return (negative ? "-" : "") + text;
+}
+
+namespace {
+
+/// A coordinate written exactly is not longer than this.
+constexpr std::size_t kMaxExactLength = 80;
+
+/// The format of the file to write.
+Result<const FormatEntry*> output_format(const std::filesystem::path& path) {
+  const std::optional<Format> format = format_of(path);
+  if (format) return entry_of(*format);
+  return Error{ErrorCode::kUnknownFormat,
+               path.string() + ": a mesh is written to " + format_extensions()};
+}
+
+Error error_at(const std::filesystem::path& path, Error error) {
+  error.message = path.string() + ": " + error.message;
+  return error;
+}
+
+std::string shortest(double value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  return {digits, end};
 }
 
 /// |a - b|, to within an ulp.
@@ -111,13 +111,57 @@ struct Writer {
     report.max_move = std::max(report.max_move, move);
   }
 
+  /// Adds a triangle of these corners of a face.
+  void add_triangle(std::size_t face, const std::array<std::size_t, 3>& at) {
+    const std::size_t first = content.faces.first_corner[face];
+    std::array<std::uint32_t, 3> corners{};
+    std::array<VertexId, 3> vertices{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = static_cast<std::uint32_t>(first + at[k]);
+      vertices[k] = content.faces.corners[first + at[k]];
+    }
+    content.triangles.push_back(vertices);
+    content.triangle_corners.push_back(corners);
+    content.triangle_faces.push_back(static_cast<std::uint32_t>(face));
+  }
+
+  /// Writes the file, and may write others beside it.
   Result<ExportReport> write(const std::filesystem::path& path,
-                             const FormatEntry& format) const {
+                             const FormatEntry& format, bool beside) {
+    std::string materials;
+    if (content.attributes != nullptr) {
+      if (format.format == Format::kObj && beside)
+        materials = mtl_text(*content.attributes);
+      if (!materials.empty())
+        content.library = material_path(path).filename().string();
+      report.lost = lost_words(*content.attributes, room_of(format));
+    }
     const Result<std::string> bytes = format.encoded(content);
     if (!bytes) return error_at(path, bytes.error());
+    if (!materials.empty()) {
+      const Result<Done> done = write_file(material_path(path), materials);
+      if (!done) return done.error();
+    }
     const Result<Done> done = write_file(path, *bytes);
     if (!done) return done.error();
     return report;
+  }
+
+ private:
+  /// What this very file has room for.
+  unsigned room_of(const FormatEntry& format) const {
+    if (format.format != Format::kObj) return format.room;
+    unsigned room = format.room;
+    if (content.library.empty()) room &= ~(kMaterialRoom | kFaceColorRoom);
+    for (const Channel& channel : content.attributes->corners) {
+      if (channel.kind == ChannelKind::kColor &&
+          !by_vertex(channel, content.faces.corners, vertex_count()))
+        room &= ~static_cast<unsigned>(kCornerColorRoom);
+    }
+    return room;
+  }
+  std::size_t vertex_count() const {
+    return std::max(content.texts.size(), content.doubles.size());
   }
 };
 
@@ -155,7 +199,7 @@ std::optional<Error> cut_scene(const Scene& scene, Writer& writer) {
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
     const auto corners = scene.corners(static_cast<PolygonId>(p));
     if (corners.size() == 3) {
-      writer.content.triangles.push_back({corners[0], corners[1], corners[2]});
+      writer.add_triangle(p, {0, 1, 2});
       continue;
     }
     if (corners.size() > kMaxEarCorners) {
@@ -170,10 +214,8 @@ std::optional<Error> cut_scene(const Scene& scene, Writer& writer) {
       points.push_back(scene.point(corner));
     }
     ++writer.report.triangulated;
-    for (const auto& triangle : triangulate(points)) {
-      writer.content.triangles.push_back(
-          {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
-    }
+    for (const auto& triangle : triangulate(points))
+      writer.add_triangle(p, triangle);
   }
   return std::nullopt;
 }
@@ -197,17 +239,52 @@ void cut_mesh(const OutputMesh& mesh, Writer& writer) {
   for (std::size_t f = 0; f + 1 < mesh.first_corner.size(); ++f) {
     const std::size_t first = mesh.first_corner[f];
     const std::size_t end = mesh.first_corner[f + 1];
-    for (std::size_t i = first + 1; i + 1 < end; ++i) {
-      writer.content.triangles.push_back(
-          {mesh.corners[first], mesh.corners[i], mesh.corners[i + 1]});
-    }
+    for (std::size_t i = 1; first + i + 1 < end; ++i)
+      writer.add_triangle(f, {0, i, i + 1});
     if (end - first > 3) ++writer.report.triangulated;
   }
 }
 
-}  // namespace
+bool has_gz(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension == ".gz";
+}
 
-namespace {
+/// What does not keep to the shape of attributes, if something does not.
+std::optional<Error> attribute_fault(const Attributes& attributes,
+                                     std::size_t faces, std::size_t corners) {
+  const auto is_among = [faces](const std::vector<std::int32_t>& of_face,
+                                std::size_t count) {
+    return of_face.empty() ||
+           (of_face.size() == faces &&
+            std::all_of(of_face.begin(), of_face.end(), [&](std::int32_t at) {
+              return at >= -1 && at < static_cast<std::int64_t>(count);
+            }));
+  };
+  const auto is_whole = [](const std::vector<Channel>& channels,
+                           std::size_t count) {
+    return std::all_of(channels.begin(), channels.end(),
+                       [count](const Channel& channel) {
+                         return channel.width > 0 &&
+                                channel.values.size() == count * channel.width;
+                       });
+  };
+  const auto names = [&](const Labels& labels) {
+    return is_among(labels.of_face, labels.names.size());
+  };
+  if (is_among(attributes.face_materials, attributes.materials.size()) &&
+      names(attributes.objects) && names(attributes.groups) &&
+      is_whole(attributes.corners, corners) &&
+      is_whole(attributes.faces, faces)) {
+    return std::nullopt;
+  }
+  return Error{ErrorCode::kBadIndex,
+               "the attributes are not those of " + std::to_string(faces) +
+                   " faces with " + std::to_string(corners) + " corners"};
+}
 
 /// What does not keep to the shape of a mesh, if something does not.
 std::optional<Error> shape_fault(const OutputMesh& mesh) {
@@ -241,13 +318,26 @@ std::optional<Error> shape_fault(const OutputMesh& mesh) {
                      std::to_string(mesh.vertices.size()),
                  static_cast<std::int64_t>(c)};
   }
-  return std::nullopt;
+  return mesh.attributes
+             ? attribute_fault(*mesh.attributes, faces, mesh.corners.size())
+             : std::nullopt;
 }
 
 }  // namespace
 
+std::filesystem::path material_path(const std::filesystem::path& obj) {
+  std::filesystem::path path = obj;
+  if (has_gz(path)) path.replace_extension();
+  return path.replace_extension(".mtl");
+}
+
 Result<ExportReport> write_mesh(const std::filesystem::path& path,
                                 const OutputMesh& mesh) {
+  return write_mesh(path, mesh, true);
+}
+
+Result<ExportReport> write_mesh(const std::filesystem::path& path,
+                                const OutputMesh& mesh, bool beside) {
   const Result<const FormatEntry*> found = output_format(path);
   if (!found) return found.error();
   if (const auto fault = shape_fault(mesh)) return error_at(path, *fault);
@@ -263,6 +353,7 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
   }
   Writer writer;
   writer.content.faces = {mesh.first_corner, mesh.corners, mesh.colors};
+  writer.content.attributes = mesh.attributes.get();
   if (format.coordinates != Coordinates::kText) {
     writer.content.doubles = mesh.vertices;
   } else {
@@ -283,17 +374,30 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
       }
     }
   }
-  return writer.write(path, format);
+  return writer.write(path, format, beside);
 }
 
 Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene) {
+  return write_scene_mesh(path, scene, nullptr, true);
+}
+
+Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
+                                      const Scene& scene,
+                                      const Attributes* attributes,
+                                      bool beside) {
   const Result<const FormatEntry*> found = output_format(path);
   if (!found) return found.error();
   const FormatEntry& format = **found;
   const SceneData& data = scene.data();
   Writer writer;
   writer.content.faces = {data.first_corner, data.corners, data.colors};
+  writer.content.attributes = attributes;
+  if (attributes != nullptr) {
+    if (const auto fault = attribute_fault(*attributes, scene.polygon_count(),
+                                           data.corners.size()))
+      return error_at(path, *fault);
+  }
   const bool binary = format.coordinates == Coordinates::kFloats ||
                       (format.coordinates == Coordinates::kTextOrDoubles &&
                        doubles_are_exact(data.unit));
@@ -317,7 +421,7 @@ Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
   if (format.has_triangles_only) {
     if (auto error = cut_scene(scene, writer)) return error_at(path, *error);
   }
-  return writer.write(path, format);
+  return writer.write(path, format, beside);
 }
 
 }  // namespace halfspace::io

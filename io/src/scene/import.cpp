@@ -65,6 +65,7 @@ class Importer {
   void add_polygon(std::size_t face, std::span<const std::size_t> of_face);
   void color_corners(std::size_t face);
   std::optional<Rgb> color_in_file(std::size_t face) const;
+  std::optional<Rgb> color_of_material(std::size_t face) const;
   Rgb color_of(const std::optional<Rgb>& in_file,
                const Direction& normal) const;
 
@@ -214,7 +215,15 @@ std::optional<Rgb> Importer::color_in_file(std::size_t face) const {
     }
     if (colors.size() == face_.size()) return mean(colors);
   }
-  return std::nullopt;
+  return color_of_material(face);
+}
+
+std::optional<Rgb> Importer::color_of_material(std::size_t face) const {
+  const Attributes& attributes = mesh_.attributes;
+  if (attributes.face_materials.empty()) return std::nullopt;
+  const std::int32_t material = attributes.face_materials[face];
+  if (material < 0) return std::nullopt;
+  return attributes.materials[static_cast<std::size_t>(material)].color;
 }
 
 /// The colour of what has `in_file` in the file and faces that way.
@@ -235,6 +244,7 @@ void Importer::color_corners(std::size_t face) {
     if (!mesh_.vertex_colors.empty()) in_file = mesh_.vertex_colors[vertex];
     if (!in_file && !mesh_.face_colors.empty())
       in_file = mesh_.face_colors[face];
+    if (!in_file) in_file = color_of_material(face);
     const auto at = static_cast<std::size_t>(scene_id_[vertex]);
     corner_colors_.push_back(color_of(in_file, corner_normal(at, own)));
   }

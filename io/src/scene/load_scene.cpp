@@ -35,7 +35,8 @@ Result<LoadedScene> scene_of_text(const std::string& path,
   std::vector<PolygonId> polygons(file->scene.polygon_count());
   std::iota(polygons.begin(), polygons.end(), PolygonId{0});
   ImportReport report = unchanged(file->scene);
-  return LoadedScene{std::move(*file), std::move(polygons), report, true};
+  return LoadedScene{std::move(*file), std::move(polygons), report, true, {},
+                     nullptr};
 }
 
 Result<LoadedScene> load_scene_file(const std::string& path,
@@ -51,11 +52,19 @@ Result<LoadedScene> scene_of_mesh(const std::string& path,
   if (!mesh) return error_about(path, mesh.error());
   Result<Imported> imported = import_scene(*mesh, options);
   if (!imported) return error_about(path, imported.error());
-  return LoadedScene{{std::move(imported->scene), std::nullopt, {}},
+  LoadedScene loaded{{std::move(imported->scene), std::nullopt, {}},
                      std::move(imported->faces),
                      imported->report,
                      false,
-                     std::move(imported->corner_vertices)};
+                     std::move(imported->corner_vertices),
+                     nullptr};
+  if (!mesh->attributes.empty() || !mesh->face_colors.empty() ||
+      !mesh->vertex_colors.empty()) {
+    auto faces =
+        std::make_shared<const AttributedFaces>(attributed_faces(*mesh));
+    if (!faces->attributes.empty()) loaded.attributed = std::move(faces);
+  }
+  return loaded;
 }
 
 /// The format that the first bytes look like; OBJ, which has no sign of its
@@ -63,6 +72,8 @@ Result<LoadedScene> scene_of_mesh(const std::string& path,
 Format format_of_bytes(std::string_view bytes) {
   constexpr std::size_t kStlHead = 84, kStlTriangle = 50;
   if (bytes.starts_with("ply")) return Format::kPly;
+  if (bytes.starts_with("glTF")) return Format::kGlb;
+  if (bytes.starts_with("PK")) return Format::k3mf;
   const std::string_view word = bytes.substr(0, bytes.find_first_of(" \t\r\n"));
   if (word.ends_with("OFF") && word.size() <= 6) return Format::kOff;
   const bool is_binary_stl =

@@ -52,7 +52,7 @@ TEST(ReadMesh, TellsTheFormatByTheName) {
   EXPECT_EQ(format_of("b.Stl"), Format::kStl);
   EXPECT_EQ(format_of("b.ply.GZ"), Format::kPly);
   EXPECT_EQ(format_of("x.off"), Format::kOff);
-  for (const char* name : {"a.glb", "a", "obj", "a.gz", "a.obj.zip", ""}) {
+  for (const char* name : {"a.abc", "a", "obj", "a.gz", "a.obj.zip", ""}) {
     EXPECT_FALSE(format_of(name)) << name;
   }
 }
@@ -89,7 +89,7 @@ TEST(ReadMesh, NamesTheFileInEveryError) {
     ErrorCode code;
   } cases[] = {{file.path(), ErrorCode::kSyntax},
                {"/nowhere/at/all.obj", ErrorCode::kUnreadable},
-               {std::filesystem::temp_directory_path() / "x.glb",
+               {std::filesystem::temp_directory_path() / "x.abc",
                 ErrorCode::kUnknownFormat}};
   for (const auto& [path, code] : cases) {
     const Result<Mesh> mesh = read_mesh(path);

@@ -311,7 +311,7 @@ TEST(WriteMesh, SaysWhyItCannot) {
   const samples::TemporaryFile file("a.obj");
   EXPECT_EQ(write_mesh("/nowhere/at/all.obj", mesh).error().code,
             ErrorCode::kUnwritable);
-  for (const char* name : {"a.glb", "a"}) {
+  for (const char* name : {"a.abc", "a"}) {
     EXPECT_EQ(write_mesh(file.path().parent_path() / name, mesh).error().code,
               ErrorCode::kUnknownFormat);
   }
@@ -330,16 +330,16 @@ TEST(WriteMesh, ErrorsAreToTheLetter) {
   samples::expect_error(
       write_mesh("/nowhere/at/all.obj", mesh), ErrorCode::kUnwritable,
       "/nowhere/at/all.obj: cannot be written: No such file or directory");
-  for (const char* bad : {"a.glb", "a.glb.gz", "a"}) {
+  for (const char* bad : {"a.abc", "a.abc.gz", "a"}) {
     samples::expect_error(write_mesh(bad, mesh), ErrorCode::kUnknownFormat,
                           std::string(bad) +
-                              ": a mesh is written to .obj, .stl, .ply or "
-                              ".off");
+                              ": a mesh is written to .obj, .stl, .ply, "
+                              ".off, .3mf or .glb");
     samples::expect_error(write_scene_mesh(bad, Scene{}),
                           ErrorCode::kUnknownFormat,
                           std::string(bad) +
-                              ": a mesh is written to .obj, .stl, .ply or "
-                              ".off");
+                              ": a mesh is written to .obj, .stl, .ply, "
+                              ".off, .3mf or .glb");
   }
   mesh.vertices[0][2] = 0x1p128;
   samples::expect_error(

@@ -21,6 +21,7 @@
 #include "halfspace/csg/openscad.hpp"
 #include "halfspace/csg/operands.hpp"
 #include "halfspace/csg/outcome.hpp"
+#include "halfspace/csg/step_file.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/format.hpp"
 #include "halfspace/io/load_scene.hpp"
@@ -41,6 +42,7 @@ struct CsgArguments {
   std::string output;
   std::optional<std::string_view> format;  ///< of standard output
   std::string origin;
+  bool keep_origin = false;
   std::optional<csg::MergeRule> merge;
   bool strict = false;
   bool trust = false;
@@ -69,6 +71,10 @@ bool is_exact(const CsgArguments& arguments) {
   return io::is_solid_name(output_name(arguments));
 }
 
+bool is_step(const CsgArguments& arguments) {
+  return csg::is_step_name(output_name(arguments));
+}
+
 SolidForm solid_form(const CsgArguments& arguments) {
   return arguments.format == kTextForm ? SolidForm::kText : SolidForm::kBinary;
 }
@@ -84,8 +90,8 @@ Result<io::ExportReport> write_result_of(const CsgArguments& arguments,
   const Result<Done> written =
       write_through(extension_of(*arguments.format),
                     [&](const std::string& path) -> Result<Done> {
-                      const Result<io::ExportReport> made =
-                          write_result(path, result, solid_form(arguments));
+                      const Result<io::ExportReport> made = write_result(
+                          path, result, solid_form(arguments), false);
                       if (!made) return made.error();
                       report = *made;
                       return Done{};
@@ -230,17 +236,16 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
   }
   LongWork work(std::to_string(plan.booleans) + " booleans");
   csg::EvaluateOptions options;
-  options.exact_data = is_exact(arguments_);
+  options.exact_data = is_exact(arguments_) || is_step(arguments_);
   // What is to be gone on with stays as it is, as it would in one script.
   options.merge = arguments_.merge.value_or(
-      options.exact_data ? csg::MergeRule::kNone : csg::MergeRule::kOrigin);
-  const bool is_stl =
-      io::format_of(output_name(arguments_)) == io::Format::kStl;
+      is_exact(arguments_) ? csg::MergeRule::kNone : csg::MergeRule::kOrigin);
+  const auto format = io::format_of(output_name(arguments_));
   // Files of triangles would have others than their origins tell of.
-  options.triangles = is_stl;
-  if (is_stl) options.number = fast::FileNumber::kFloat;
+  options.triangles = format && io::has_floats(*format);
+  if (options.triangles) options.number = fast::FileNumber::kFloat;
   options.max_move = arguments_.max_move;
-  options.keep_origins = !arguments_.origin.empty();
+  options.keep_origin = arguments_.keep_origin;
   options.build = build_options(arguments_.build);
   options.threads = thread_count(arguments_.build);
   options.combine = checked_combine();
@@ -278,17 +283,29 @@ Result<csg::Operands> Job::load(const csg::Script& script,
 std::string Job::file_complaint(const csg::Plan& plan,
                                 const csg::Operands& operands) const {
   std::vector<NamedFile> inputs = {{"--script", arguments_.script}};
+  bool has_attributes = false;
   for (std::size_t i = 0; i < plan.leaves.size(); ++i) {
     const auto id = static_cast<std::int32_t>(i);
     inputs.push_back({operands.name_of(id), operands.path_of(id)});
+    if (const io::AttributedFaces* faces = operands.attributed(id)) {
+      has_attributes = true;
+      for (const std::filesystem::path& beside : faces->attributes.files)
+        inputs.push_back({operands.name_of(id), beside.string()});
+    }
   }
+  const bool has_materials =
+      has_attributes && io::format_of(arguments_.output) == io::Format::kObj;
   return complaint(
       inputs,
-      std::array{NamedFile{"-o", arguments_.output},
-                 NamedFile{"--origin", arguments_.origin},
-                 NamedFile{"--stats", arguments_.build.stats_file.value_or("")},
-                 NamedFile{"--shadow-file",
-                           arguments_.shadow ? arguments_.shadow_file : ""}});
+      std::array{
+          NamedFile{"-o", arguments_.output},
+          NamedFile{"-o", has_materials
+                              ? io::material_path(arguments_.output).string()
+                              : std::string()},
+          NamedFile{"--origin", arguments_.origin},
+          NamedFile{"--stats", arguments_.build.stats_file.value_or("")},
+          NamedFile{"--shadow-file",
+                    arguments_.shadow ? arguments_.shadow_file : ""}});
 }
 
 Status Job::run() {
@@ -374,10 +391,10 @@ Status run_csg(const CsgArguments& arguments) {
   const std::string output = output_name(arguments);
   if (output == "-") return fail("-o -: give --format as well");
   if (!io::is_scene_name(output) && !io::is_solid_name(output) &&
-      !io::format_of(output)) {
+      !csg::is_step_name(output) && !io::format_of(output)) {
     return fail(
         (output.empty() ? "-o" : output) + ": the name must end in " +
-        io::format_extensions(".scene, or for exact solids in .hsolid"));
+        io::format_extensions(".scene, .step, or for exact solids in .hsolid"));
   }
   if (arguments.format == kTextForm && !io::is_solid_name(output))
     return fail("--format hsolid-text: the name must end in .hsolid");
@@ -385,6 +402,12 @@ Status run_csg(const CsgArguments& arguments) {
       library_of(arguments.build, Library::kFast) == Library::kRef;
   if (by_ref && !arguments.origin.empty())
     return fail("--origin: the reference does not know it; use --impl fast");
+  if (by_ref && arguments.keep_origin)
+    return fail(
+        "--keep-origin: the reference does not know it; use --impl "
+        "fast");
+  if (by_ref && is_step(arguments))
+    return fail(output + ": the reference writes no STEP; use --impl fast");
   if (by_ref && is_exact(arguments))
     return fail(output +
                 ": the reference writes no exact solids; use --impl fast");
@@ -398,8 +421,9 @@ Status run_csg(const CsgArguments& arguments) {
 }
 
 constexpr Word<std::string_view> kFormatWords[] = {
-    {"off", "off"},        {"obj", "obj"},     {"stl", "stl"},
-    {"ply", "ply"},        {"scene", "scene"}, {"hsolid", "hsolid"},
+    {"off", "off"},        {"obj", "obj"},       {"stl", "stl"},
+    {"ply", "ply"},        {"3mf", "3mf"},       {"glb", "glb"},
+    {"scene", "scene"},    {"hsolid", "hsolid"}, {"step", "step"},
     {kTextForm, kTextForm}};
 
 constexpr Word<csg::MergeRule> kMergeWords[] = {
@@ -445,7 +469,8 @@ void add_csg(CLI::App& program, Status& status) {
       ->type_name("");
   app->add_option("-o,--output", arguments->output,
                   "The result: " + io::format_names() +
-                      ", .scene, or exactly .hsolid, gzipped if it ends in "
+                      ", .scene, .step (faces of planes), or exactly .hsolid, "
+                      "gzipped if it ends in "
                       ".gz; - is standard output")
       ->required()
       ->type_name("OUT");
@@ -459,6 +484,8 @@ void add_csg(CLI::App& program, Status& status) {
                   "Write which polygon of which solid each polygon of the "
                   "result comes from")
       ->type_name("FILE");
+  app->add_flag("--keep-origin", arguments->keep_origin,
+                "Note that in the result, too: in PLY, 3MF and GLB");
   add_choice(*app, "--merge", kMergeWords, arguments->merge,
              "Which faces in one plane become one: parts of one polygon "
              "(without this option; in a .hsolid: none), those of one colour, "

@@ -1,5 +1,6 @@
 #include "commands/csg_write.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/loading.hpp"
 #include "cli/outputs.hpp"
+#include "halfspace/csg/step_file.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/scene_file.hpp"
@@ -51,6 +53,13 @@ Result<io::ExportReport> write_scene_file(const std::string& path,
   return report;
 }
 
+/// What a format of faces' colours alone has no room for.
+std::vector<std::string> lost_but_colors(const io::Attributes& attributes) {
+  std::vector<std::string> words = io::words_of(attributes);
+  std::erase(words, "colours of faces");
+  return words;
+}
+
 std::size_t polygons_in(const CsgContext& context) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < context.plan.leaves.size(); ++i)
@@ -62,16 +71,31 @@ std::size_t polygons_in(const CsgContext& context) {
 
 Result<io::ExportReport> write_result(const std::string& path,
                                       const csg::Outcome& result,
-                                      SolidForm form) {
+                                      SolidForm form, bool beside) {
+  if (result.data && csg::is_step_name(path)) {
+    const Result<std::string> text = csg::step_text(*result.data, "solid");
+    if (!text) return text.error();
+    const Result<Done> written = write_output(path, *text);
+    if (!written) return written.error();
+    return io::ExportReport();
+  }
   if (result.data) {
     const Result<Done> written =
         write_output(path, write_solid(*result.data, form));
     if (!written) return written.error();
     return io::ExportReport();
   }
-  if (io::is_scene_name(path)) return write_scene_file(path, result);
-  if (result.scene) return io::write_scene_mesh(path, *result.scene);
-  Result<io::ExportReport> report = io::write_mesh(path, result.mesh);
+  if (io::is_scene_name(path)) {
+    Result<io::ExportReport> report = write_scene_file(path, result);
+    if (report && result.attributes)
+      report->lost = lost_but_colors(*result.attributes);
+    return report;
+  }
+  if (result.scene) {
+    return io::write_scene_mesh(path, *result.scene, result.attributes.get(),
+                                beside);
+  }
+  Result<io::ExportReport> report = io::write_mesh(path, result.mesh, beside);
   if (!report) return report;
   report->moved += result.moved;
   report->max_move += result.max_move;
@@ -113,6 +137,30 @@ std::string loss_sentence(const csg::Outcome& result) {
 }
 
 namespace {
+
+/// What was passed over in files, and what the result's has no room for.
+void print_attributes(const CsgContext& context, const io::ExportReport& report,
+                      const std::string& output) {
+  std::vector<std::string> lost = report.lost;
+  for (std::size_t i = 0; i < context.plan.leaves.size(); ++i) {
+    const auto leaf = static_cast<std::int32_t>(i);
+    const io::AttributedFaces* faces = context.operands.attributed(leaf);
+    if (faces == nullptr) continue;
+    for (const std::string& note : faces->attributes.notes) {
+      say("note: {}: {}\n", context.operands.name_of(leaf), one_line(note));
+    }
+    if (!context.result.data) continue;
+    for (std::string& word : lost_but_colors(faces->attributes)) {
+      if (std::find(lost.begin(), lost.end(), word) == lost.end())
+        lost.push_back(std::move(word));
+    }
+  }
+  if (lost.empty()) return;
+  std::string list;
+  for (const std::string& word : lost)
+    list += (list.empty() ? "" : ", ") + one_line(word);
+  say("warning: {} has no room for {}; PLY has\n", output, list);
+}
 
 /// What is said where rounding did more than move vertices a little.
 void print_rounding(const CsgContext& context) {
@@ -217,6 +265,7 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
       report.moved, result.moved > 0 ? "vertices" : "coordinates",
       report.max_move, report.triangulated);
   print_rounding(context);
+  print_attributes(context, report, output);
 }
 
 }  // namespace halfspace::tools

@@ -26,11 +26,12 @@ struct CsgContext {
 
 /// Writes the result as the file's name says, exactly where the format can.
 /// What the result's own rounding moved is in the report, too. `form`: of an
-/// exact solid.
+/// exact solid; `beside`: whether there may be a file of materials beside it.
 /// Errors: those of write_mesh() and of import, for scenes; kUnwritable.
 Result<io::ExportReport> write_result(const std::string& path,
                                       const csg::Outcome& result,
-                                      SolidForm form = SolidForm::kBinary);
+                                      SolidForm form = SolidForm::kBinary,
+                                      bool beside = true);
 
 /// Writes the origin of each polygon of the result as text. A line
 /// `solid I NAME PATH` for each solid, as it was moved at a place in the

@@ -80,9 +80,9 @@ Result<std::optional<csg::Outcome>> outcome_of(const RepairArguments& arguments,
   if (!operands) return operands.error();
   LongWork work("resolving");
   csg::EvaluateOptions options;
-  const bool is_stl = io::format_of(arguments.output) == io::Format::kStl;
-  options.triangles = is_stl;
-  if (is_stl) options.number = fast::FileNumber::kFloat;
+  const auto format = io::format_of(arguments.output);
+  options.triangles = format && io::has_floats(*format);
+  if (options.triangles) options.number = fast::FileNumber::kFloat;
   options.max_move = arguments.max_move;
   options.threads = threads_of(arguments);
   options.progress = [&work](double share) { return work.report(share); };

@@ -12,6 +12,7 @@
 #include "halfspace/csg/plan.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/io/attributes.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
 
@@ -70,6 +71,8 @@ struct Source {
   /// ... and what a grid must hold of it: a step, and the least and the
   /// greatest coordinate.
   std::optional<std::array<io::Number, 3>> need;
+  /// The file's faces with what it says of them; null where that is nothing.
+  std::shared_ptr<const io::AttributedFaces> attributed = nullptr;
 };
 
 /// The source whose surface is `scene`, from which corners may be missing where
@@ -145,6 +148,12 @@ class Operands {
 
   /// The parts of which a leaf's polygons are, if its file has any.
   const SolidData* parts_of(std::int32_t leaf) const;
+
+  /// The faces of a leaf's file with what it says of them, before they are
+  /// moved; null where that is nothing.
+  const io::AttributedFaces* attributed(std::int32_t leaf) const {
+    return source_of(leaf).attributed.get();
+  }
 
   /// For each polygon of a loaded leaf: the polygon of its file that it is, or
   /// is a part of.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,11 +43,10 @@ struct EvaluateOptions {
   /// move its surface. The fast library's.
   fast::FileNumber number = fast::FileNumber::kDouble;
   std::optional<double> max_move = std::nullopt;
-  /// No polygon of the result is to reach beyond the one that it comes from.
-  /// The fast library's.
-  bool keep_origins = false;
   /// The result is wanted for a `.hsolid` file. The fast library's.
   bool exact_data = false;
+  /// The attributes say where polygons come from, too. The fast library's.
+  bool keep_origin = false;
   BuildOptions build;  ///< the trees of the reference
   int threads = 1;     ///< the fast library's; 0: as many as there are
   /// Replaces fast::boolean() where neither solid is a half-space, for instance
@@ -106,6 +106,8 @@ struct Outcome {
   /// What rounding did besides, if there was any.
   std::optional<RoundingReport> rounding;
   std::vector<Repair> repairs;
+  /// Of the polygons of `scene` or `mesh`; null where no operand has any.
+  std::shared_ptr<const io::Attributes> attributes = nullptr;
 };
 
 /// The result of the plan as it is; nothing where it was stopped. The faces'

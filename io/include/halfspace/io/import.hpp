@@ -83,10 +83,11 @@ struct Imported {
 ///   visits a point twice, is cut into triangles, none of them without area,
 ///   whose edges sum up to the polygon's; for a weakly simple planar polygon
 ///   (one with holes on bridges, too) they tile it. Straight corners stay.
-/// Colours: the face's in the file, else the mean of its vertices', else the
-///   usual one lit by its direction. At corners: the vertex's in the file, else
-///   the face's, else the usual one lit by the sum of the normals at the
-///   vertex. The options say whether the file's are lit, too.
+/// Colours: the face's in the file, else the mean of its vertices', else its
+///   material's, else the usual one lit by its direction. At corners: the
+///   vertex's in the file, else the face's, else its material's, else the usual
+///   one lit by the sum of the normals at the vertex. The options say whether
+///   the file's are lit, too.
 ///
 /// Exact:  but for the rounding reported, yes.
 /// Errors: kEmpty (vertices, but no faces); kOutOfRange (a polygon to be cut

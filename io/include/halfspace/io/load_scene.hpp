@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "halfspace/io/attributes.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene_file.hpp"
@@ -20,6 +22,9 @@ struct LoadedScene {
   ImportReport report;  ///< of a scene file: that nothing was changed
   bool is_scene_file = false;
   std::vector<VertexId> corner_vertices = {};  ///< as Imported has them
+  /// The faces of the file with what it says of them; null where that is
+  /// nothing.
+  std::shared_ptr<const AttributedFaces> attributed = nullptr;
 };
 
 /// The error with the file's name at the front of its message, unless the name

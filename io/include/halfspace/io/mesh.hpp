@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "halfspace/io/attributes.hpp"
 #include "halfspace/io/number.hpp"
 #include "halfspace/polygon.hpp"
 
@@ -25,8 +26,14 @@ struct Mesh {
   std::vector<std::optional<Rgb>> vertex_colors;
   std::vector<std::optional<Rgb>> face_colors;
   bool decimal = false;  ///< its numbers were read as decimal text
+  /// Whatever else its file has, but not the colours above.
+  Attributes attributes;
 
   std::size_t face_count() const { return first_corner.size() - 1; }
 };
+
+/// The faces with all their attributes: those of the mesh, and its colours as
+/// channels named `color`.
+AttributedFaces attributed_faces(const Mesh& mesh);
 
 }  // namespace halfspace::io

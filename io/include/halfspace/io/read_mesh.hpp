@@ -16,12 +16,13 @@ namespace halfspace::io {
 /// points that are equal become one vertex.
 ///
 /// * OBJ: v (with colours too), f in all its forms, negative indices, lines
-///   continued by a backslash. Texture, normals, groups, materials, points and
-///   lines are passed over; free-form curves and surfaces are refused.
+///   continued by a backslash; texture points, normals, objects, groups and
+///   materials, those also from the files that it names, in its folder. Points
+///   and lines are passed over; free-form curves and surfaces are refused.
 /// * STL: text with any number of solids, and binary; told apart by size and
 ///   first bytes. Normals are passed over: the vertices' order tells.
-/// * PLY: text and binary of either byte order; other elements and properties
-///   are passed over.
+/// * PLY: text and binary of either byte order; numbers of vertices and faces
+///   become channels; other elements and lists are passed over.
 /// * OFF: with any of ST, C, N before it and counts on its own line or not;
 ///   4OFF, nOFF and OFF BINARY are refused.
 ///
@@ -32,7 +33,8 @@ namespace halfspace::io {
 /// Cost:   linear in the file's size, whatever counts its header claims.
 Result<Mesh> read_mesh(const std::filesystem::path& path);
 
-/// The mesh that `bytes` hold in the format; the same, without the file's name.
+/// The mesh that `bytes` hold in the format; the same, without the file's name
+/// and without files beside it.
 Result<Mesh> read_mesh(std::string_view bytes, Format format);
 
 }  // namespace halfspace::io

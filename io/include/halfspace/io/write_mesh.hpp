@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "halfspace/io/attributes.hpp"
 #include "halfspace/polygon.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
@@ -26,6 +29,8 @@ struct OutputMesh {
   /// shortest from which they read back: then those who read decimals exactly
   /// have the same points.
   bool exact_decimals = false;
+  /// Null where there are none.
+  std::shared_ptr<const Attributes> attributes = nullptr;
 };
 
 /// What writing did to a mesh (S1.8).
@@ -33,7 +38,13 @@ struct ExportReport {
   std::size_t moved = 0;         ///< coordinates that the file holds rounded
   double max_move = 0;           ///< how far at most. Units: model units
   std::size_t triangulated = 0;  ///< faces cut into triangles, for STL
+  /// What the format has no room for, such as `groups`.
+  std::vector<std::string> lost = {};
 };
+
+/// Where the materials of an OBJ go: a file of the same name beside it that
+/// ends in `.mtl`.
+std::filesystem::path material_path(const std::filesystem::path& obj);
 
 /// Writes a mesh in the format that the file's name tells (S1.8), gzipped if it
 /// ends in `.gz`.
@@ -42,15 +53,21 @@ struct ExportReport {
 /// read back, or of exact ones where that is asked for; PLY is binary, in
 /// doubles; STL is binary, in floats, and moves what those do not hold. STL has
 /// triangles only: a face of more corners is cut into a fan from its first.
-/// Colours go into PLY and OFF.
+/// Colours go into PLY and OFF. Attributes go where the format has room, an
+/// OBJ's materials, and colours of faces as such, into material_path(path); the
+/// report says what is lost.
 ///
 /// Errors:   kBadIndex (a corner names no vertex, its index being that of the
-///           corner; or the shape is not as above); kTooFewVertices (a face
-///           has fewer than 3 corners); kUnwritable (nothing is left at the path); kUnknownFormat;
-///           kNotFinite (a coordinate is not finite, or not as a float);
-///           kOutOfRange (more triangles than an STL counts).
+///           corner; or a shape is not as above); kTooFewVertices (a face
+///           has fewer than 3 corners); kUnwritable (nothing is left at the
+///           path); kUnknownFormat; kNotFinite (a coordinate is not finite, or
+///           not as a float); kOutOfRange (more triangles than an STL counts).
 Result<ExportReport> write_mesh(const std::filesystem::path& path,
                                 const OutputMesh& mesh);
+
+/// The same, or not `beside`: without a file of materials.
+Result<ExportReport> write_mesh(const std::filesystem::path& path,
+                                const OutputMesh& mesh, bool beside);
 
 /// Writes a scene in the format that the file's name tells (S1.8).
 ///
@@ -63,5 +80,12 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
 ///         corners in an STL.
 Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene);
+
+/// The same with attributes of the scene's polygons and corners, which may be
+/// null.
+Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
+                                      const Scene& scene,
+                                      const Attributes* attributes,
+                                      bool beside);
 
 }  // namespace halfspace::io

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "halfspace/csg/operands.hpp"
+#include "halfspace/csg/outcome.hpp"
+#include "halfspace/csg/plan.hpp"
+#include "halfspace/io/attributes.hpp"
+
+namespace halfspace::csg {
+
+/// What the operands' files say of the faces that the result's polygons are
+/// parts of (S6.9); null where they say nothing.
+///
+/// A polygon has the material, the names and the numbers of its face. A corner
+/// that is no farther from a corner of the face than rounding moved points has
+/// that corner's numbers; any other has those of the affine function over a
+/// triangle of the face: of its fan from its first corner, that which holds the
+/// corner, or else the first with an area. Normals are turned with the solid,
+/// and round where the polygon's outside was the solid's inside.
+///
+/// Where polygons of several faces became one (MergeRule::kColor and kPlane)
+/// they have what the first has, and corners nothing.
+/// Exact: in the corners' doubles, numbers are rounded once; normals of moved
+///        solids are doubles.
+/// Cost:  linear, but for corners that are new: of a face of n corners n each.
+std::shared_ptr<const io::Attributes> carried_attributes(
+    const Plan& plan, const Operands& operands, const Outcome& result,
+    const EvaluateOptions& options);
+
+}  // namespace halfspace::csg
