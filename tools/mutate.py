@@ -55,6 +55,8 @@ FILES = [path for library in ("ref", "fast", "spec", "io")
 
 # The source by which a header with functions of its own is compiled.
 HOSTS = {"spec/include/halfspace/span.hpp": "ref/src/screen.cpp",
+         "fast/src/raster/bands.hpp": "fast/src/raster/render.cpp",
+         "fast/src/raster/band_walk.hpp": "fast/src/raster/render.cpp",
          "fast/src/raster/kernel/generic/coverage_merge.hpp":
              "fast/src/raster/kernel/portable.cpp"}
 FILES += HOSTS
