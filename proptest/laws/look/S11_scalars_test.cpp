@@ -44,7 +44,7 @@ class S11Scalars : public ::testing::Test {};
 using ScalarImplementations = ::testing::Types<RefScalars, FastScalars>;
 TYPED_TEST_SUITE(S11Scalars, ScalarImplementations);
 
-constexpr int kFewViews = 150;
+constexpr int kScalarViews = 150;
 
 /// Numbers that are often equal, and on steps; one in nine is no data.
 double number_of(std::size_t n, std::size_t salt) {
@@ -202,7 +202,7 @@ TYPED_TEST(S11Scalars, L1TheColourIsThatOfTheScalarSeen) {
           }
         }
       },
-      kFewViews);
+      kScalarViews);
   EXPECT_GT(compared, 1000u);
   EXPECT_GT(ties, 100u);
 }
@@ -221,7 +221,7 @@ TYPED_TEST(S11Scalars, L2AWhiteScaleIsTheLightAlone) {
                                         field_of(view.scene, true, salt),
                                         white) == image.colors);
       },
-      kFewViews);
+      kScalarViews);
 }
 
 TYPED_TEST(S11Scalars, L3NumbersMayBeScaledByPowersOfTwo) {
@@ -250,7 +250,7 @@ TYPED_TEST(S11Scalars, L3NumbersMayBeScaledByPowersOfTwo) {
           HALFSPACE_LAW(TypeParam::colors(view, items, other, same) == image);
         }
       },
-      kFewViews);
+      kScalarViews);
 }
 
 /// The camera that sees as many pixels as there are samples, if there is one.
@@ -305,7 +305,7 @@ TYPED_TEST(S11Scalars, L4APixelIsTheMeanOfItsSamplesColours) {
           }
         }
       },
-      kFewViews);
+      kScalarViews);
   EXPECT_GT(compared, 1000u);
 }
 

@@ -41,7 +41,7 @@ class S14Lines : public ::testing::Test {};
 using LineImplementations = ::testing::Types<RefLines, FastLines>;
 TYPED_TEST_SUITE(S14Lines, LineImplementations);
 
-constexpr int kFewViews = 150;
+constexpr int kLineViews = 150;
 
 Fraction fraction_of(double value) {
   int exponent = 0;
@@ -117,7 +117,7 @@ TYPED_TEST(S14Lines, L1APixelIsOnALineWithinHalfItsWidth) {
           }
         }
       },
-      kFewViews);
+      kLineViews);
   EXPECT_GT(on, 1000u);
   EXPECT_GT(ties, 100u);
 }
@@ -136,7 +136,7 @@ TYPED_TEST(S14Lines, L2WiderLinesAndMoreClassesCoverMore) {
                         wide.pixels[p] == style.color);
         }
       },
-      kFewViews);
+      kLineViews);
 }
 
 }  // namespace
