@@ -42,6 +42,13 @@ Status conclude(const io::LoadedScene& loaded, const BuildMeasure& tree,
   return written ? shadow.status() : fail(*file, written.error());
 }
 
+/// The size asked for, or else that of the file's camera, or else the usual.
+Size whole_size(const Subject& subject, const RenderArguments& arguments) {
+  if (arguments.view.size) return *arguments.view.size;
+  const auto& camera = subject.loaded.file.camera;
+  return camera ? Size{(*camera)->width_px, (*camera)->height_px} : kUsualSize;
+}
+
 /// The arguments for the part of the picture beside the legend, where the view
 /// is chosen so that all is seen.
 ViewArguments beside_legend(const Subject& subject,
@@ -50,9 +57,9 @@ ViewArguments beside_legend(const Subject& subject,
   const bool is_chosen = !view.eye && !view.target &&
                          !arguments.camera_path_file &&
                          (view.view || !subject.loaded.file.camera);
-  if (is_chosen) {
+  if (is_chosen && subject.scalars && arguments.scalars.has_legend) {
     view.size = size_beside_legend(subject.scalars, arguments.scalars,
-                                   view.size.value_or(kUsualSize));
+                                   whole_size(subject, arguments));
   }
   return view;
 }
@@ -63,7 +70,7 @@ Result<ChosenCamera> choose_wide_camera(const Subject& subject,
                                         const RenderArguments& arguments) {
   const SceneFile& file = subject.loaded.file;
   Result<ChosenCamera> chosen = choose_camera(file, view);
-  const Size whole = arguments.view.size.value_or(kUsualSize);
+  const Size whole = whole_size(subject, arguments);
   if (!chosen || !view.size || arguments.camera_path_file ||
       view.size->width_px >= whole.width_px)
     return chosen;
