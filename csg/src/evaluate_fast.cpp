@@ -300,7 +300,8 @@ Result<Outcome> outcome_of(fast::Solid solid, const EvaluateOptions& options) {
       fast::rounded_mesh(solid, {.number = options.number,
                                  .triangles = options.triangles,
                                  .threads = options.threads,
-                                 .max_move = options.max_move});
+                                 .max_move = options.max_move,
+                                 .keep_corners = options.keep_corners});
   if (!mesh) return mesh.error();
   take_polygons(solid, *mesh, {2, 0}, result);
   result.moved = mesh->moved;

@@ -16,6 +16,17 @@ for n in $(sed -n 's/^seed 0, .*steps, \([0-9]*\) polygons.*/\1/p' out.txt); do
   [ "$n" -le "$whole" ] || wrong "$n polygons through files, $whole in one run"
 done
 
+# Where origins are wanted, corners on straight edges stay: no polygon reaches
+# beyond the one that it comes from.
+expect 0 closed csg 'translate(box(4), -2, -2, -2) - rotate(box(9, 1, 1), 1, 2,
+  3, 20)' -o cut.off
+expect 0 closed csg 'A - rotate(box(1, 9, 1), 2, 1, 3, 50)' A=cut.off -o x.off
+few=$(sed -n 2p x.off)
+expect 0 closed csg 'A - rotate(box(1, 9, 1), 2, 1, 3, 50)' A=cut.off -o x.off \
+  --origin x.txt
+[ "${few%% *}" -lt "$(sed -n 2p x.off | cut -d' ' -f1)" ] ||
+  wrong 'no corner stays for --origin'
+
 # Sheets that are nearer to each other than the grid's steps.
 expect 0 closed csg 'rotate(sphere(1, 12), 1, 2, 3, 10) -
   rotate(sphere(1, 12), 1, 2, 3, 10.00001)' -o shell.off

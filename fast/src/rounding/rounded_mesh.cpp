@@ -150,6 +150,7 @@ void Rounding::turn_thin_ones() {
 /// How far dropping corners may move the surface. Corners stay where a bound
 /// that was asked for leaves no room besides that for rounding.
 double Rounding::drop_limit() const {
+  if (options_.keep_corners) return 0;
   constexpr double kSpacings = 4;
   const double limit = kSpacings * static_cast<double>(grid_.spacing());
   if (options_.max_move && *options_.max_move < 2 * limit * grid_.step())

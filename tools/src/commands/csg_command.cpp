@@ -246,6 +246,7 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
   if (options.triangles) options.number = fast::FileNumber::kFloat;
   options.max_move = arguments_.max_move;
   options.keep_origin = arguments_.keep_origin;
+  options.keep_corners = !arguments_.origin.empty() || arguments_.keep_origin;
   options.build = build_options(arguments_.build);
   options.threads = thread_count(arguments_.build);
   options.combine = checked_combine();

@@ -43,6 +43,9 @@ struct EvaluateOptions {
   /// move its surface. The fast library's.
   fast::FileNumber number = fast::FileNumber::kDouble;
   std::optional<double> max_move = std::nullopt;
+  /// No polygon of the result is to reach beyond the one that it comes from.
+  /// The fast library's.
+  bool keep_corners = false;
   /// The result is wanted for a `.hsolid` file. The fast library's.
   bool exact_data = false;
   /// The attributes say where polygons come from, too. The fast library's.

@@ -24,6 +24,9 @@ struct RoundingOptions {
   /// No point of the surface may move farther than this along an axis. Units:
   /// model units.
   std::optional<double> max_move = std::nullopt;
+  /// Corners on straight creases stay, and with them the borders of the
+  /// polygons that faces come from.
+  bool keep_corners = false;
 };
 
 /// A solid's surface in a file's numbers (S6.8). Units: model units.
@@ -61,8 +64,9 @@ struct RoundedMesh {
 ///        triangles. Corners that must be rounded and lie on a straight crease,
 ///        with nearly planar sides of one colour and part, are left out, unless
 ///        options.max_move leaves no room for the four steps that may move the
-///        surface. Vertices are in the order of their coordinates, polygons in
-///        that of their corners.
+///        surface, or options.keep_corners is set: a triangle beside them may
+///        reach beyond the polygon that it comes from. Vertices are in the
+///        order of their coordinates, polygons in that of their corners.
 /// Keeps: colours, and where polygons came from.
 /// Errors: kOutOfRange (a coordinate is beyond the numbers; the surface moves
 ///         farther than it may; no grid was found on which it crosses nothing:
