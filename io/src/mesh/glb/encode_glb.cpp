@@ -287,7 +287,9 @@ Result<std::string> GlbWriter::written() {
       if (key[0] >= 0)
         node["name"] =
             attributes_.objects.names[static_cast<std::size_t>(key[0])];
-      file_["scenes"][0]["nodes"].push_back(file_["nodes"].size());
+      // A new member moves the others: none is referred to meanwhile.
+      const std::size_t number = file_["nodes"].size();
+      file_["scenes"][0]["nodes"].push_back(number);
       file_["nodes"].push_back(std::move(node));
       file_["meshes"].push_back(GlbJson::object());
     }
