@@ -19,29 +19,6 @@ TYPED_TEST_SUITE(S5Samples, Implementations);
 
 constexpr int kFewViews = 140;
 
-/// The view of L20: all scaled by `k` but the steps from pixel to pixel, and so
-/// many times as large; nothing where the scene or the camera has no room.
-std::optional<SceneFile> magnified(const SceneFile& view, std::int32_t k) {
-  SceneData scene = view.scene.data();
-  const std::int64_t room = (std::int64_t{1} << 53) / k;
-  for (GridPoint& p : scene.vertices) {
-    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= room)
-      return std::nullopt;
-    p = {k * p.x, k * p.y, k * p.z};
-  }
-  scene.grid_bits = std::max(scene.grid_bits, grid_bits_for(scene.vertices));
-  CameraData camera = view.camera->data();
-  for (LatticeVector* v : {&camera.eye, &camera.s0})
-    *v = {k * v->x, k * v->y, k * v->z};
-  camera.width_px *= k;
-  camera.height_px *= k;
-  const Result<Camera> made = make_camera(camera, scene.grid_bits);
-  if (!made) return std::nullopt;
-  SceneFile result = with_scene(view, *make_scene(std::move(scene)));
-  result.camera = *made;
-  return result;
-}
-
 /// A channel of a polygon at the centre of pixel (i, j), not rounded.
 Fraction value_at(const SceneFile& view, PolygonId id, std::int32_t i,
                   std::int32_t j, std::uint8_t Rgb::*channel) {

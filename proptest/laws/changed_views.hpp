@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "adapters/answers.hpp"
@@ -26,6 +30,31 @@ inline SceneFile with_scene(const SceneFile& view, Scene scene) {
   SceneFile changed = view;
   changed.scene = std::move(scene);
   return changed;
+}
+
+/// The view with a pixel for each of the `k` by `k` samples of a pixel: all
+/// scaled by `k` but the steps from pixel to pixel, and so many times as large;
+/// nothing where the scene or the camera has no room.
+inline std::optional<SceneFile> magnified(const SceneFile& view,
+                                          std::int32_t k) {
+  SceneData scene = view.scene.data();
+  const std::int64_t room = (std::int64_t{1} << 53) / k;
+  for (GridPoint& p : scene.vertices) {
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= room)
+      return std::nullopt;
+    p = {k * p.x, k * p.y, k * p.z};
+  }
+  scene.grid_bits = std::max(scene.grid_bits, grid_bits_for(scene.vertices));
+  CameraData camera = view.camera->data();
+  for (LatticeVector* v : {&camera.eye, &camera.s0})
+    *v = {k * v->x, k * v->y, k * v->z};
+  camera.width_px *= k;
+  camera.height_px *= k;
+  const Result<Camera> made = make_camera(camera, scene.grid_bits);
+  if (!made) return std::nullopt;
+  SceneFile result = with_scene(view, *make_scene(std::move(scene)));
+  result.camera = *made;
+  return result;
 }
 
 }  // namespace halfspace

@@ -253,28 +253,6 @@ TYPED_TEST(S11Scalars, L3NumbersMayBeScaledByPowersOfTwo) {
       kScalarViews);
 }
 
-/// The camera that sees as many pixels as there are samples, if there is one.
-std::optional<SceneFile> magnified_view(const SceneFile& view, std::int32_t k) {
-  SceneData scene = view.scene.data();
-  const std::int64_t room = (std::int64_t{1} << 53) / k;
-  for (GridPoint& p : scene.vertices) {
-    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= room)
-      return std::nullopt;
-    p = {k * p.x, k * p.y, k * p.z};
-  }
-  scene.grid_bits = std::max(scene.grid_bits, grid_bits_for(scene.vertices));
-  CameraData camera = view.camera->data();
-  for (LatticeVector* v : {&camera.eye, &camera.s0})
-    *v = {k * v->x, k * v->y, k * v->z};
-  camera.width_px *= k;
-  camera.height_px *= k;
-  const Result<Camera> made = make_camera(camera, scene.grid_bits);
-  if (!made) return std::nullopt;
-  SceneFile result = with_scene(view, *make_scene(std::move(scene)));
-  result.camera = *made;
-  return result;
-}
-
 TYPED_TEST(S11Scalars, L4APixelIsTheMeanOfItsSamplesColours) {
   std::size_t compared = 0;
   std::size_t round = 0;
@@ -283,7 +261,7 @@ TYPED_TEST(S11Scalars, L4APixelIsTheMeanOfItsSamplesColours) {
         const std::size_t salt = ++round;
         const SceneFile view = lit_view(original, salt);
         const std::int32_t k = salt % 8 != 0 ? 2 : 4;
-        const auto large = magnified_view(view, k);
+        const auto large = magnified(view, k);
         if (!large) return;
         const ScalarField field = field_of(view.scene, true, salt);
         const ColorScale scale = scale_of(salt);
