@@ -8,6 +8,7 @@
 #include <fstream>
 #include <thread>
 
+#include "core/background.hpp"
 #include "core/measure.hpp"
 #include "core/moves.hpp"
 #include "core/saving.hpp"
@@ -47,6 +48,11 @@ class ViewerSession : public ::testing::Test {
     return state;
   }
 
+  /// Long enough for a thread to end the work of these tests.
+  static void let_threads_work() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+
   /// Waits for threads, as a window does.
   static void settle(Session& session) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
@@ -75,6 +81,28 @@ class ViewerSession : public ::testing::Test {
 };
 
 void ignore() {}
+
+TEST_F(ViewerSession, IsNotSettledUntilTheModelIsTaken) {
+  // A script that looks between the end of loading and update() would else
+  // see a session without a model, and nothing to wait for.
+  Session session(state_of({box_}), nullptr, ignore);
+  let_threads_work();
+  EXPECT_TRUE(session.is_loading());
+  EXPECT_FALSE(session.is_settled());
+  settle(session);
+  EXPECT_TRUE(session.model());
+  EXPECT_FALSE(session.is_loading());
+}
+
+TEST(Background, IsBusyUntilTheResultIsTaken) {
+  Background background([] {});
+  EXPECT_FALSE(background.is_busy());
+  background.start([](const Report&) { return std::string("done"); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_TRUE(background.is_busy());
+  while (!background.take()) std::this_thread::yield();
+  EXPECT_FALSE(background.is_busy());
+}
 
 TEST_F(ViewerSession, EveryPictureIsThatOfItsViewFile) {
   Session session(state_of({ball_, box_}), nullptr, ignore);

@@ -14,7 +14,7 @@ void Background::start(Work work) {
   end();
   result_.reset();
   is_wanted_ = true;
-  is_busy_ = true;
+  is_working_ = true;
   thread_ = std::thread([this, work = std::move(work)] {
     const auto report = [this](const std::string& what, double share) {
       {
@@ -37,10 +37,15 @@ void Background::start(Work work) {
       const std::lock_guard lock(mutex_);
       progress_ = {};
       result_ = std::move(result);
+      is_working_ = false;
     }
-    is_busy_ = false;
     wake_();
   });
+}
+
+bool Background::is_busy() const {
+  const std::lock_guard lock(mutex_);
+  return is_working_ || result_.has_value();
 }
 
 Progress Background::progress() const {

@@ -27,7 +27,8 @@ class Background {
   /// Waits for the end of the work before, which it stops.
   void start(Work work);
   void cancel() { is_wanted_ = false; }
-  bool is_busy() const { return is_busy_; }
+  /// Until the result is taken.
+  bool is_busy() const;
   Progress progress() const;
   /// The result, once.
   std::optional<Result<std::string>> take();
@@ -39,8 +40,8 @@ class Background {
   mutable std::mutex mutex_;
   Progress progress_;
   std::optional<Result<std::string>> result_;
+  bool is_working_ = false;
   std::atomic<bool> is_wanted_ = false;
-  std::atomic<bool> is_busy_ = false;
   std::thread thread_;
 };
 

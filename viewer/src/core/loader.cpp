@@ -47,7 +47,7 @@ Progress Loader::progress() const {
 
 bool Loader::is_busy() const {
   const std::lock_guard lock(mutex_);
-  return is_busy_;
+  return is_busy_ || result_.has_value();
 }
 
 void Loader::work() {

@@ -45,6 +45,7 @@ class Loader {
   /// The model that was asked for last, once.
   std::optional<Loaded> take();
   Progress progress() const;
+  /// Until the model is taken.
   bool is_busy() const;
 
  private:
