@@ -99,7 +99,7 @@ def read_obj(path):
                        for v in values]
             faces.append({"points": [points[c[0]] for c in corners],
                           "uv": [texture[c[1]] for c in corners],
-                          "normal": [normals[c[2]] for c in corners],
+                          "normal": [normals[c[2]] if c[2:] else None for c in corners],
                           "material": material, "group": group, "object": item,
                           "color": colors[material]})
     return faces
@@ -347,6 +347,24 @@ def main():
     run("csg", "A", "A=apart.gltf", "-o", "bytes.obj", status=2)
     if (FOLDER / "bytes.obj").read_bytes() != body:
         wrong("bytes.obj is another now")
+    # A repair keeps them: a hole is filled by what the face beside it has.
+    text = (FOLDER / "b.obj").read_text()
+    (FOLDER / "open.obj").write_text(text.replace("f 5/5/2", "# f 5/5/2"))
+    run("repair", "open.obj", "--close-all", "-o", "closed.obj")
+    run("csg", "B", "B=b.obj", "-o", "whole.obj")
+    faces, fine = read_obj(FOLDER / "closed.obj"), read_obj(FOLDER / "whole.obj")
+    if len(faces) != 6 or abs(volume_of(faces) - 64) > 1e-9:
+        wrong(f"closed.obj: {len(faces)} faces, volume {volume_of(faces)}")
+    if sum(face in fine for face in faces) != 5:
+        wrong("closed.obj: not five faces as they were")
+    filling, = [face for face in faces if face not in fine]
+    if (filling["material"], filling["group"], filling["normal"]) != \
+            ("blue", "side", [None] * 4):
+        wrong(f"closed.obj: {filling}")
+    out = run("repair", "open.obj", "--close-all", "-o", "closed.stl")
+    if "has no room for materials, names of objects, groups" not in out:
+        wrong(f"closed.stl: {out}")
+    run("repair", "open.obj", "--close-all", "-o", "b.obj", status=2)
     # Another program reads the packages, and finds closed meshes.
     judge = pathlib.Path(__file__).resolve().parents[1] / "judge_files.py"
     done = subprocess.run([sys.executable, judge, "cut.3mf", "turned.3mf"], cwd=FOLDER,
