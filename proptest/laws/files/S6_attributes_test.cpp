@@ -22,7 +22,7 @@
 /// name, a material, an affine function of places as its texture points, and
 /// its normal: so the names that a polygon of the result has say what its
 /// corners must have, wherever they are.
-namespace halfspace {
+namespace halfspace::painted {
 namespace {
 
 namespace fs = std::filesystem;
@@ -325,4 +325,4 @@ TEST(S6Attributes, L20PolygonsAndCornersHaveWhatTheirFacesSay) {
 }
 
 }  // namespace
-}  // namespace halfspace
+}  // namespace halfspace::painted
