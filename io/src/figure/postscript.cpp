@@ -12,7 +12,7 @@ namespace {
 /// The unit of PDF and EPS is 1/72 inch.
 constexpr double kPointsPerMm = 72 / 25.4;
 
-std::string rgb_of(Rgb color) {
+std::string postscript_rgb(Rgb color) {
   std::string text;
   for (const std::uint8_t channel : {color.r, color.g, color.b})
     text += (text.empty() ? "" : " ") + decimal(channel / 255.0, 4);
@@ -45,7 +45,7 @@ std::string operators_of(const Figure& figure, const FigureOptions& options,
     for (const FigureRegion* region : drawn_regions(figure, with_strokes)) {
       const auto loops = loops_of(*region, pen);
       if (loops.empty()) continue;
-      const std::string color = rgb_of(region->fill);
+      const std::string color = postscript_rgb(region->fill);
       text += is_pdf ? color + " rg " + color + " RG\n" : color + " c\n";
       for (const auto& loop : loops) {
         text += loop[0] + std::string(words.move);
@@ -58,7 +58,7 @@ std::string operators_of(const Figure& figure, const FigureOptions& options,
   }
   for (const FigureStrokes& strokes : figure.strokes) {
     const std::string width = decimal(pen.scale * strokes.width, 3);
-    const std::string color = rgb_of(strokes.color);
+    const std::string color = postscript_rgb(strokes.color);
     std::string dashes = "[";
     for (const double dash : strokes.dashes)
       dashes += (dashes.size() > 1 ? " " : "") + decimal(pen.scale * dash, 3);

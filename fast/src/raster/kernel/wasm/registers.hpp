@@ -5,18 +5,19 @@
 #include <cstdint>
 
 #include "camera/edge_function.hpp"
+#include "raster/kernel/generic/eight_doubles.hpp"
 
 namespace halfspace::fast {
 namespace {
 
 struct Lanes {
+  static constexpr int kCount = 2;
   v128_t v;
 };
 /// Where something holds: all bits of a lane, or none.
 struct LaneMask {
   v128_t v;
 };
-constexpr int kLanes = 2;
 inline Lanes operator+(Lanes a, Lanes b) { return {wasm_f64x2_add(a.v, b.v)}; }
 inline Lanes operator-(Lanes a, Lanes b) { return {wasm_f64x2_sub(a.v, b.v)}; }
 inline Lanes operator*(Lanes a, Lanes b) { return {wasm_f64x2_mul(a.v, b.v)}; }
@@ -31,13 +32,7 @@ inline LaneMask operator|(LaneMask a, LaneMask b) {
   return {wasm_v128_or(a.v, b.v)};
 }
 
-/// Eight doubles are this many parts.
-constexpr int kParts = 8 / kLanes;
-
-/// Eight doubles: one for each of 8 lines, or of 8 polygons.
-struct Doubles8 {
-  Lanes part[kParts];
-};
+using Doubles8 = EightDoubles<Lanes>;
 
 /// Eight numbers of 32 bits, as two registers: for each of 8 lines, or of 8
 /// polygons.
@@ -50,23 +45,6 @@ struct Floats8 : Halves {};
 struct FloatMask : Halves {};
 /// One word for each of 8 lines.
 struct Words8 : Halves {};
-
-/// Calls `of(p)` for each part of eight doubles.
-template <class Of>
-inline Doubles8 doubles(Of&& of) {
-  Doubles8 result;
-  for (int p = 0; p < kParts; ++p) result.part[p] = of(p);
-  return result;
-}
-inline Doubles8 operator+(const Doubles8& a, const Doubles8& b) {
-  return doubles([&](int p) { return a.part[p] + b.part[p]; });
-}
-inline Doubles8 operator-(const Doubles8& a, const Doubles8& b) {
-  return doubles([&](int p) { return a.part[p] - b.part[p]; });
-}
-inline Doubles8 operator*(const Doubles8& a, const Doubles8& b) {
-  return doubles([&](int p) { return a.part[p] * b.part[p]; });
-}
 
 /// An operation on both halves.
 template <class Result, class Operation>
@@ -118,15 +96,13 @@ inline Floats8 operator/(const Floats8& a, const Floats8& b) {
 /// Registers of 128 bits of WebAssembly: the same lanes with the same results
 /// as x86/registers.hpp. The greater of a and b is b where they do not compare,
 /// as of maxpd; pmax() has its operands the other way round.
-struct Registers {
+struct LaneRegisters {
   using Lanes = fast::Lanes;
   using LaneMask = fast::LaneMask;
   using Doubles8 = fast::Doubles8;
   using Floats8 = fast::Floats8;
   using FloatMask = fast::FloatMask;
   using Words8 = fast::Words8;
-  static constexpr int kLanes = fast::kLanes;
-  static constexpr int kParts = fast::kParts;
 
   static Lanes lanes(double v) { return {wasm_f64x2_splat(v)}; }
   static Lanes count_from(double v) {
@@ -201,60 +177,6 @@ struct Registers {
                         const FloatMask& mask) {
     return {{wasm_v128_bitselect(b.low, a.low, mask.low),
              wasm_v128_bitselect(b.high, a.high, mask.high)}};
-  }
-
-  /// An outline has at most this many corners; others go line by line.
-  static constexpr std::int32_t kMostBounds = 32;
-  template <class Of>
-  static Doubles8 doubles(Of&& of) {
-    return fast::doubles(of);
-  }
-  static Doubles8 all_lines(double v) {
-    return doubles([v](int) { return lanes(v); });
-  }
-  static Doubles8 lines_from(double top) {
-    return doubles([top](int p) { return count_from(top + kLanes * p); });
-  }
-  static Doubles8 greater(const Doubles8& a, const Doubles8& b) {
-    return doubles([&](int p) { return greater(a.part[p], b.part[p]); });
-  }
-  static Doubles8 smaller(const Doubles8& a, const Doubles8& b) {
-    return doubles([&](int p) { return smaller(a.part[p], b.part[p]); });
-  }
-
-  /// The pixels of 8 lines from `first` up to `end`, but on lines in doubt.
-  struct Spans {
-    Words8 first;
-    Words8 end;
-    std::uint32_t doubt;
-  };
-
-  /// The pixels between the left and the right x of 8 lines, which are off by
-  /// at most the errors: where that matters there is doubt.
-  static Spans columns_of(const Doubles8& left, double left_error,
-                          const Doubles8& right, double right_error,
-                          std::int32_t from, std::int32_t to) {
-    const Lanes error = lanes(left_error);
-    const Lanes end_error = lanes(right_error);
-    const Lanes half = lanes(0.5);
-    const auto within = [low = lanes(from), high = lanes(to)](Lanes v) {
-      return smaller(greater(v, low), high);
-    };
-    Doubles8 first, end;
-    std::uint32_t doubt = 0;
-    for (int p = 0; p < kParts; ++p) {
-      // As in x86/registers.hpp.
-      const Lanes least = ceiling(left.part[p] - error - half);
-      const Lanes greatest = ceiling(right.part[p] + end_error - half);
-      const LaneMask unsure =
-          (least < left.part[p] + error - half) |
-          not_less(greatest - lanes(1), right.part[p] - end_error - half);
-      first.part[p] = within(least);
-      end.part[p] = within(greatest);
-      // Where even the widest reading is empty there is nothing to decide.
-      doubt |= bits_of(unsure & (first.part[p] < end.part[p])) << (kLanes * p);
-    }
-    return {to_integers(first), to_integers(end), doubt};
   }
 
   static Words8 load(const std::uint32_t* p) {
@@ -393,6 +315,8 @@ struct Registers {
              wasm_i32x4_trunc_sat_f32x4(v.high)}};
   }
 };
+
+using Registers = WithEightDoubles<LaneRegisters>;
 
 }  // namespace
 }  // namespace halfspace::fast

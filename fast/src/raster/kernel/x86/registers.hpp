@@ -5,18 +5,19 @@
 #include <cstdint>
 
 #include "camera/edge_function.hpp"
+#include "raster/kernel/generic/eight_doubles.hpp"
 
 namespace halfspace::fast {
 namespace {
 
 struct Lanes {
+  static constexpr int kCount = 4;
   __m256d v;
 };
 /// Where something holds: all bits of a lane, or none.
 struct LaneMask {
   __m256d v;
 };
-constexpr int kLanes = 4;
 inline Lanes operator+(Lanes a, Lanes b) { return {_mm256_add_pd(a.v, b.v)}; }
 inline Lanes operator-(Lanes a, Lanes b) { return {_mm256_sub_pd(a.v, b.v)}; }
 inline Lanes operator*(Lanes a, Lanes b) { return {_mm256_mul_pd(a.v, b.v)}; }
@@ -32,10 +33,7 @@ inline LaneMask operator|(LaneMask a, LaneMask b) {
   return {_mm256_or_pd(a.v, b.v)};
 }
 
-/// Eight doubles: one for each of 8 lines, or of 8 polygons.
-struct Doubles8 {
-  Lanes part[2];
-};
+using Doubles8 = EightDoubles<Lanes>;
 
 /// Eight floats: one for each of 8 lines, or of 8 polygons.
 struct Floats8 {
@@ -58,30 +56,11 @@ inline FloatMask operator^(FloatMask a, FloatMask b) {
   return {_mm256_xor_ps(a.v, b.v)};
 }
 
-/// Eight doubles are this many parts.
-constexpr int kParts = 8 / kLanes;
-
 /// One word for each of 8 lines.
 struct Words8 {
   __m256i bits;
 };
 
-/// Calls `of(p)` for each part of eight doubles.
-template <class Of>
-inline Doubles8 doubles(Of&& of) {
-  Doubles8 result;
-  for (int p = 0; p < kParts; ++p) result.part[p] = of(p);
-  return result;
-}
-inline Doubles8 operator+(const Doubles8& a, const Doubles8& b) {
-  return doubles([&](int p) { return a.part[p] + b.part[p]; });
-}
-inline Doubles8 operator-(const Doubles8& a, const Doubles8& b) {
-  return doubles([&](int p) { return a.part[p] - b.part[p]; });
-}
-inline Doubles8 operator*(const Doubles8& a, const Doubles8& b) {
-  return doubles([&](int p) { return a.part[p] * b.part[p]; });
-}
 inline Words8 operator&(Words8 a, Words8 b) {
   return {_mm256_and_si256(a.bits, b.bits)};
 }
@@ -103,15 +82,13 @@ inline Floats8 operator/(Floats8 a, Floats8 b) {
 
 /// Registers of 256 bits: four doubles, eight floats, eight words. For AVX-512,
 /// too: loops with registers of 512 bits took 3 to 6 % longer.
-struct Registers {
+struct LaneRegisters {
   using Lanes = fast::Lanes;
   using LaneMask = fast::LaneMask;
   using Doubles8 = fast::Doubles8;
   using Floats8 = fast::Floats8;
   using FloatMask = fast::FloatMask;
   using Words8 = fast::Words8;
-  static constexpr int kLanes = fast::kLanes;
-  static constexpr int kParts = fast::kParts;
 
   static Lanes lanes(double v) { return {_mm256_set1_pd(v)}; }
   static Lanes count_from(double v) {
@@ -146,9 +123,9 @@ struct Registers {
     return static_cast<std::uint32_t>(_mm256_movemask_pd(mask.v));
   }
   /// Rounded towards zero.
-  static __m256i to_integers(const Doubles8& v) {
-    return _mm256_set_m128i(_mm256_cvttpd_epi32(v.part[1].v),
-                            _mm256_cvttpd_epi32(v.part[0].v));
+  static Words8 to_integers(const Doubles8& v) {
+    return {_mm256_set_m128i(_mm256_cvttpd_epi32(v.part[1].v),
+                             _mm256_cvttpd_epi32(v.part[0].v))};
   }
   static __m256 to_floats(const Doubles8& v) {
     return _mm256_set_m128(_mm256_cvtpd_ps(v.part[1].v),
@@ -177,61 +154,6 @@ struct Registers {
   /// b where the mask is set, else a.
   static Floats8 select(Floats8 a, Floats8 b, FloatMask mask) {
     return {_mm256_blendv_ps(a.v, b.v, mask.v)};
-  }
-
-  /// An outline has at most this many corners; others go line by line.
-  static constexpr std::int32_t kMostBounds = 32;
-  template <class Of>
-  static Doubles8 doubles(Of&& of) {
-    return fast::doubles(of);
-  }
-  static Doubles8 all_lines(double v) {
-    return doubles([v](int) { return lanes(v); });
-  }
-  static Doubles8 lines_from(double top) {
-    return doubles([top](int p) { return count_from(top + kLanes * p); });
-  }
-  static Doubles8 greater(const Doubles8& a, const Doubles8& b) {
-    return doubles([&](int p) { return greater(a.part[p], b.part[p]); });
-  }
-  static Doubles8 smaller(const Doubles8& a, const Doubles8& b) {
-    return doubles([&](int p) { return smaller(a.part[p], b.part[p]); });
-  }
-
-  /// The pixels of 8 lines from `first` up to `end`, but on lines in doubt.
-  struct Spans {
-    Words8 first;
-    Words8 end;
-    std::uint32_t doubt;
-  };
-
-  /// The pixels between the left and the right x of 8 lines, which are off by
-  /// at most the errors: where that matters there is doubt.
-  static Spans columns_of(const Doubles8& left, double left_error,
-                          const Doubles8& right, double right_error,
-                          std::int32_t from, std::int32_t to) {
-    const Lanes error = lanes(left_error);
-    const Lanes end_error = lanes(right_error);
-    const Lanes half = lanes(0.5);
-    const auto within = [low = lanes(from), high = lanes(to)](Lanes v) {
-      return smaller(greater(v, low), high);
-    };
-    Doubles8 first, end;
-    std::uint32_t doubt = 0;
-    for (int p = 0; p < kParts; ++p) {
-      // The first pixel whose centre is not left of the x is this for every
-      // reading, unless its centre is left of the greatest; and so the end.
-      const Lanes least = ceiling(left.part[p] - error - half);
-      const Lanes greatest = ceiling(right.part[p] + end_error - half);
-      const LaneMask unsure =
-          (least < left.part[p] + error - half) |
-          not_less(greatest - lanes(1), right.part[p] - end_error - half);
-      first.part[p] = within(least);
-      end.part[p] = within(greatest);
-      // Where even the widest reading is empty there is nothing to decide.
-      doubt |= bits_of(unsure & (first.part[p] < end.part[p])) << (kLanes * p);
-    }
-    return {{to_integers(first)}, {to_integers(end)}, doubt};
   }
 
   static Words8 load(const std::uint32_t* p) {
@@ -334,6 +256,8 @@ struct Registers {
   static void store(float* p, Floats8 v) { _mm256_store_ps(p, v.v); }
   static Words8 to_words(Floats8 v) { return {_mm256_cvttps_epi32(v.v)}; }
 };
+
+using Registers = WithEightDoubles<LaneRegisters>;
 
 }  // namespace
 }  // namespace halfspace::fast
