@@ -1,5 +1,5 @@
-// Calls the functions that README.md and docs/guide.md show: their blocks are
-// compiled as they stand, into a source of its own.
+// Calls the functions that README.md, docs/guide.md and the pages of docs/site
+// show: their blocks are compiled as they stand, into a source of its own.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -18,6 +18,7 @@
 #include "halfspace/io/write_mesh.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
+#include "halfspace/solid.hpp"
 #include "models.hpp"
 
 // README.md
@@ -38,6 +39,11 @@ halfspace::fast::Rendering checked(const halfspace::Scene& scene,
                                    const halfspace::fast::BspTree& tree,
                                    const halfspace::Camera& camera,
                                    std::size_t& wrong_pixels);
+// docs/site
+bool make_cup(const char* mesh, const char* picture);
+halfspace::Solid tube();
+bool difference_of_files(const char* a, const char* b, const char* out);
+bool write_figure(const halfspace::Solid& solid, const char* svg);
 
 namespace halfspace {
 namespace {
@@ -105,6 +111,20 @@ TEST(Documents, TheGuidesExpressionHasTheVolume) {
       volume_of("A - translate(A, 1, 1, 1)", {{"A", "documents.off"}});
   ASSERT_TRUE(volume) << volume.error().message;
   EXPECT_EQ(*volume, 7);
+}
+
+TEST(Documents, TheSitesProgramsDoWhatTheySay) {
+  EXPECT_TRUE(make_cup("documents_cup.stl", "documents_cup.png"));
+  EXPECT_FALSE(make_cup("missing/documents_cup.stl", "documents_cup.png"));
+  EXPECT_GT(std::filesystem::file_size("documents_cup.png"), 100u);
+  EXPECT_EQ(*tube().genus(), 1);
+  ASSERT_TRUE(tube().save("documents_tube.off"));
+  EXPECT_TRUE(difference_of_files("documents_cup.stl", "documents_tube.off",
+                                  "documents_rest.off"));
+  EXPECT_FALSE(difference_of_files("documents_cup.stl", "missing.off",
+                                   "documents_rest.off"));
+  EXPECT_TRUE(write_figure(tube(), "documents_tube.svg"));
+  EXPECT_GT(std::filesystem::file_size("documents_tube.svg"), 100u);
 }
 
 TEST(Documents, TheGuidesShadowFindsNothingWrong) {

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Builds the site into out/site/html: installs what it takes, builds the program
+# and the package for Python, runs every block of the pages for their pictures.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. scripts/packages.sh
+
+need_build_packages
+need python3-dev "builds the package for Python"
+need pybind11-dev "binds the library to Python"
+need python3-pybind11 "the same, for pip"
+need python3-numpy "arrays of the package for Python"
+need python3-setuptools "builds its wheel"
+need python3-wheel "builds its wheel"
+need python3-venv "a place for it"
+need python3-pip "installs it"
+need python3-matplotlib "figures of the site"
+need mkdocs "makes pages of text"
+need mkdocs-material "how they look"
+need doxygen "the pages of the C++ headers"
+install_needed
+
+cmake --preset release -DBUILD_TESTING=ON
+cmake --build --preset release --target halfspace make_model
+python=out/site-python
+/usr/bin/python3 -m venv --clear --system-site-packages "$python"
+HALFSPACE_BUILD_DIR=$PWD/build/python "$python/bin/pip" install -q \
+  --no-build-isolation .
+docs/site/build.py build/release/tools/halfspace \
+  build/release/examples/make_model out/site --python "$python/bin/python3"
