@@ -2,10 +2,12 @@
 #include "fuzz.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
+#include "halfspace/ref/depth_sort.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -108,6 +110,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
       ref::render_on(view.scene, tree, *view.camera, view.options, screen)
               .items == span.items,
       text);
+  const fast::BspTree list = fast::depth_sort(view.scene, *view.camera).list;
+  expect_fast(fast::render(view.scene, list, *view.camera, view.options));
+  expect_fast(fast::paint(view.scene, list, *view.camera, view.options));
+  HALFSPACE_FUZZ_EXPECT(
+      ref::render(view.scene, ref::depth_sort(view.scene, *view.camera).list,
+                  *view.camera, view.options)
+              .items == span.items,
+      text);
   const std::int32_t samples = 2 << (options.seed % 3);
   const auto means = ref::render_samples(view.scene, tree, *view.camera,
                                          view.options, samples);
@@ -144,6 +154,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   expect_section(fast::render(cut.scene,
                               fast::build_display_tree(cut.scene, display),
                               *cut.camera, cut.options, portable));
+  const auto cut_means =
+      ref::render_samples(cut.scene, tree, *cut.camera, cut.options, samples);
+  const auto fast_cut_means = fast::render_samples(
+      cut.scene, other, *cut.camera, cut.options, samples, portable);
+  HALFSPACE_FUZZ_EXPECT(cut_means.items == fast_cut_means.items, cut_text);
+  HALFSPACE_FUZZ_EXPECT(cut_means.colors == fast_cut_means.colors, cut_text);
   const auto cut_read = read_scene(cut_text);
   HALFSPACE_FUZZ_EXPECT(cut_read.has_value() && *cut_read == cut, cut_text);
   // The scene file says it all: what it holds gives the image again.
