@@ -45,8 +45,8 @@ std::optional<ColorForms> color_forms(const Scene& scene, const Camera& camera,
   for (const BigForm& sum : sums) {
     for (const BigInteger& number : sum) {
       if (number != 0)
-        bits = std::max(bits, static_cast<unsigned>(
-                                  msb(number < 0 ? -number : number)));
+        bits = std::max(
+            bits, static_cast<unsigned>(msb(number < 0 ? -number : number)));
     }
   }
   ColorForms result;

@@ -100,9 +100,8 @@ std::string texts_of(const Figure& figure, const Pen& pen, bool is_pdf) {
   for (const FigureText& line : figure.texts) {
     const std::string size = decimal(pen.scale * line.size, 3);
     const std::string start = pen.at(start_of(line));
-    text += is_pdf ? "BT\n" + rgb_of(line.color) + " rg\n/F " + size +
-                         " Tf\n" + start + " Td\n" + quoted(line.text) +
-                         " Tj\nET\n"
+    text += is_pdf ? "BT\n" + rgb_of(line.color) + " rg\n/F " + size + " Tf\n" +
+                         start + " Td\n" + quoted(line.text) + " Tj\nET\n"
                    : rgb_of(line.color) + " c /Helvetica findfont " + size +
                          " scalefont setfont\n" + start + " m " +
                          quoted(line.text) + " show\n";
@@ -230,8 +229,8 @@ std::string pdf_of(const Figure& figure, const FigureOptions& options) {
     text += std::to_string(k + 1) + " 0 obj\n" + objects[k] + "\nendobj\n";
   }
   const std::string place = std::to_string(text.size());
-  return text + table + "trailer\n<</Size " + count + "/Root 1 0 R>>\nstartxref\n" + place +
-         "\n%%EOF\n";
+  return text + table + "trailer\n<</Size " + count +
+         "/Root 1 0 R>>\nstartxref\n" + place + "\n%%EOF\n";
 }
 
 std::string eps_of(const Figure& figure, const FigureOptions& options) {
@@ -242,8 +241,7 @@ std::string eps_of(const Figure& figure, const FigureOptions& options) {
           ? std::string()
           : "% " + certificate_text(".eps", figure, options) + "\n";
   return "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 " + size_of(figure, 0) +
-         "\n%%EndComments\n" +
-         note +
+         "\n%%EndComments\n" + note +
          "/m {moveto} def /l {lineto} def "
          "/h {closepath} def /c {setrgbcolor} def\n" +
          operators_of(in_flat_parts(figure, options.levels), options, words,

@@ -55,8 +55,7 @@ std::array<FigurePoint, 3> slopes_at(const FigureShade& shade,
   std::array<FigurePoint, 3> slopes;
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t a = 0; a < 2; ++a) {
-      slopes[c][a] =
-          (shade.forms[c][a] - color[c] * shade.forms[3][a]) / total;
+      slopes[c][a] = (shade.forms[c][a] - color[c] * shade.forms[3][a]) / total;
     }
   }
   return slopes;
@@ -98,9 +97,9 @@ Channels channels_of(Rgb color) {
 }
 
 /// Cuts one region into parts.
-class Shading {
+class ShadeCutter {
  public:
-  Shading(const FigureShade& shade, double levels, bool gradients)
+  ShadeCutter(const FigureShade& shade, double levels, bool gradients)
       : shade_(shade), levels_(levels), gradients_(gradients) {}
 
   std::vector<ShadePart> run(const FigureLoops& loops) {
@@ -184,8 +183,8 @@ class Shading {
       part.line[end] = {middle[0] + at * along[0], middle[1] + at * along[1]};
       Channels there;
       for (std::size_t c = 0; c < 3; ++c) {
-        there[c] = color[c] + at * (slopes[c][0] * along[0] +
-                                    slopes[c][1] * along[1]);
+        there[c] =
+            color[c] + at * (slopes[c][0] * along[0] + slopes[c][1] * along[1]);
       }
       part.ends[end] = rounded_color(there);
     }
@@ -279,8 +278,8 @@ void cut_in_slabs(const FigureLoops& loops,
   struct Side {
     FigurePoint top, bottom;
     double x_at(double y) const {
-      return top[0] + (y - top[1]) / (bottom[1] - top[1]) *
-                          (bottom[0] - top[0]);
+      return top[0] +
+             (y - top[1]) / (bottom[1] - top[1]) * (bottom[0] - top[0]);
     }
   };
   std::vector<Side> sides;
@@ -303,10 +302,9 @@ void cut_in_slabs(const FigureLoops& loops,
       if (side.top[1] <= y0 && side.bottom[1] >= y1)
         crossings.push_back({side.x_at(y0), side.x_at(y1)});
     }
-    std::sort(crossings.begin(), crossings.end(),
-              [](const auto& f, const auto& g) {
-                return f[0] + f[1] < g[0] + g[1];
-              });
+    std::sort(
+        crossings.begin(), crossings.end(),
+        [](const auto& f, const auto& g) { return f[0] + f[1] < g[0] + g[1]; });
     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
       const auto& [a, b] = crossings[k];
       const auto& [c, d] = crossings[k + 1];
@@ -334,7 +332,7 @@ Rgb rounded_color(const Channels& channels) {
 
 std::vector<ShadePart> shade_parts(const FigureRegion& region, double levels,
                                    bool gradients) {
-  return Shading(*region.shade, levels, gradients).run(region.loops);
+  return ShadeCutter(*region.shade, levels, gradients).run(region.loops);
 }
 
 std::vector<ShadeTriangle> shade_triangles(const FigureRegion& region,
@@ -352,30 +350,24 @@ std::vector<ShadeTriangle> shade_triangles(const FigureRegion& region,
   while (!work.empty()) {
     const ShadeTriangle t = work.back();
     work.pop_back();
-    // Interpolated, the colour is right at the corners: only the bulge is left.
-    // Its slope is at most the colours' difference over the least height.
-    const FigureLoops loops = {{t[0], t[1], t[2]}};
+    // Interpolated, the colour is right at the corners. Between them, at the
+    // weights w, the numerator N - L D is the sum of w_i w_j (C_i - C_j)
+    // (D_i - D_j) over pairs of corners, and the products w_i w_j add up to a
+    // third at most.
     std::array<double, 3> sides;
+    double bulge = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const FigurePoint& p = t[k];
       const FigurePoint& q = t[(k + 1) % 3];
       sides[k] = std::hypot(q[0] - p[0], q[1] - p[1]);
+      bulge = std::max(bulge, farthest(shade.at(p), shade.at(q)) *
+                                  std::abs(value_of(shade.forms[3], p) -
+                                           value_of(shade.forms[3], q)) /
+                                  3);
     }
-    const double twice =
-        std::abs((t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) -
-                 (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]));
     const double longest = *std::max_element(sides.begin(), sides.end());
-    const double drift = std::hypot(shade.forms[3][0], shade.forms[3][1]);
-    double change = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      change = std::max(change, farthest(shade.at(t[k]),
-                                         shade.at(t[(k + 1) % 3])));
-    }
-    // A triangle is in a disc of its longest side over the root of 3.
-    const double radius = longest * 0.58;
-    const double bulge = 2 * change * longest * drift * radius * radius;
-    if (bulge <= levels * twice * least_total(shade, loops) ||
-        longest < 1e-3) {
+    const FigureLoops loops = {{t[0], t[1], t[2]}};
+    if (bulge <= levels * least_total(shade, loops) || longest < 1e-3) {
       triangles.push_back(t);
       continue;
     }

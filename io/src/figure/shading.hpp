@@ -27,9 +27,8 @@ struct ShadePart {
 /// Quotients of affine functions have their extremes over a part at corners of
 /// it, which bounds what one colour is off. With a linear colour L the distance
 /// is (N - L D) / D for the forms N and D: a quadratic numerator, whose part
-/// between corners is bounded by its Hessian, |grad L| |grad D| r^2 for parts in
-/// a disc of radius r.
-/// Requires: region.shade, levels >= 1.
+/// between corners is bounded by its Hessian, |grad L| |grad D| r^2 for parts
+/// in a disc of radius r. Requires: region.shade, levels >= 1.
 std::vector<ShadePart> shade_parts(const FigureRegion& region, double levels,
                                    bool gradients);
 

@@ -75,8 +75,9 @@ class RegionPaths {
     return text;
   }
   static std::string title(const FigureRegion& region) {
-    return region.title.empty() ? ""
-                                : "<title>" + escaped(region.title) + "</title>";
+    return region.title.empty()
+               ? ""
+               : "<title>" + escaped(region.title) + "</title>";
   }
 
   std::string path(const FigureRegion& region, const std::string& color) const {
@@ -94,14 +95,13 @@ class RegionPaths {
     if (!part.has_gradient) return hex_of(part.fill);
     const std::string name = "shade-" + std::to_string(++count_);
     const auto& [from, to] = part.line;
-    gradients_ += "<linearGradient id=\"" + name +
-                  "\" gradientUnits=\"userSpaceOnUse\" x1=\"" +
-                  fine_.length(from[0]) + "\" y1=\"" + fine_.length(from[1]) +
-                  "\" x2=\"" + fine_.length(to[0]) + "\" y2=\"" +
-                  fine_.length(to[1]) + "\"><stop stop-color=\"" +
-                  hex_of(part.ends[0]) +
-                  "\"/><stop offset=\"1\" stop-color=\"" +
-                  hex_of(part.ends[1]) + "\"/></linearGradient>\n";
+    gradients_ +=
+        "<linearGradient id=\"" + name +
+        "\" gradientUnits=\"userSpaceOnUse\" x1=\"" + fine_.length(from[0]) +
+        "\" y1=\"" + fine_.length(from[1]) + "\" x2=\"" + fine_.length(to[0]) +
+        "\" y2=\"" + fine_.length(to[1]) + "\"><stop stop-color=\"" +
+        hex_of(part.ends[0]) + "\"/><stop offset=\"1\" stop-color=\"" +
+        hex_of(part.ends[1]) + "\"/></linearGradient>\n";
     return "url(#" + name + ")";
   }
 
@@ -177,8 +177,8 @@ std::string svg_of(const Figure& figure, const FigureOptions& options) {
     std::string groups;
     for (const bool background : {true, false}) {
       groups += std::string("<g id=\"") +
-              (background ? "background" : "regions") +
-              "\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
+                (background ? "background" : "regions") +
+                "\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
       for (const FigureRegion& region : figure.regions) {
         if (region.is_background == background) groups += paths.of(region);
       }

@@ -92,8 +92,8 @@ std::string tex_of(const Figure& shaded, const FigureOptions& options) {
     const std::string at = pen.at(line.at);
     const std::size_t gap = at.find(' ');
     text += color("\\pgfsetcolor{h}", line.color) + "\\pgftext[base," +
-            std::string(kAnchors[static_cast<int>(line.anchor)]) + ",x=" +
-            at.substr(0, gap) + "bp,y=" + at.substr(gap + 1) + "bp]{" +
+            std::string(kAnchors[static_cast<int>(line.anchor)]) +
+            ",x=" + at.substr(0, gap) + "bp,y=" + at.substr(gap + 1) + "bp]{" +
             "\\fontsize{" + decimal(pen.scale * line.size, 3) +
             "bp}{0pt}\\selectfont " + tex_letters(line.text) + "}\n";
   }

@@ -34,8 +34,8 @@ FigureRegion random_region(std::mt19937& random, bool perspective) {
     const FigurePoint& q = p[(k + 1) % 3];
     const FigurePoint& r = p[(k + 2) % 3];
     const double w = (perspective ? near(random) : 1) / twice;
-    const std::array<double, 3> weight = {
-        w * (q[1] - r[1]), w * (r[0] - q[0]), w * (q[0] * r[1] - q[1] * r[0])};
+    const std::array<double, 3> weight = {w * (q[1] - r[1]), w * (r[0] - q[0]),
+                                          w * (q[0] * r[1] - q[1] * r[0])};
     const double parts[4] = {level(random), level(random), level(random), 1};
     for (std::size_t f = 0; f < 4; ++f) {
       for (std::size_t c = 0; c < 3; ++c)
@@ -81,8 +81,8 @@ void for_points(const FigureRegion& region, const Visit& visit) {
 
 double distance(const std::array<double, 3>& f,
                 const std::array<double, 3>& g) {
-  return std::max({std::abs(f[0] - g[0]), std::abs(f[1] - g[1]),
-                   std::abs(f[2] - g[2])});
+  return std::max(
+      {std::abs(f[0] - g[0]), std::abs(f[1] - g[1]), std::abs(f[2] - g[2])});
 }
 
 std::array<double, 3> color_of(const ShadePart& part, const FigurePoint& p) {

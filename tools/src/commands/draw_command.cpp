@@ -173,10 +173,10 @@ class Figures {
     regions_ += map->regions.size();
     arcs_ += map->arcs.size();
     if (arguments_.fill != "none") {
-      add_regions(figure_, *map, scene_,
-                  {arguments_.by, background_, !on_sheet,
-                   smooth_ ? &camera : nullptr},
-                  placing);
+      add_regions(
+          figure_, *map, scene_,
+          {arguments_.by, background_, !on_sheet, smooth_ ? &camera : nullptr},
+          placing);
     }
     if (arguments_.lines == "regions")
       add_borders(figure_, *map, arguments_.line_width, placing);

@@ -26,8 +26,7 @@ struct FigureScene {
 /// `colour`, `part`, `file` or `all`. With `smooth` a polygon whose corners
 /// differ in colour is joined by `colour` to none.
 std::vector<std::int32_t> keys_of(const FigureScene& scene,
-                                  const std::string& by,
-                                  bool smooth = false);
+                                  const std::string& by, bool smooth = false);
 
 /// Where a view stands on the figure: image points are scaled, then moved.
 struct Placing {
