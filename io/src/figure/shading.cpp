@@ -13,7 +13,7 @@ namespace {
 
 using Channels = std::array<double, 3>;
 
-constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kBeyondFigures = std::numeric_limits<double>::max();
 
 double value_of(const std::array<double, 3>& form, const FigurePoint& p) {
   return form[0] * p[0] + form[1] * p[1] + form[2];
@@ -77,7 +77,7 @@ FigurePoint steepest(const std::array<FigurePoint, 3>& slopes) {
 }
 
 double least_total(const FigureShade& shade, const FigureLoops& loops) {
-  double least = kMost;
+  double least = kBeyondFigures;
   for (const auto& loop : loops) {
     for (const FigurePoint& p : loop)
       least = std::min(least, value_of(shade.forms[3], p));
@@ -137,8 +137,8 @@ class ShadeCutter {
     double at = 0;
   };
   struct Range {
-    double low = kMost;
-    double high = -kMost;
+    double low = kBeyondFigures;
+    double high = -kBeyondFigures;
     double size() const { return high - low; }
     double middle() const { return (low + high) / 2; }
   };
