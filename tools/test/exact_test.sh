@@ -66,6 +66,17 @@ expect 0 painted render ab.hsolid -o ab.png
 # Origins are those of the first operands.
 grep -a -q 'a.off' chain.hsolid || wrong 'the parts are lost'
 
+# A surface that touches itself along an edge within a face has a slit there,
+# of which nothing is in a file, so that it is read again.
+wedge='matrix(C, 1, -1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)'
+"$program" csg 'box(4, 2, 3)' -o c.off >out.txt || wrong 'c.off'
+"$program" csg 'box(1, 1, 9)' -o d.off >out.txt || wrong 'd.off'
+expect 0 'volume 22,' csg "$wedge - translate(D, 2, 0, -7)" C=c.off D=d.off \
+  -o slit.hsolid
+expect 0 'volume 22,' csg 'A' A=slit.hsolid -o again.hsolid
+expect 0 'volume 19,' csg 'A - translate(D, 0, 0, -3)' A=slit.hsolid D=d.off \
+  -o chained.hsolid
+
 # A changed byte is found; a file without a checksum is checked.
 printf x | dd of=form.hsolid bs=1 seek=200 conv=notrunc 2>dd.txt
 expect 2 'form.hsolid: line' info form.hsolid
