@@ -24,7 +24,7 @@ FigurePoint between(const FigurePoint& p, const FigurePoint& q, double share) {
 }
 
 /// The part of loops where `a x + b y < c`, or where it is not, by the
-/// even-odd rule (SH74, each loop for itself).
+/// even-odd rule, each loop for itself.
 FigureLoops clipped(const FigureLoops& loops, double a, double b, double c,
                     bool below) {
   FigureLoops result;
