@@ -198,6 +198,43 @@ def building():
     return model
 
 
+def bust():
+    """A head on a neck and shoulders: a tube with bumps."""
+    model = Model()
+    # Heights and half widths, from the shoulders to the crown.
+    profile = [(0, 1.7), (0.5, 1.65), (0.8, 1.3), (1.0, 0.8), (1.15, 0.55),
+               (1.5, 0.5), (1.75, 0.6), (2.0, 0.78), (2.4, 0.92), (2.8, 0.95),
+               (3.2, 0.85), (3.45, 0.6), (3.58, 0.3), (3.62, 0.0)]
+
+    def width(t):
+        k = min(int(t * (len(profile) - 1)), len(profile) - 2)
+        s = t * (len(profile) - 1) - k
+        p = [profile[min(max(k + d, 0), len(profile) - 1)]
+             for d in (-1, 0, 1, 2)]
+        return [0.5 * (2 * b + (c - a) * s + (2 * a - 5 * b + 4 * c - d) * s * s
+                       + (3 * b - a - 3 * c + d) * s ** 3)
+                for a, b, c, d in zip(*p)]
+
+    def bump(x, z, at_x, at_z, wide, high):
+        return math.exp(-((x - at_x) / wide) ** 2 - ((z - at_z) / high) ** 2)
+
+    def skin(u, v):
+        z, r = width(v)
+        r = max(r, 0)
+        a = 2 * math.pi * u
+        flat = 0.62 if z < 1 else 0.62 + 0.38 * min(1, (z - 1) / 0.5)
+        x, y = r * math.sin(a), -r * flat * math.cos(a)
+        if y < 0:
+            y -= (0.28 * bump(x, z, 0, 2.45, 0.13, 0.2) +
+                  0.1 * bump(x, z, 0, 2.12, 0.3, 0.07) +
+                  0.12 * bump(x, z, 0, 1.88, 0.25, 0.12) -
+                  0.12 * bump(x, z, 0.32, 2.68, 0.17, 0.12) -
+                  0.12 * bump(x, z, -0.32, 2.68, 0.17, 0.12))
+        return x, y, z
+    model.add(*grid(skin, 72, 78, True), (214, 196, 170))
+    return model
+
+
 def honeycomb():
     """161 hexagonal cells, each a ring of six walls."""
     model = Model()
@@ -222,7 +259,7 @@ def honeycomb():
 
 MODELS = {"bars": bars, "cubes": cubes, "surfaces": surfaces,
           "moebius": moebius, "vessel": vessel, "plot": plot,
-          "building": building, "honeycomb": honeycomb}
+          "building": building, "bust": bust, "honeycomb": honeycomb}
 
 
 def write_all(folder):

@@ -31,6 +31,48 @@ expect 2 'more than 3 cells' draw cubes.off -o b.svg --most-cells 3
 [ -e b.svg ] && wrong "a figure that is too large was written"
 expect 2 'must be\|not in' draw cubes.off -o a.svg --by colours
 
+# Shaded regions have the picture's colours, within the levels.
+colors=$(dirname "$check")/draw_colors.py
+tent() {
+  python3 - "$1" <<'END'
+import sys
+n = int(sys.argv[1])
+points = [(x, y, (x - 2) * (y - 1) % 3) for y in range(n) for x in range(n)]
+faces = [f for y in range(n - 1) for x in range(n - 1)
+         for a in [n * y + x]
+         for f in ((a, a + 1, a + n + 1), (a, a + n + 1, a + n))]
+print("COFF\n%d %d 0" % (len(points), len(faces)))
+for p in points:
+    print(*p, 40 + 20 * p[0] % 200, 200 - 30 * p[1] % 200, 90, 255)
+for f in faces:
+    print(3, *f)
+END
+}
+tent 4 >tent.off
+for view in "--ortho" "--eye 1,-3,3 --target 2,2,1 --fov 70"; do
+  for levels in 2 12; do
+    # shellcheck disable=SC2086
+    set -- $view --size 48x36 --shade gouraud
+    expect 0 'span' render tent.off "$@" -o c.png
+    for ending in svg pdf; do
+      expect 0 'none turned over' draw tent.off "$@" -o "c.$ending" \
+        --decimals 6 --levels "$levels" --certificate
+      python3 "$colors" "c.$ending" c.png "$levels" ||
+        wrong "$view, $levels levels: $ending has other colours"
+    done
+  done
+done
+for ending in eps tex; do
+  expect 0 ' regions' draw tent.off --shade gouraud -o "c.$ending" --size 48x36
+done
+tent 30 >fine.off
+expect 2 'turns [1-9][0-9]* of .* loops over' draw fine.off -o t.svg \
+  --by polygon --size 40x30 --decimals 0 --certificate --view iso
+[ -e t.svg ] && wrong "a figure that is turned over was written"
+grep -q "certificate: coordinates moved by .* 0 of [0-9]* loops turned" \
+  a.svg || wrong "a.svg has no certificate"
+grep -q 'id="region-0" class="' a.svg || wrong "paths have no ids"
+
 # Lines: hidden parts are dashed, gone, or named with their edges.
 expect 0 ' [1-9][0-9]* strokes' draw cubes.off -o gone.svg --lines edges
 expect 0 ' strokes' draw cubes.off -o dashed.svg --view iso --hidden dashed \

@@ -69,6 +69,12 @@ std::string dxf_of(const Figure& figure, const FigureOptions& options) {
               point(from, 10) + point(to, 11);
     }
   }
+  for (const FigureText& line : figure.texts) {
+    const std::string size = decimal(0.7 * scale * line.size, options.decimals);
+    text += group(0, "TEXT") + group(8, "texts") +
+            point(pen.at(start_of(line)), 10) + group(40, size) +
+            group(1, line.text);
+  }
   return text + group(0, "ENDSEC") + group(0, "EOF");
 }
 
@@ -94,6 +100,13 @@ std::string hpgl_of(const Figure& figure, const FigureOptions&) {
         text += (c == 1 ? "" : ",") + with_comma(chain[c]);
       text += ";\n";
     }
+  }
+  // The size of letters is in centimetres; a text ends with the byte 3.
+  for (const FigureText& line : figure.texts) {
+    const double height = 0.07 * line.size * scale / kUnitsPerMm;
+    text += "PU" + with_comma(pen.at(start_of(line))) + ";SI" +
+            decimal(0.6 * height, 3) + "," + decimal(height, 3) + ";LB" +
+            line.text + "\x03;\n";
   }
   return text + "PU;SP0;\n";
 }

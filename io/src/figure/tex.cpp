@@ -1,9 +1,41 @@
 #include "figure/writers.hpp"
 
 namespace halfspace::io {
+namespace {
+
+/// Letters as TeX prints them.
+std::string tex_letters(const std::string& letters) {
+  std::string text;
+  for (const char letter : letters) {
+    switch (letter) {
+      case '\\':
+        text += "\\textbackslash{}";
+        break;
+      case '^':
+      case '~':
+        text += std::string("\\") + letter + "{}";
+        break;
+      case '#':
+      case '$':
+      case '%':
+      case '&':
+      case '_':
+      case '{':
+      case '}':
+        text += std::string("\\") + letter;
+        break;
+      default:
+        text += letter;
+    }
+  }
+  return text;
+}
+
+}  // namespace
 
 /// PGF's basic layer: big points, as in PDF.
-std::string tex_of(const Figure& figure, const FigureOptions& options) {
+std::string tex_of(const Figure& shaded, const FigureOptions& options) {
+  const Figure figure = in_flat_parts(shaded, options.levels);
   const Pen pen = upright_pen(figure, options, 72 / 25.4);
   const auto point = [](const std::string& text) {
     const std::size_t gap = text.find(' ');
@@ -17,7 +49,11 @@ std::string tex_of(const Figure& figure, const FigureOptions& options) {
     return text;
   };
   std::string text =
-      "% \\usepackage{pgf}\n\\begin{pgfpicture}\n\\pgfpathrectangle"
+      "% \\usepackage{pgf}\n" +
+      (figure.regions.empty()
+           ? std::string()
+           : "% " + certificate_text(".tex", shaded, options) + "\n") +
+      "\\begin{pgfpicture}\n\\pgfpathrectangle"
       "{\\pgfpointorigin}{\\pgfpoint{" +
       pen.length(figure.width) + "bp}{" + pen.length(figure.height) +
       "bp}}\n\\pgfusepath{use as bounding box}\n\\pgfseteorule"
@@ -50,6 +86,16 @@ std::string tex_of(const Figure& figure, const FigureOptions& options) {
         text += "\\pgfpathlineto{" + point(chain[k]) + "}\n";
       text += "\\pgfusepath{stroke}\n";
     }
+  }
+  constexpr std::string_view kAnchors[] = {"left", "center", "right"};
+  for (const FigureText& line : figure.texts) {
+    const std::string at = pen.at(line.at);
+    const std::size_t gap = at.find(' ');
+    text += color("\\pgfsetcolor{h}", line.color) + "\\pgftext[base," +
+            std::string(kAnchors[static_cast<int>(line.anchor)]) +
+            ",x=" + at.substr(0, gap) + "bp,y=" + at.substr(gap + 1) + "bp]{" +
+            "\\fontsize{" + decimal(pen.scale * line.size, 3) +
+            "bp}{0pt}\\selectfont " + tex_letters(line.text) + "}\n";
   }
   return text + "\\end{pgfpicture}\n";
 }

@@ -46,6 +46,19 @@ std::vector<std::vector<std::string>> chains_of(const FigureStrokes& strokes,
 std::vector<const FigureRegion*> drawn_regions(const Figure& figure,
                                                bool with_strokes);
 
+/// The figure with its shaded regions in parts of one colour each.
+Figure in_flat_parts(const Figure& figure, double levels);
+
+/// The certificate in words, without what comments end with.
+std::string certificate_text(std::string_view ending, const Figure& figure,
+                             const FigureOptions& options);
+
+/// The width of letters in Helvetica. Units: their size.
+double width_of(std::string_view letters);
+
+/// Where a text begins, upright, as the pen writes points.
+FigurePoint start_of(const FigureText& text);
+
 std::string svg_of(const Figure& figure, const FigureOptions& options);
 std::string pdf_of(const Figure& figure, const FigureOptions& options);
 std::string eps_of(const Figure& figure, const FigureOptions& options);

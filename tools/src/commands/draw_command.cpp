@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <malloc.h>
 
 #include <CLI/App.hpp>
@@ -40,6 +41,8 @@ struct DrawArguments {
   double line_width = 1;
   bool titles = false;
   int decimals = 3;
+  double levels = 2;
+  bool certificate = false;
   std::size_t most_cells = fast::MapLimits{}.most_cells;
   std::optional<int> grid_bits;
   ViewArguments view;
@@ -83,12 +86,15 @@ DrawingOptions drawing_options(const DrawArguments& arguments, bool cull) {
 /// Makes one figure of all views.
 class Figures {
  public:
-  Figures(const DrawArguments& arguments, const FigureScene& scene, bool cull,
-          Rgb background)
+  Figures(const DrawArguments& arguments, const FigureScene& scene,
+          const ImageOptions& image)
       : arguments_(arguments),
         scene_(scene),
-        cull_(cull),
-        background_(background) {}
+        cull_(image.cull),
+        smooth_(image.shading == Shading::kGouraud &&
+                !scene.scene().data().corner_colors.empty() &&
+                (arguments.by == "colour" || arguments.by == "polygon")),
+        background_(image.background) {}
 
   /// Adds one view. Errors: those of the map and the drawing.
   Result<Done> add(const Camera& camera, const Placing& placing,
@@ -162,13 +168,15 @@ class Figures {
   Result<Done> add_map(const Camera& camera, const Placing& placing,
                        bool on_sheet) {
     const Result<fast::VisibleMap> map =
-        map_of(camera, keys_of(scene_, arguments_.by));
+        map_of(camera, keys_of(scene_, arguments_.by, smooth_));
     if (!map) return map.error();
     regions_ += map->regions.size();
     arcs_ += map->arcs.size();
     if (arguments_.fill != "none") {
-      add_regions(figure_, *map, scene_, arguments_.by, background_, !on_sheet,
-                  placing);
+      add_regions(
+          figure_, *map, scene_,
+          {arguments_.by, background_, !on_sheet, smooth_ ? &camera : nullptr},
+          placing);
     }
     if (arguments_.lines == "regions")
       add_borders(figure_, *map, arguments_.line_width, placing);
@@ -178,6 +186,7 @@ class Figures {
   const DrawArguments& arguments_;
   const FigureScene& scene_;
   bool cull_;
+  bool smooth_;
   Rgb background_;
   io::Figure figure_;
   std::optional<fast::BspTree> tree_;
@@ -253,7 +262,7 @@ Status run_draw(DrawArguments arguments) {
     return fail("--background: a figure has one colour behind it");
   }
   const ImageOptions image = choose_options(loaded->file, arguments.view);
-  Figures figures(arguments, *loaded, image.cull, image.background);
+  Figures figures(arguments, *loaded, image);
   const Result<Done> drawn = arguments.sheet.is_used()
                                  ? draw_sheet(arguments, *loaded, figures)
                                  : draw_view(arguments, *loaded, figures);
@@ -263,12 +272,28 @@ Status run_draw(DrawArguments arguments) {
     return fail(drawn.error().message);
   if (!drawn) return fail(loaded->name, drawn.error());
   note_part(arguments.output);
-  const Result<Done> written = io::write_figure(
-      arguments.output, figures.figure(), {arguments.decimals});
+  const io::FigureOptions options = {arguments.decimals, arguments.levels};
+  const std::string ending =
+      std::filesystem::path(arguments.output).extension().string();
+  const io::FigureCertificate certificate =
+      io::certify(ending, figures.figure(), options);
+  if (arguments.certificate && certificate.turned_over > 0) {
+    return fail(fmt::format(
+        "{}: rounding turns {} of {} loops over; give more --decimals",
+        arguments.output, certificate.turned_over, certificate.loops));
+  }
+  const Result<Done> written =
+      io::write_figure(arguments.output, figures.figure(), options);
   if (!written) return fail(arguments.output, written.error());
   say("{}: {} polygons; {} regions, {} arcs, {} strokes\n", loaded->name,
       loaded->scene().polygon_count(), figures.regions(), figures.arcs(),
       figures.strokes());
+  if (arguments.certificate) {
+    say("coordinates moved by at most {:.3g} of {:.3g}; {} loops, none turned "
+        "over, {} vanished\n",
+        certificate.largest_move, certificate.bound, certificate.loops,
+        certificate.vanished);
+  }
   return Status::kFine;
 }
 
@@ -338,6 +363,14 @@ void add_draw(CLI::App& program, Status& status) {
   app->add_option("--decimals", arguments->decimals,
                   "Of coordinates, in the figure's units")
       ->check(CLI::Range(0, 12))
+      ->capture_default_str();
+  app->add_flag("--certificate", arguments->certificate,
+                "Say how far rounding moved coordinates; fail if it turned a "
+                "region over");
+  app->add_option("--levels", arguments->levels,
+                  "With --shade gouraud: by how many of 255 levels a shaded "
+                  "region's colour may be off")
+      ->check(CLI::Range(1.0, 255.0))
       ->capture_default_str();
   app->add_option("--most-cells", arguments->most_cells,
                   "Give up where the map needs more cells")

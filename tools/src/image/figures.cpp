@@ -7,10 +7,12 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <tuple>
 
 #include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/shade/color_forms.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -86,6 +88,40 @@ io::FigureRegion region_of(const fast::VisibleMap& map,
   return drawn;
 }
 
+bool is_shaded(const Scene& scene, PolygonId polygon) {
+  const auto colors = scene.corner_colors(polygon);
+  return std::any_of(colors.begin(), colors.end(),
+                     [&](Rgb color) { return !(color == colors[0]); });
+}
+
+/// Gives a region the colours that its polygon's corners have (S5.4).
+void shade(io::FigureRegion& region, const Scene& scene, const Camera& camera,
+           PolygonId polygon, const Placing& placing) {
+  region.fill = scene.corner_colors(polygon)[0];
+  const std::optional<fast::ColorForms> colors =
+      fast::color_forms(scene, camera, polygon);
+  if (!colors) return;
+  io::FigureShade shade;
+  for (std::size_t f = 0; f < shade.forms.size(); ++f) {
+    const auto& [a, b, c] = colors->forms[f];
+    shade.forms[f] = {a / placing.scale, b / placing.scale,
+                      c - (a * placing.x + b * placing.y) / placing.scale};
+  }
+  io::FigurePoint middle = {0, 0};
+  const auto& corners = region.loops[0];
+  for (const io::FigurePoint& p : corners) {
+    const auto count = static_cast<double>(corners.size());
+    middle = {middle[0] + p[0] / count, middle[1] + p[1] / count};
+  }
+  const std::array<double, 3> color = shade.at(middle);
+  const auto byte = [](double channel) {
+    return static_cast<std::uint8_t>(
+        std::lround(std::clamp(channel, 0.0, 255.0)));
+  };
+  region.fill = {byte(color[0]), byte(color[1]), byte(color[2])};
+  region.shade = shade;
+}
+
 /// The edges and intervals that a stroke is drawn for.
 std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
   std::string title;
@@ -109,7 +145,7 @@ std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
 }  // namespace
 
 std::vector<std::int32_t> keys_of(const FigureScene& figure,
-                                  const std::string& by) {
+                                  const std::string& by, bool smooth) {
   const Scene& scene = figure.scene();
   const std::size_t count = scene.polygon_count();
   if (by == "polygon") return {};
@@ -119,31 +155,39 @@ std::vector<std::int32_t> keys_of(const FigureScene& figure,
   const fast::PlaneTable planes = fast::intern_planes(scene);
   std::vector<std::tuple<std::int32_t, bool, Rgb>> faces;
   for (std::size_t p = 0; p < count; ++p) {
-    const Rgb color = scene.color(static_cast<PolygonId>(p));
+    const auto id = static_cast<PolygonId>(p);
+    if (smooth && by == "colour") {
+      faces.emplace_back(is_shaded(scene, id) ? id : -1, false,
+                         scene.corner_colors(id)[0]);
+      continue;
+    }
     const bool is_face = by == "face";
     faces.emplace_back(is_face ? planes.plane_of[p] : 0,
-                       is_face && planes.same_orientation[p], color);
+                       is_face && planes.same_orientation[p], scene.color(id));
   }
   return numbered(faces);
 }
 
 void add_regions(io::Figure& figure, const fast::VisibleMap& map,
-                 const FigureScene& scene, const std::string& by,
-                 Rgb background_color, bool background,
+                 const FigureScene& scene, const FillStyle& style,
                  const Placing& placing) {
-  const bool has_palette = by == "part" || by == "file";
+  const bool has_palette = style.by == "part" || style.by == "file";
   for (const fast::MapRegion& region : map.regions) {
     const bool is_background = region.item == kBackground;
-    if (is_background && !background) continue;
+    if (is_background && !style.has_background) continue;
     io::FigureRegion drawn = region_of(map, region, placing);
     drawn.is_background = is_background;
-    drawn.title =
-        is_background ? "background" : by + " " + std::to_string(region.key);
+    const std::string key = std::to_string(region.key);
+    drawn.id = "region-" + std::to_string(figure.regions.size());
+    drawn.title = is_background ? "background" : style.by + " " + key;
+    drawn.class_of = is_background ? "background" : style.by + "-" + key;
     if (is_background) {
-      drawn.fill = background_color;
+      drawn.fill = style.background;
     } else if (has_palette) {
       drawn.fill =
           kPalette[static_cast<std::size_t>(region.key) % kPalette.size()];
+    } else if (style.smooth_view != nullptr) {
+      shade(drawn, scene.scene(), *style.smooth_view, region.item, placing);
     } else {
       drawn.fill = scene.scene().color(region.item);
     }

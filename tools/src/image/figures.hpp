@@ -23,9 +23,10 @@ struct FigureScene {
 };
 
 /// The keys by which regions are joined (S7.3): `polygon` (none), `face`,
-/// `colour`, `part`, `file` or `all`.
+/// `colour`, `part`, `file` or `all`. With `smooth` a polygon whose corners
+/// differ in colour is joined by `colour` to none.
 std::vector<std::int32_t> keys_of(const FigureScene& scene,
-                                  const std::string& by);
+                                  const std::string& by, bool smooth = false);
 
 /// Where a view stands on the figure: image points are scaled, then moved.
 struct Placing {
@@ -37,12 +38,21 @@ struct Placing {
   }
 };
 
-/// Adds the regions of a map, titled by what joined them. Of parts and files
-/// each has a colour of its own; else a region has its lowest polygon's.
-/// `background`: whether regions in which nothing is seen are added.
+/// How regions are filled.
+struct FillStyle {
+  std::string by;  ///< what joined them
+  Rgb background;
+  bool has_background = true;  ///< whether regions that show nothing are added
+  /// The view, where polygons have Gouraud shading.
+  const Camera* smooth_view = nullptr;
+};
+
+/// Adds the regions of a map, with ids, and titles and classes by what joined
+/// them. Of parts and files each has a colour of its own; else a region has its
+/// lowest polygon's.
 void add_regions(io::Figure& figure, const fast::VisibleMap& map,
-                 const FigureScene& scene, const std::string& by,
-                 Rgb background_color, bool background, const Placing& placing);
+                 const FigureScene& scene, const FillStyle& style,
+                 const Placing& placing);
 
 /// A plane across an axis, in the model's units.
 struct CutPlane {
