@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "papers/depth_sort.hpp"
 #include "papers/frames.hpp"
 #include "papers/report.hpp"
 #include "papers/screens.hpp"
@@ -47,12 +48,12 @@ int run(const Request& request) {
   std::error_code ignored;
   std::filesystem::create_directories(request.out, ignored);
   bool good = true;
+  const auto models = fag83_models(request.effort.scans);
+  if (!models) {
+    std::fprintf(stderr, "run_papers: %s\n", models.error().message.c_str());
+    return 2;
+  }
   if (request.wants("fag83")) {
-    const auto models = fag83_models(request.effort.scans);
-    if (!models) {
-      std::fprintf(stderr, "run_papers: %s\n", models.error().message.c_str());
-      return 2;
-    }
     good = publish(fag83_table_1(*models, request.effort), request.out) && good;
     good = publish(fag83_table_2(*models, request.effort), request.out) && good;
   }
@@ -63,6 +64,10 @@ int run(const Request& request) {
     good = publish(f2b_tree_sizes(request.effort), request.out) && good;
     good = publish(f2b_figures_12_to_14(request.effort), request.out) && good;
     good = publish(f2b_figures_15_16(request.effort), request.out) && good;
+  }
+  if (request.wants("sort")) {
+    good =
+        publish(f2b_depth_sort(*models, request.effort), request.out) && good;
   }
   if (request.wants("faq")) {
     good = publish(faq_screens(request.effort), request.out) && good;
@@ -85,8 +90,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(16, 8192));
   app.add_option("--most-parallel", request.effort.most_parallel,
                  "The most parallel triangles, F2B fig. 15 and 16");
-  app.add_option("--only", request.only, "Any of f2b, fag83, heur, faq")
-      ->check(CLI::IsMember({"f2b", "fag83", "heur", "faq"}));
+  app.add_option("--only", request.only, "Any of f2b, sort, fag83, heur, faq")
+      ->check(CLI::IsMember({"f2b", "sort", "fag83", "heur", "faq"}));
   app.add_option("--scan", request.scans,
                  "Mesh files that join the models of FAG83");
   CLI11_PARSE(app, argc, argv);

@@ -2,10 +2,12 @@
 #include "fuzz.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
+#include "halfspace/ref/depth_sort.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -106,6 +108,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
       fast::render_on(view.scene, other, *view.camera, view.options, screen));
   HALFSPACE_FUZZ_EXPECT(
       ref::render_on(view.scene, tree, *view.camera, view.options, screen)
+              .items == span.items,
+      text);
+  const fast::BspTree list = fast::depth_sort(view.scene, *view.camera).list;
+  expect_fast(fast::render(view.scene, list, *view.camera, view.options));
+  expect_fast(fast::paint(view.scene, list, *view.camera, view.options));
+  HALFSPACE_FUZZ_EXPECT(
+      ref::render(view.scene, ref::depth_sort(view.scene, *view.camera).list,
+                  *view.camera, view.options)
               .items == span.items,
       text);
   const std::int32_t samples = 2 << (options.seed % 3);

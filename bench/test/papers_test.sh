@@ -18,10 +18,10 @@ for path in folder.glob("*.csv"):
 counts = {name: len(lines) - 1 for name, lines in rows.items()}
 expected = {"f2b-figures-12-to-14": 15, "f2b-figures-15-16": 1,
             "f2b-tree-sizes": 45, "fag83-table-1": 16, "fag83-table-2": 4,
-            "heur-figures-4-to-7": 24, "faq-screens": 15}
+            "heur-figures-4-to-7": 24, "faq-screens": 15, "f2b-depth-sort": 20}
 assert counts == expected, counts
 charts = sorted(folder.glob("*.svg"))
-assert len(charts) == 10, charts
+assert len(charts) == 12, charts
 for path in charts:
     assert xml.dom.minidom.parse(str(path)).getElementsByTagName("polyline")
 PYTHON

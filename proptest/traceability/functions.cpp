@@ -9,6 +9,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
@@ -39,6 +40,7 @@
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
 #include "halfspace/ref/clip.hpp"
+#include "halfspace/ref/depth_sort.hpp"
 #include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/lines.hpp"
 #include "halfspace/ref/moving.hpp"
@@ -162,6 +164,8 @@ void take_all() {
   take(&fast::back_to_front);  // S3.7
   take(&ref::ordered_triangles);  // S3.8
   take(&fast::order_indices);  // S3.8
+  take(&ref::depth_sort);  // S3.9
+  take(&fast::depth_sort);  // S3.9
   take(&make_camera);  // S4.1
   take(&ref::side_of_eye);  // S4.2
   take(&fast::side_of_eye);  // S4.2
@@ -358,5 +362,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 165 ? 0 : 1;
+  return halfspace::taken == 167 ? 0 : 1;
 }

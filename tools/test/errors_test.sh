@@ -27,6 +27,14 @@ expect 2 '\-\-repeat' render cube.off -o a.png --repeat 0
 expect 2 '\-\-candidates.*at least 1' build cube.off --candidates 0
 expect 2 '\.png' render cube.off -o a.jpg
 expect 2 'fast.*zbuffer' render cube.off -o a.png --impl fast --method zbuffer
+expect 2 '\-\-priority.*not zbuffer' render cube.off -o a.png \
+  --method zbuffer --priority depthsort
+expect 2 '\-\-priority depthsort.*leave out --heuristic' render cube.off \
+  -o a.png --priority depthsort --heuristic h1
+expect 2 '\-\-priority depthsort.*exact' render cube.off -o a.png \
+  --priority depthsort --aa exact
+expect 2 '\-\-tree.*depthsort needs none' render cube.off -o a.png \
+  --priority depthsort --tree a.tree
 expect 2 'output' csg
 expect 2 'say what' csg -o c.off
 expect 2 'NAME=FILE.*cube.off' csg xor cube.off cube.off -o c.off

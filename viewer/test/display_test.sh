@@ -15,7 +15,9 @@ for needed in Xvfb xdotool; do
   }
 done
 exec 3<>display
-Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 2>xvfb.log &
+# Without -noreset the display begins anew when a search that found nothing is
+# its last client to go, and whoever comes at that moment loses his window.
+Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 2>xvfb.log &
 screen=$!
 viewer=
 trap 'kill $viewer $screen 2>/dev/null' EXIT
@@ -32,7 +34,10 @@ for ((i = 0; i < 300; ++i)); do
   [ -n "$window" ] && break
   sleep 0.1
 done
-[ -n "$window" ] || wrong 'no window with the name of the file'
+if [ -z "$window" ]; then
+  wrong 'no window with the name of the file'
+  finish
+fi
 hand() {
   xdotool "$@" || wrong "xdotool $*"
   sleep 0.5
@@ -58,7 +63,10 @@ for ((i = 0; i < 100; ++i)); do
   kill -0 $viewer 2>/dev/null || break
   sleep 0.1
 done
-kill -0 $viewer 2>/dev/null && wrong 'Ctrl+Q does not end the window'
+if kill -0 $viewer 2>/dev/null; then
+  wrong 'Ctrl+Q does not end the window'
+  kill -9 $viewer
+fi
 wait $viewer || wrong "it ended with $?"
 [ -s stderr ] && grep -v XDG_RUNTIME_DIR stderr | grep -q . &&
   wrong "it complained: $(cat stderr)"

@@ -333,6 +333,10 @@ void add_render(CLI::App& program, Status& status) {
              "lists, a 1-D BSP tree a line, a quadtree, or a 2-D BSP tree of "
              "the edges' images. All give the same image; the usual screen of "
              "tiles is quicker");
+  add_choice(*app, "--priority", kPriorityWords, arguments->priority,
+             "What orders the polygons of --method span and painter: the BSP "
+             "tree (usual), or Newell, Newell and Sancha's depth sort, which "
+             "sorts every frame anew. Both give the same image");
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
   add_clip_options(*app, arguments->clip);

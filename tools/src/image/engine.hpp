@@ -39,6 +39,11 @@ inline constexpr Word<ScreenKind> kScreenWords[] = {
     {"quad", ScreenKind::kQuad},
     {"bsp2", ScreenKind::kBsp2}};
 
+/// What orders the fragments that span and painter display (S3.7, S3.9).
+enum class Priority : std::uint8_t { kTree, kDepthSort };
+inline constexpr Word<Priority> kPriorityWords[] = {
+    {"bsp", Priority::kTree}, {"depthsort", Priority::kDepthSort}};
+
 /// What of a pixel its colour is taken from: one sample, so many samples each
 /// way (S5.7), or all of its area (S7.6).
 enum class AntiAliasing : std::uint8_t {
@@ -100,6 +105,7 @@ struct Shot {
   std::uint8_t alpha = kOpaque;
   bool by_scalars = false;  ///< the colours are those of set_scalars() (S11)
   std::optional<ScreenKind> screen;  ///< nothing: the library's usual one
+  Priority priority = Priority::kTree;
   int threads = 1;
   fast::SimdLevel simd = fast::SimdLevel::kBest;
 };
@@ -111,6 +117,10 @@ struct Picture {
   ColorImage colors;
   std::size_t pixels_painted = 0;
   std::size_t fragments_displayed = 0;
+  /// Of depth sort: the fragments in its list, and what it took (S3.9).
+  std::size_t listed = 0;
+  std::size_t moves = 0;
+  std::size_t cuts = 0;
   /// Pixels of exact areas that rationals decided.
   std::size_t exact_pixels = 0;
 };
@@ -152,8 +162,8 @@ class Engine {
 
   /// Requires: has(shot.method); the span buffer for anti-aliasing, with a
   /// number of samples that the camera has room for; where the method needs a
-  /// tree, that is this scene's, and without leaves for the painter; an alpha
-  /// for the painter alone.
+  /// tree and depth sort does not make a list instead, that is this scene's,
+  /// and without leaves for the painter; an alpha for the painter alone.
   virtual Picture render(const Scene& scene, const Camera& camera,
                          const Shot& shot) const = 0;
 

@@ -7,6 +7,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
@@ -71,10 +72,23 @@ class FastEngine : public Engine {
       how.rectangle = {0, shot.rows->first, camera->width_px, shot.rows->end};
     }
     how.colors = !shot.by_scalars;
-    fast::Rendering image = image_of(scene, camera, shot, how);
+    Picture picture;
+    fast::Rendering image;
+    if (shot.priority == Priority::kDepthSort) {
+      const fast::DepthSort sort = fast::depth_sort(scene, camera);
+      picture.listed = sort.list.fragments.size();
+      picture.moves = sort.moves;
+      picture.cuts = sort.cuts;
+      image = image_of(scene, sort.list, camera, shot, how);
+    } else {
+      image = image_of(scene, tree_, camera, shot, how);
+    }
     if (shot.by_scalars) color(scene, camera, shot, image);
-    return {std::move(image.items), std::move(image.colors),
-            image.pixels_painted, image.fragments_displayed};
+    picture.items = std::move(image.items);
+    picture.colors = std::move(image.colors);
+    picture.pixels_painted = image.pixels_painted;
+    picture.fragments_displayed = image.fragments_displayed;
+    return picture;
   }
 
   void set_scalars(const Scene& scene, ScalarField field,
@@ -121,25 +135,25 @@ class FastEngine : public Engine {
   std::string warning(std::size_t) const override { return {}; }
 
  private:
-  fast::Rendering image_of(const Scene& scene, const Camera& camera,
-                           const Shot& shot,
-                           const fast::RenderOptions& how) const {
+  static fast::Rendering image_of(const Scene& scene, const fast::BspTree& tree,
+                                  const Camera& camera, const Shot& shot,
+                                  const fast::RenderOptions& how) {
     if (const auto samples = samples_of(shot.anti_aliasing); samples > 1) {
       fast::RenderOptions own = how;
       own.items = shot.items || shot.by_scalars;
-      return fast::render_samples(scene, tree_, camera, shot.options, samples,
+      return fast::render_samples(scene, tree, camera, shot.options, samples,
                                   own);
     }
     if (shot.screen) {
-      return fast::render_on(scene, tree_, camera, shot.options, *shot.screen);
+      return fast::render_on(scene, tree, camera, shot.options, *shot.screen);
     }
     if (shot.method == Method::kSpan) {
-      return fast::render(scene, tree_, camera, shot.options, how);
+      return fast::render(scene, tree, camera, shot.options, how);
     }
     if (shot.alpha == kOpaque) {
-      return fast::paint(scene, tree_, camera, shot.options, how);
+      return fast::paint(scene, tree, camera, shot.options, how);
     }
-    return fast::blend(scene, tree_, camera, shot.options, shot.alpha, how);
+    return fast::blend(scene, tree, camera, shot.options, shot.alpha, how);
   }
 
   void color(const Scene& scene, const Camera& camera, const Shot& shot,

@@ -4,6 +4,7 @@
 #include "halfspace/assert.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/build.hpp"
+#include "halfspace/ref/depth_sort.hpp"
 #include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/lines.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
@@ -35,9 +36,10 @@ Grid2<T> rows_of(const Grid2<T>& image, const Rows& rows) {
 /// Those rows of the picture; what it took stays that of the whole.
 Picture cut_out(const Picture& whole, const Rows& rows) {
   const std::int32_t samples = whole.items.height_px / whole.colors.height_px;
-  return {rows_of(whole.items, {rows.first * samples, rows.end * samples}),
-          rows_of(whole.colors, rows), whole.pixels_painted,
-          whole.fragments_displayed};
+  Picture part = whole;
+  part.items = rows_of(whole.items, {rows.first * samples, rows.end * samples});
+  part.colors = rows_of(whole.colors, rows);
+  return part;
 }
 
 class RefEngine : public Engine {
@@ -116,36 +118,48 @@ class RefEngine : public Engine {
  private:
   Picture whole(const Scene& scene, const Camera& camera,
                 const Shot& shot) const {
-    const ImageOptions& options = shot.options;
+    Picture picture;
     ref::Rendering image;
-    switch (shot.method) {
-      case Method::kSpan:
-        if (shot.screen) {
-          image = ref::render_on(scene, tree_, camera, options, *shot.screen);
-          break;
-        }
-        image = ref::render_samples(scene, tree_, camera, options,
-                                    samples_of(shot.anti_aliasing));
-        break;
-      case Method::kPainter:
-        image = shot.alpha == kOpaque
-                    ? ref::paint(scene, tree_, camera, options)
-                    : ref::blend(scene, tree_, camera, options, shot.alpha);
-        break;
-      case Method::kZBuffer:
-        image = ref::zbuffer(scene, camera, options);
-        break;
-      case Method::kRayCast:
-        image = ref::raycast(scene, camera, options);
-        break;
+    if (shot.priority == Priority::kDepthSort && needs_tree(shot.method)) {
+      const ref::DepthSort sort = ref::depth_sort(scene, camera);
+      picture.listed = sort.list.nodes.size();
+      picture.moves = sort.moves;
+      picture.cuts = sort.cuts;
+      image = image_of(scene, sort.list, camera, shot);
+    } else {
+      image = image_of(scene, tree_, camera, shot);
     }
     if (shot.by_scalars) {
       image.colors =
-          ref::color_scalars(scene, camera, options, image.items, field_,
+          ref::color_scalars(scene, camera, shot.options, image.items, field_,
                              scale_, samples_of(shot.anti_aliasing));
     }
-    return {std::move(image.items), std::move(image.colors),
-            image.pixels_painted, image.fragments_displayed};
+    picture.items = std::move(image.items);
+    picture.colors = std::move(image.colors);
+    picture.pixels_painted = image.pixels_painted;
+    picture.fragments_displayed = image.fragments_displayed;
+    return picture;
+  }
+
+  static ref::Rendering image_of(const Scene& scene, const ref::BspTree& tree,
+                                 const Camera& camera, const Shot& shot) {
+    const ImageOptions& options = shot.options;
+    switch (shot.method) {
+      case Method::kSpan:
+        if (shot.screen)
+          return ref::render_on(scene, tree, camera, options, *shot.screen);
+        break;
+      case Method::kPainter:
+        return shot.alpha == kOpaque
+                   ? ref::paint(scene, tree, camera, options)
+                   : ref::blend(scene, tree, camera, options, shot.alpha);
+      case Method::kZBuffer:
+        return ref::zbuffer(scene, camera, options);
+      case Method::kRayCast:
+        return ref::raycast(scene, camera, options);
+    }
+    return ref::render_samples(scene, tree, camera, options,
+                               samples_of(shot.anti_aliasing));
   }
 
   ref::BspTree tree_;

@@ -38,6 +38,7 @@ std::string tree_complaint(const RenderArguments& arguments,
     return "--tree: --method " + name_of(method_of(arguments)) +
            " needs no tree";
   }
+  if (!needs_tree(arguments)) return "--tree: --priority depthsort needs none";
   if (!engine.has_tree_files()) return "--tree: --impl ref reads no trees";
   const BuildArguments& build = arguments.build;
   if (build.rule || build.candidates || build.seed || build.cut_weight) {
@@ -56,6 +57,24 @@ std::string simd_complaint(const RenderArguments& arguments) {
     return fmt::format("--simd: this machine has no {}",
                        word_of(kSimdWords, *arguments.simd));
   }
+  return {};
+}
+
+/// What is wrong with depth sort among the other options.
+std::string priority_complaint(const RenderArguments& arguments) {
+  if (!arguments.priority) return {};
+  if (!needs_tree(method_of(arguments))) {
+    return "--priority: is for --method span and painter, not " +
+           name_of(method_of(arguments));
+  }
+  if (*arguments.priority != Priority::kDepthSort) return {};
+  const BuildArguments& build = arguments.build;
+  if (build.rule || build.candidates || build.seed || build.cut_weight) {
+    return "--priority depthsort: builds no tree; leave out --heuristic, "
+           "--candidates, --seed and --cut-weight";
+  }
+  if (arguments.anti_aliasing == AntiAliasing::kExact)
+    return "--priority depthsort: has no exact areas; take --aa 8";
   return {};
 }
 
@@ -112,6 +131,11 @@ Result<std::optional<Rows>> rows_of(const RenderArguments& arguments,
 Method method_of(const RenderArguments& arguments) {
   if (arguments.method) return *arguments.method;
   return arguments.alpha ? Method::kPainter : Method::kSpan;
+}
+
+bool needs_tree(const RenderArguments& arguments) {
+  return needs_tree(method_of(arguments)) &&
+         arguments.priority != Priority::kDepthSort;
 }
 
 Library library_of(const RenderArguments& arguments) {
@@ -171,7 +195,8 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
            "and --rows";
   }
   for (const std::string& wrong :
-       {scalars_complaint(arguments), lines_complaint(arguments)}) {
+       {priority_complaint(arguments), scalars_complaint(arguments),
+        lines_complaint(arguments)}) {
     if (!wrong.empty()) return wrong;
   }
   const std::string simd = simd_complaint(arguments);
@@ -185,7 +210,7 @@ Status make_tree(Engine& engine, const Scene& scene,
   const Method method = method_of(arguments);
   const Library library = library_of(arguments);
   tree.library = word_of(kLibraryWords, library);
-  if (!needs_tree(method)) return Status::kFine;
+  if (!needs_tree(arguments)) return Status::kFine;
   const bool leaves = method == Method::kSpan && !arguments.screen &&
                       arguments.anti_aliasing != AntiAliasing::kExact;
   if (arguments.tree_file) {
@@ -268,6 +293,7 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
   }
   shot.rows = *rows;
   shot.screen = arguments.screen;
+  shot.priority = arguments.priority.value_or(Priority::kTree);
   shot.anti_aliasing = anti_aliasing;
   shot.items = arguments.ids_file.has_value();
   shot.alpha = arguments.alpha.value_or(kOpaque);
@@ -336,7 +362,12 @@ void print_summary(const io::LoadedScene& loaded, const BuildMeasure& tree,
   say("{}: {} polygons; {}\n", arguments.path, polygons,
       to_string(loaded.report));
   const Method method = method_of(arguments);
-  if (needs_tree(method)) say("tree: {}\n", to_string(tree, polygons));
+  if (needs_tree(arguments)) {
+    say("tree: {}\n", to_string(tree, polygons));
+  } else if (arguments.priority) {
+    say("depth sort: {} fragments, {} moved, {} cuts\n", frame.picture.listed,
+        frame.picture.moves, frame.picture.cuts);
+  }
   say("{}: {}x{}, ", name_of(method), frame.picture.colors.width_px,
       frame.picture.colors.height_px);
   if (arguments.anti_aliasing) {
@@ -365,6 +396,11 @@ nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
   stats["exact_pixels"] = frame.picture.exact_pixels;
   stats["pixels_painted"] = frame.picture.pixels_painted;
   stats["fragments_displayed"] = frame.picture.fragments_displayed;
+  if (arguments.priority == Priority::kDepthSort) {
+    stats["listed"] = frame.picture.listed;
+    stats["moves"] = frame.picture.moves;
+    stats["cuts"] = frame.picture.cuts;
+  }
   return stats;
 }
 

@@ -32,6 +32,7 @@ struct RenderArguments {
   std::optional<AntiAliasing> anti_aliasing;
   std::optional<Method> method;
   std::optional<ScreenKind> screen;
+  std::optional<Priority> priority;
   std::optional<fast::SimdLevel> simd;
   std::optional<std::uint32_t> repeat;
   std::optional<int> grid_bits;
@@ -47,6 +48,10 @@ struct RenderArguments {
 /// The method asked for; if none is, the painter where there is an alpha, else
 /// the span buffer.
 Method method_of(const RenderArguments& arguments);
+
+/// Whether a tree is asked for: the method needs one, and it is the tree that
+/// orders what is displayed.
+bool needs_tree(const RenderArguments& arguments);
 
 /// The library asked for; if none is, the fast one where it has the method.
 Library library_of(const RenderArguments& arguments);
