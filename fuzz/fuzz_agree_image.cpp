@@ -154,6 +154,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   expect_section(fast::render(cut.scene,
                               fast::build_display_tree(cut.scene, display),
                               *cut.camera, cut.options, portable));
+  const auto cut_means =
+      ref::render_samples(cut.scene, tree, *cut.camera, cut.options, samples);
+  const auto fast_cut_means = fast::render_samples(
+      cut.scene, other, *cut.camera, cut.options, samples, portable);
+  HALFSPACE_FUZZ_EXPECT(cut_means.items == fast_cut_means.items, cut_text);
+  HALFSPACE_FUZZ_EXPECT(cut_means.colors == fast_cut_means.colors, cut_text);
   const auto cut_read = read_scene(cut_text);
   HALFSPACE_FUZZ_EXPECT(cut_read.has_value() && *cut_read == cut, cut_text);
   // The scene file says it all: what it holds gives the image again.

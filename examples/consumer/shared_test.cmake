@@ -22,7 +22,8 @@ foreach(symbol ${symbols})
   string(REGEX REPLACE "^[0-9a-f]+ [A-Za-z] " "" name "${symbol}")
   # Functions of the interface, and types of it that are thrown or compared.
   if(name MATCHES "^(typeinfo (name )?for |vtable for )?halfspace(::|_)" AND
-     NOT name MATCHES "halfspace::(fast|ref|io|csg|shadow|detail)::")
+     NOT name MATCHES "halfspace::(fast|ref|io|csg|shadow|detail)::" AND
+     NOT name MATCHES "::State::")
     math(EXPR count "${count} + 1")
   else()
     list(APPEND others "${symbol}")

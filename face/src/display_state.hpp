@@ -16,8 +16,9 @@
 
 namespace halfspace {
 
-/// What a display is made of.
-struct Display::State {
+/// What a display is made of. A shared library does not show it, though it
+/// shows the class that it is in.
+struct [[gnu::visibility("hidden")]] Display::State {
   io::Mesh mesh;  ///< empty of a scene file
   Scene scene;
   std::vector<PolygonId> faces;  ///< by polygon of the scene

@@ -10,6 +10,7 @@
 #include "halfspace/fast/render.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/splitmix.hpp"
+#include "laws/changed_views.hpp"
 #include "laws/law.hpp"
 
 /// Laws of clip planes and caps (S10).
@@ -174,6 +175,11 @@ struct RefSections {
     images.push_back(Ref::image_of(ref::raycast(scene, *camera, options)));
     return images;
   }
+  static Image samples(const SceneFile& view, std::int32_t count) {
+    return Ref::image_of(
+        ref::render_samples(view.scene, ref::build(view.scene, {}),
+                            *view.camera, view.options, count));
+  }
   static PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) {
     return ref::pick(view.scene, *view.camera, view.options, i, j);
   }
@@ -211,6 +217,10 @@ struct FastSections {
     images.push_back(image_of(
         fast::render(scene, tree_of(scene, 8), *camera, options, how)));
     return images;
+  }
+  static Image samples(const SceneFile& view, std::int32_t count) {
+    return image_of(fast::render_samples(view.scene, tree_of(view.scene, 3),
+                                         *view.camera, view.options, count));
   }
   static PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) {
     return fast::pick(view.scene, tree_of(view.scene, 2), *view.camera,
@@ -451,6 +461,101 @@ TYPED_TEST(S10Sections, L4CapsAreWhereTheSolidGoesOn) {
   });
   EXPECT_GT(shown, 200u);
   EXPECT_GT(not_shown, 200u);
+}
+
+/// The view, so many times as large, and its clip planes with it.
+std::optional<SceneFile> magnified_section(const SceneFile& view,
+                                           std::int32_t samples) {
+  auto large = magnified(view, samples);
+  if (!large) return std::nullopt;
+  for (ClipPlane& clip : large->options.clips) {
+    if (clip.d > (Int128{1} << 120) || -clip.d > (Int128{1} << 120))
+      return std::nullopt;
+    clip.d *= samples;
+  }
+  const auto made = make_clips(large->options.clips, large->scene.grid_bits());
+  if (!made || made->size() != view.options.clips.size()) return std::nullopt;
+  large->options.clips = *made;
+  return large;
+}
+
+/// The mean of the samples of pixel (i, j) of a flat image that is so many
+/// times as large; caps are hatched by pixels.
+Rgb mean_of_samples(const SceneFile& view, const Image& large,
+                    std::int32_t samples, std::int32_t i, std::int32_t j) {
+  const auto count = static_cast<PolygonId>(view.scene.polygon_count());
+  int sum[3] = {};
+  for (std::int32_t s = 0; s < samples * samples; ++s) {
+    const std::int32_t x = i * samples + s % samples;
+    const std::int32_t y = j * samples + s / samples;
+    const PolygonId item = large.items.at(x, y);
+    const Rgb color =
+        item < count ? large.colors.at(x, y)
+                     : cap_color(*view.options.caps,
+                                 static_cast<std::size_t>(item - count), i, j);
+    sum[0] += color.r;
+    sum[1] += color.g;
+    sum[2] += color.b;
+  }
+  const int all = samples * samples;
+  const auto mean = [&](int channel) {
+    return static_cast<std::uint8_t>((2 * channel + all) / (2 * all));
+  };
+  return {mean(sum[0]), mean(sum[1]), mean(sum[2])};
+}
+
+/// Compares an image of samples with the larger one; the samples that differ
+/// from the first of their pixel.
+template <class Impl>
+std::size_t expect_means(const SceneFile& section) {
+  SceneFile view = section;
+  view.options.shading = Shading::kFlat;
+  if (view.options.clips.empty()) return 0;
+  const std::int32_t samples = 2 << (seed_of(view) % 3);
+  const auto larger = magnified_section(view, samples);
+  if (!larger) return 0;
+  const Image large =
+      oracle::zbuffer(larger->scene, *larger->camera, larger->options);
+  const Image image = Impl::samples(view, samples);
+  HALFSPACE_LAW(image.items == large.items);
+  std::size_t mixed = 0;
+  for (std::int32_t j = 0; j < image.colors.height_px; ++j) {
+    for (std::int32_t i = 0; i < image.colors.width_px; ++i) {
+      HALFSPACE_LAW(image.colors.at(i, j) ==
+                    mean_of_samples(view, large, samples, i, j));
+      mixed +=
+          image.items.at(i * samples, j * samples) !=
+                  image.items.at((i + 1) * samples - 1, (j + 1) * samples - 1)
+              ? 1u
+              : 0u;
+    }
+  }
+  return mixed;
+}
+
+constexpr int kSampledViews = 150;
+
+TYPED_TEST(S10Sections, L5SamplesOfSectionsAreALargerImages) {
+  std::size_t mixed = 0;
+  law::for_all_views(
+      [&](const SceneFile& whole) {
+        SceneFile view = clipped(whole);
+        view.options.caps = std::nullopt;
+        mixed += expect_means<TypeParam>(view);
+      },
+      kSampledViews);
+  EXPECT_GT(mixed, 150u);
+}
+
+TYPED_TEST(S10Sections, L5SamplesOfCapsAreALargerImages) {
+  std::size_t mixed = 0;
+  law::for_all(closed_views(), kSampledViews, [&](const SceneFile& whole) {
+    if (!bad_edges(whole.scene).empty()) return;
+    SceneFile view = clipped(whole);
+    view.options.caps = CapStyle{{9, 8, 7}, Rgb{201, 102, 3}};
+    mixed += expect_means<TypeParam>(view);
+  });
+  EXPECT_GT(mixed, 100u);
 }
 
 }  // namespace

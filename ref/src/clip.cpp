@@ -27,12 +27,13 @@ int sign_at_sample(const Affine& f, std::int32_t i, std::int32_t j) {
   return sign(f.dy);
 }
 
-/// A plane as the camera sees it: P(e), and P(s) (S4.5).
+/// A plane as the camera sees it: P(e), and P(s) (S4.5), x and y counting
+/// samples, so many a pixel.
 struct Seen {
   Rational at_eye;
   Affine at_image;
 
-  Seen(const Plane& plane, const Camera& camera) {
+  Seen(const Plane& plane, const Camera& camera, std::int32_t samples) {
     const Rational step = 1 << kLatticeBits;
     const auto along = [&](const LatticeVector& v) {
       return dot(normal_of(plane), to_point(v));
@@ -41,7 +42,9 @@ struct Seen {
       return along(v) + step * plane.d;
     };
     at_eye = camera->perspective ? at(camera->eye) : along(camera->eye);
-    at_image = {at(camera->s0), along(camera->sx), along(camera->sy)};
+    const Rational share = Rational(1) / Rational(samples);
+    at_image = {at(camera->s0), share * along(camera->sx),
+                share * along(camera->sy)};
   }
 };
 
@@ -57,9 +60,10 @@ struct Wall {
   std::vector<Affine> edges;  ///< positive within
 };
 
-Wall wall_of(const Fragment& polygon, const Camera& camera) {
+Wall wall_of(const Fragment& polygon, const Camera& camera,
+             std::int32_t samples) {
   const Plane plane = plane_of(polygon.vertices);
-  Wall wall{0, Seen(plane, camera), {}};
+  Wall wall{0, Seen(plane, camera, samples), {}};
   wall.side = sign(wall.plane.at_eye);
   const std::size_t count = polygon.vertices.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -67,7 +71,7 @@ Wall wall_of(const Fragment& polygon, const Camera& camera) {
     const Point edge = difference(polygon.vertices[(k + 1) % count], p);
     const Plane inwards = plane_through(cross(normal_of(plane), edge), p);
     wall.edges.push_back(Rational(wall.side) *
-                         crossed(wall.plane, Seen(inwards, camera)));
+                         crossed(wall.plane, Seen(inwards, camera, samples)));
   }
   return wall;
 }
@@ -152,18 +156,19 @@ std::optional<Fragment> clipped(Fragment fragment,
 }
 
 void add_caps(const Scene& scene, const Camera& camera,
-              const ImageOptions& options, ItemImage& items) {
+              const ImageOptions& options, ItemImage& items,
+              std::int32_t samples) {
   if (!options.caps || options.clips.empty()) return;
   std::vector<Wall> walls;
   std::vector<Seen> planes;
   const auto count = static_cast<PolygonId>(scene.polygon_count());
   for (PolygonId id = 0; id < count; ++id) {
-    walls.push_back(wall_of(whole(scene, id), camera));
+    walls.push_back(wall_of(whole(scene, id), camera, samples));
     planes.push_back(walls.back().plane);
   }
   std::vector<Seen> caps;
   for (const ClipPlane& clip : options.clips)
-    caps.emplace_back(function_of(clip), camera);
+    caps.emplace_back(function_of(clip), camera, samples);
   planes.insert(planes.end(), caps.begin(), caps.end());
 
   const auto shows = [&](std::size_t k, std::int32_t i, std::int32_t j) {

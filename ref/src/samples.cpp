@@ -1,4 +1,5 @@
 #include "halfspace/assert.hpp"
+#include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scan.hpp"
@@ -19,6 +20,7 @@ ExactColor mean_color(const Scene& scene, const Camera& camera,
                       const ItemImage& items, const ImageOptions& options,
                       std::int32_t i, std::int32_t j, std::int32_t samples) {
   const Rational share = Rational(1) / Rational(samples * samples);
+  const auto polygons = static_cast<PolygonId>(scene.polygon_count());
   const auto centre = [&](std::int32_t pixel, std::int32_t sample) {
     return Rational(pixel) + Rational(2 * sample + 1) / Rational(2 * samples);
   };
@@ -26,11 +28,14 @@ ExactColor mean_color(const Scene& scene, const Camera& camera,
   for (std::int32_t b = 0; b < samples; ++b) {
     for (std::int32_t a = 0; a < samples; ++a) {
       const PolygonId seen = items.at(i * samples + a, j * samples + b);
-      const ExactColor color =
-          seen == kBackground
-              ? exact(options.background)
-              : exact_color_at(scene, camera, seen,
+      ExactColor color = exact(options.background);
+      if (seen >= polygons) {
+        color = exact(cap_color(
+            *options.caps, static_cast<std::size_t>(seen - polygons), i, j));
+      } else if (seen != kBackground) {
+        color = exact_color_at(scene, camera, seen,
                                {centre(i, a), centre(j, b)}, options.shading);
+      }
       for (std::size_t c = 0; c < 3; ++c) mean[c] += share * color[c];
     }
   }
@@ -57,8 +62,11 @@ Rendering render_samples(const Scene& scene, const BspTree& tree,
     const Plane& plane = planes[static_cast<std::size_t>(fragment.source)];
     const bool from_behind = side_of_eye(plane, camera) == Side::kNegative;
     if (options.cull && from_behind) return true;
+    if (!is_there(plane, options)) return true;
+    const auto left = clipped(fragment, options);
+    if (!left) return true;
     ++image.fragments_displayed;
-    for (const auto& [line, span] : scan_convert(fragment, projection)) {
+    for (const auto& [line, span] : scan_convert(*left, projection)) {
       screen.merge(line, {span}, [&, row = line](Span lit) {
         for (std::int32_t i = lit.first; i <= lit.last; ++i) {
           image.items.at(i, row) = fragment.source;
@@ -68,6 +76,7 @@ Rendering render_samples(const Scene& scene, const BspTree& tree,
     }
     return !screen.full();
   });
+  add_caps(scene, camera, options, image.items, samples);
   image.colors =
       ColorImage(camera->width_px, camera->height_px, options.background);
   for (std::int32_t j = 0; j < camera->height_px; ++j) {

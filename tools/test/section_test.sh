@@ -21,6 +21,14 @@ expect 0 'span' render cubes.off --yon 1e9 --ids far.npy
 expect 0 'span' render cubes.off --ids all.npy
 same far.npy all.npy
 
+expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
+  --ids fine.npy --size 32x24
+expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
+  --ids exact.npy --size 32x24 --impl ref
+same fine.npy exact.npy
+expect 2 'aa exact.*take --aa 8' render cubes.off --clip 0,1,0,-1 --aa exact \
+  -o no.png
+
 nine=()
 for k in 1 2 3 4 5 6 7 8 9; do nine+=(--clip "1,0,0,$k"); done
 expect 2 'at most 8 clip planes' render cubes.off "${nine[@]}" -o no.png

@@ -10,10 +10,10 @@ namespace halfspace::fast {
 ///
 /// Bits: as a polygon's plane (see ProjectedPlane): a normal of 2n + 1 bits
 /// against lattice vectors of n + 13, twice, three times: 3n + 17; an offset of
-/// 3n + 3 and 9 bits of scale less than that.
+/// 3n + 3 and 9 bits of scale less than that; samples as there.
 template <int kBits>
-ProjectedPlane<kBits> projected(const ClipPlane& clip,
-                                const CameraData& camera) {
+ProjectedPlane<kBits> projected(const ClipPlane& clip, const CameraData& camera,
+                                int samples = 1) {
   constexpr std::size_t kWords = ProjectedPlane<kBits>::kWords;
   const auto along = [&](const LatticeVector& v) {
     return multiply<kWords>(clip.a, v.x) + multiply<kWords>(clip.b, v.y) +
@@ -22,7 +22,8 @@ ProjectedPlane<kBits> projected(const ClipPlane& clip,
   const auto offset = multiply<kWords>(clip.d, Int128{1} << kLatticeBits);
   const auto at_s0 = along(camera.s0) + offset;
   return {camera.perspective ? along(camera.eye) + offset : along(camera.eye),
-          along(camera.sx), along(camera.sy), at_s0 + at_s0};
+          along(camera.sx), along(camera.sy),
+          multiply<kWords>(at_s0, Int128{2 * samples})};
 }
 
 /// The sign of a clip plane at a point of the grid.

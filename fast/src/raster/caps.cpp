@@ -53,12 +53,14 @@ struct Change {
 /// lattice steps: the row's plane through the eye is `row(j)`, its function
 /// positive below the row; `front` is positive where points are seen.
 ///
+/// Rows are those of samples, so many a pixel: y is (2j + 1) / (2 samples).
 /// Bits: cross products of lattice vectors have 2 (n + 14) + 2; against a point
-/// 3n + 47; a row's number adds 18 bits more: 3n + 66 at most, 228 on the grid
-/// of 54, in 4 words.
+/// 3n + 47; a row's number adds 18 bits more, and samples 3: 3n + 69 at most,
+/// 231 on the grid of 54, in 4 words.
 class ImageForms {
  public:
-  explicit ImageForms(const CameraData& camera) : camera_(camera) {
+  ImageForms(const CameraData& camera, int samples)
+      : camera_(camera), samples_(samples) {
     // The plane of a row holds its direction sx and the eye; below is sy.
     const LatticeVector depth =
         camera.perspective ? minus(camera.s0, camera.eye) : camera.eye;
@@ -78,12 +80,12 @@ class ImageForms {
     const LatticeVector v =
         minus(lattice(p), camera_.perspective ? camera_.eye : camera_.s0);
     if (camera_.perspective) {
-      // The normal is cross(2 (s0 - e) + (2j + 1) sy, sx).
-      return {scaled(2 * below_, dot(start_, v)),
+      // The normal is cross(2 samples (s0 - e) + (2j + 1) sy, sx).
+      return {scaled(2 * samples_ * below_, dot(start_, v)),
               scaled(below_, dot(step_, v))};
     }
-    // v less (j + 1/2) sy, twice.
-    return {scaled(2 * below_, dot(start_, v)),
+    // v less y sy, 2 samples times.
+    return {scaled(2 * samples_ * below_, dot(start_, v)),
             scaled(-below_, dot(start_, camera_.sy))};
   }
   /// The point's distance from the eye along the view: t of S4.1, times a
@@ -119,6 +121,7 @@ class ImageForms {
   }
 
   const CameraData& camera_;
+  int samples_;
   Normal front_;
   Normal start_;
   Normal step_;
@@ -129,8 +132,8 @@ class ImageForms {
 /// R = r0 + r1 (2j + 1) and what is in front, over a common positive number.
 ///
 /// Bits: a plane's value at a point has 3n + 5, a row function's part 3n + 49;
-/// the two products and their difference 6n + 55, 379: 6 words; with a row's
-/// number 397.
+/// the two products and their difference 6n + 55, 379: 6 words; with samples
+/// and a row's number 400.
 struct Crossing {
   Wide<7> at_0;
   Wide<7> slope;
@@ -153,8 +156,8 @@ class CapRows {
       : frame_(frame),
         rectangle_(rectangle),
         clip_(frame.clips.plane(k)),
-        forms_(frame.camera),
-        seen_(projected<kBits>(clip_, frame.camera)),
+        forms_(frame.camera, frame.view.samples),
+        seen_(projected<kBits>(clip_, frame.camera, frame.view.samples)),
         side_(sign(seen_.eye)) {}
 
   int side() const { return side_; }
@@ -205,8 +208,9 @@ class CapRows {
 
   /// The segment between two points of the plane.
   void add(PolygonId polygon, const std::array<Crossing, 2>& ends) {
-    const auto plane = projected(
-        frame_.reader.planes().template exact<kBits>(polygon), frame_.camera);
+    const auto plane =
+        projected(frame_.reader.planes().template exact<kBits>(polygon),
+                  frame_.camera, frame_.view.samples);
     const auto meet = meet_function<kBits>(seen_, plane);
     // Positive where the polygon's function is, at points of the plane.
     const auto beside = side_ > 0 ? meet : -meet;
@@ -264,7 +268,7 @@ class CapRows {
     const int second = sign(ends[1].front);
     if (first > 0 && second > 0) return 1;
     if (first < 0 && second < 0) return -1;
-    // (R(p) q - R(q) p) / (R(p) - R(q)). Bits: 397 and 379 and 1.
+    // (R(p) q - R(q) p) / (R(p) - R(q)). Bits: 400 and 379 and 1.
     const auto row = [&](const Crossing& end) {
       return multiply<7>(end.slope, Int128{2 * j + 1}) + end.at_0;
     };
@@ -299,18 +303,21 @@ class CapFiller {
         near_(approximate(id_)),
         result_(result) {
     const CameraData& camera = frame.camera;
+    const int samples = frame.view.samples;
     if (camera.perspective) {
-      // 1/t > 0: C(e) - C(s), doubled.
-      add(EdgeFunction<4>{
-          Wide<4>(-seen.a), Wide<4>(-seen.b),
-          Wide<4>(seen.eye) + Wide<4>(seen.eye) - Wide<4>(seen.c)});
+      // 1/t > 0: C(e) - C(s), 2 samples times.
+      add(EdgeFunction<4>{Wide<4>(-seen.a), Wide<4>(-seen.b),
+                          multiply<4>(Wide<4>(seen.eye), Int128{2 * samples}) -
+                              Wide<4>(seen.c)});
     }
-    if (camera.near)
-      add(near_function<kBits>(seen, *camera.near, camera.perspective));
+    if (camera.near) {
+      add(near_function<kBits>(seen, *camera.near, camera.perspective,
+                               samples));
+    }
     for (std::size_t other = 0; other < frame.image.clips.size(); ++other) {
       if (other == k) continue;
       add(meet_function<kBits>(
-          seen, projected<kBits>(frame.clips.plane(other), camera)));
+          seen, projected<kBits>(frame.clips.plane(other), camera, samples)));
     }
   }
 
@@ -330,7 +337,8 @@ class CapFiller {
       item = id_;
       if (result_.colors.pixels.empty()) continue;
       result_.colors.at(i - rectangle_.left, j - rectangle_.top) =
-          cap_color(*frame_.image.caps, k_, i, j);
+          cap_color(*frame_.image.caps, k_, i / frame_.view.samples,
+                    j / frame_.view.samples);
     }
   }
 
@@ -359,11 +367,11 @@ class CapFiller {
         static_cast<PolygonId>(frame_.reader.scene().polygon_count());
     if (id < count) {
       return projected(frame_.reader.planes().template exact<kBits>(id),
-                       frame_.camera);
+                       frame_.camera, frame_.view.samples);
     }
     return projected<kBits>(
-        frame_.clips.plane(static_cast<std::size_t>(id - count)),
-        frame_.camera);
+        frame_.clips.plane(static_cast<std::size_t>(id - count)), frame_.camera,
+        frame_.view.samples);
   }
 
   /// Whether the cap is nearer than what is seen (S5.3). Runs of pixels see the

@@ -60,8 +60,8 @@ class ExactScan {
     if constexpr (kBits == kMovedGrid) {
       return {};
     } else {
-      return meet_function<kBits>(support,
-                                  projected<kBits>(clips_.plane(k), camera_));
+      return meet_function<kBits>(
+          support, projected<kBits>(clips_.plane(k), camera_, samples_));
     }
   }
 

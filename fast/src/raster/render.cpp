@@ -86,7 +86,6 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   const bool leaves = has_leaves(tree);
   HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
   const TreeReader reader(scene, tree);
-  HALFSPACE_ASSERT(pass.samples == 1 || image.clips.empty());
   const View view = make_view(camera, scene.grid_bits(), pass.samples);
   const ClipSet clips(image.clips, image.caps.has_value(), scene.grid_bits());
   const Frame frame = {

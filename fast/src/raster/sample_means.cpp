@@ -46,6 +46,7 @@ SampleMeans::SampleMeans(const TreeReader& reader, const View& view,
       gouraud_(image.shading == Shading::kGouraud &&
                !reader.scene().data().corner_colors.empty()),
       eye_side_(reader, view, camera, stats_),
+      first_cap_(static_cast<PolygonId>(reader.scene().polygon_count())),
       last_color_(image.background) {
   if (gouraud_) {
     shaders_.reserve(kShaders);
@@ -57,12 +58,17 @@ SampleMeans::SampleMeans(const TreeReader& reader, const View& view,
 }
 
 bool SampleMeans::is_smooth(PolygonId polygon) const {
-  return gouraud_ && polygon != kBackground &&
+  return gouraud_ && polygon != kBackground && !is_cap(polygon) &&
          has_gradient(reader_.scene(), polygon);
 }
 
 Rgb SampleMeans::flat_color(PolygonId polygon) const {
   if (polygon == kBackground) return image_.background;
+  if (is_cap(polygon)) {
+    return cap_color(*image_.caps,
+                     static_cast<std::size_t>(polygon - first_cap_), column_,
+                     row_);
+  }
   const Scene& scene = reader_.scene();
   return gouraud_ ? scene.corner_colors(polygon)[0] : scene.color(polygon);
 }
@@ -81,12 +87,19 @@ Rgb SampleMeans::mean(const PolygonId* items, std::int64_t stride,
                       std::int32_t i, std::int32_t j) {
   if (are_equal(items, stride, samples_)) {
     if (items[0] == last_) return last_color_;
+    if (is_cap(items[0])) {
+      column_ = i / samples_;
+      row_ = j / samples_;
+      return flat_color(items[0]);
+    }
     if (!is_smooth(items[0])) {
       last_ = items[0];
       last_color_ = flat_color(last_);
       return last_color_;
     }
   }
+  column_ = i / samples_;
+  row_ = j / samples_;
   if (!gouraud_) return flat_mean(items, stride);
   return smooth_mean(items, stride, i, j);
 }

@@ -31,6 +31,7 @@ class SampleMeans {
     GouraudShader shader;
   };
 
+  bool is_cap(PolygonId item) const { return item >= first_cap_; }
   bool is_smooth(PolygonId polygon) const;
   Rgb flat_color(PolygonId polygon) const;
   GouraudShader& shader_of(PolygonId polygon);
@@ -49,6 +50,9 @@ class SampleMeans {
   FilterStats stats_;
   EyeClassifier eye_side_;
   std::vector<Shaded> shaders_;
+  PolygonId first_cap_;
+  std::int32_t column_ = 0;  ///< of the pixel, which caps are coloured by
+  std::int32_t row_ = 0;
   PolygonId last_ = kBackground;  ///< of one colour, which is:
   Rgb last_color_;
 };

@@ -35,7 +35,7 @@ Rendering render(const Scene& scene, const BspTree& tree, const Camera& camera,
 /// samples' colours.
 ///
 /// Requires: samples is 1, 2, 4 or 8; an image of that many times the size has
-///           at most 65,536 columns and rows; no clip planes.
+///           at most 65,536 columns and rows.
 /// Exact:    yes: colours are added up before they are rounded.
 Rendering render_samples(const Scene& scene, const BspTree& tree,
                          const Camera& camera, const ImageOptions& options,
