@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "exact/lean.hpp"
 #include "halfspace/csg/closing.hpp"
 #include "halfspace/csg/fault.hpp"
 #include "halfspace/csg/measure.hpp"
@@ -95,16 +96,8 @@ Error with_advice(Error error, const OperandOptions& options) {
 /// What there is to know of a surface before it is used.
 struct Checked {
   bool to_repair = false;
-  bool is_lean = false;
+  LeanSurface lean;
 };
-
-/// Whether no faces in one plane have an edge in common, and no vertex lies
-/// within an edge.
-bool is_lean(fast::Solid solid) {
-  const std::size_t faces = solid.faces.size(), edges = solid.edges.size();
-  solid = fast::merge_faces(std::move(solid), fast::Merge::kColor);
-  return solid.faces.size() == faces && solid.edges.size() == edges;
-}
 
 /// Whether the surface must be repaired; an error if that is not wanted.
 Result<Checked> checked(const GridSolid& solid,
@@ -126,7 +119,9 @@ Result<Checked> checked(const GridSolid& solid,
   const Result<Done> fine = fast::check_operand(made, options.check);
   if (!fine && fine.error().code == ErrorCode::kStopped) return fine.error();
   if (fine || options.repair)
-    return Checked{!fine, options.find_coplanar && is_lean(std::move(made))};
+    return Checked{!fine, options.find_coplanar
+                              ? lean_surface(std::move(made), solid.scene())
+                              : LeanSurface{}};
   Error error = fine.error();
   // Resolution would keep nothing of a surface that faces inwards.
   if (error.code == ErrorCode::kSelfCrossing) {
@@ -185,7 +180,9 @@ Result<Source> make_source(const std::string& path,
       checked(*source->solid, source->polygons, options);
   if (!found) return io::error_about(path, found.error());
   source->to_repair = found->to_repair;
-  source->is_lean = found->is_lean;
+  source->is_lean = found->lean.is_lean;
+  source->lean = found->lean.solid;
+  source->lean_polygons = found->lean.polygons;
   return source;
 }
 
@@ -420,6 +417,11 @@ bool Operands::stays_in_place(std::int32_t id) const {
 Result<std::shared_ptr<const GridSolid>> Operands::leaf(std::int32_t id) {
   lean_[static_cast<std::size_t>(id)] = source_of(id).is_lean;
   if (stays_in_place(id)) {
+    if (to_merge(id) && source_of(id).lean && !source_of(id).to_repair) {
+      lean_[static_cast<std::size_t>(id)] = true;
+      polygons_[static_cast<std::size_t>(id)] = source_of(id).lean_polygons;
+      return source_of(id).lean;
+    }
     polygons_[static_cast<std::size_t>(id)] = source_of(id).polygons;
     repair_[static_cast<std::size_t>(id)] = source_of(id).to_repair;
     return source_of(id).solid;

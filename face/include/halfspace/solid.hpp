@@ -283,7 +283,10 @@ class HALFSPACE_API Solid {
   Result<Location> locate(Point point) const;
   /// Whether the interiors of two have a point in common; whether the closed
   /// solids have one; whether all of `other` is in this one. Exact.
-  /// Cost: a boolean of both; of touches() also each pair of faces' boxes.
+  /// Cost: a boolean of both; of touches() also n log n, and the faces that are
+  ///   near the other solid.
+  /// Error: kUnbounded (of touches(), where a half-space by itself is beside the
+  ///   other solid).
   Result<bool> overlaps(const Solid& other) const;
   Result<bool> touches(const Solid& other) const;
   Result<bool> contains(const Solid& other) const;

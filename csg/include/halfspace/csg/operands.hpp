@@ -63,6 +63,10 @@ struct Source {
   bool merge_coplanar = false;
   /// Known to have no such faces: then nothing is done.
   bool is_lean = false;
+  /// Where it has some, and what comes of them is convex: the solid with those
+  /// as one, and by its polygon the file's, for use as it stands.
+  std::shared_ptr<const GridSolid> lean = nullptr;
+  std::vector<PolygonId> lean_polygons = {};
   io::ImportReport report;
   std::size_t corners_added = 0;  ///< where vertices lay within edges
   /// Where the scene is a solid's: that solid, so that what is used as it
