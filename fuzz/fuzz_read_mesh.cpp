@@ -102,6 +102,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                             : name == 'p' ? io::Format::kPly
                             : name == '3' ? io::Format::k3mf
                             : name == 'g' ? io::Format::kGlb
+                            : name == 'j' ? io::Format::kGltf
                                           : io::Format::kOff;
   const auto mesh = io::read_mesh(fuzz::text_of(data + 1, size - 1), format);
   if (!mesh) {

@@ -25,6 +25,7 @@ Prints a line for each trial and format; exit status 1 if anything failed.
 import argparse
 import collections
 import fractions
+import io
 import math
 import pathlib
 import random
@@ -33,8 +34,10 @@ import struct
 import subprocess
 import sys
 import tempfile
+import zipfile
+from xml.etree import ElementTree
 
-FORMATS = ["stl", "off", "obj", "ply"]
+FORMATS = ["stl", "off", "obj", "ply", "3mf"]
 OPERATIONS = ["&", "|", "-", "^"]
 
 
@@ -107,7 +110,28 @@ def read_ply(data):
     return points, polygons
 
 
-READERS = {"stl": read_stl, "off": read_off, "obj": read_obj, "ply": read_ply}
+def read_3mf(data):
+    """One object of triangles; its numbers are floats, in decimals."""
+    space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    package = zipfile.ZipFile(io.BytesIO(data))
+    model = ElementTree.fromstring(package.read("3D/3dmodel.model"))
+    as_float = lambda word: struct.unpack("f", struct.pack("f", float(word)))[0]
+    points = [tuple(as_float(vertex.get(axis)) for axis in "xyz")
+              for vertex in model.iter(space + "vertex")]
+    return points, [[int(triangle.get(name)) for name in ("v1", "v2", "v3")]
+                    for triangle in model.iter(space + "triangle")]
+
+
+READERS = {"stl": read_stl, "off": read_off, "obj": read_obj, "ply": read_ply,
+           "3mf": read_3mf}
+
+
+def write_off(path, points, polygons):
+    """For judges that read no 3MF."""
+    lines = ["OFF", f"{len(points)} {len(polygons)} 0"]
+    lines += [" ".join(map(repr, point)) for point in points]
+    lines += [" ".join(map(str, [len(p), *p])) for p in polygons]
+    path.write_text("\n".join(lines) + "\n")
 
 
 # --- the checker
@@ -227,7 +251,8 @@ def volume_in(text):
 
 def check_file(program, path, expected, reach, judge=None):
     """What is wrong with a file whose solid should have this volume."""
-    faults, volume = faults_of(*READERS[path.suffix[1:]](path.read_bytes()))
+    mesh = READERS[path.suffix[1:]](path.read_bytes())
+    faults, volume = faults_of(*mesh)
     _, error = run(program, "csg", "A", f"A={path}", "-o",
                    path.with_suffix(".again.off"))
     if error and volume != 0:
@@ -235,6 +260,9 @@ def check_file(program, path, expected, reach, judge=None):
     if abs(volume - expected) > reach:
         faults.append(f"volume {volume}, not {expected}")
     if judge and volume != 0:
+        if path.suffix == ".3mf":
+            path = path.with_suffix(".3mf.off")
+            write_off(path, *mesh)
         said = subprocess.run([judge, str(path)], capture_output=True,
                               text=True)
         if said.returncode:

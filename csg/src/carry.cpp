@@ -114,6 +114,19 @@ DoublePoint area_vector(std::span<const DoublePoint> points) {
   return sum;
 }
 
+/// 1 where a polygon with this area faces as the face does, -1 where it faces
+/// the other way; nothing where it is in quite another plane, as is what fills
+/// a hole beside the face.
+double outwards_of(const DoublePoint& normal, const DoublePoint& area) {
+  double cosine = 0;
+  for (std::size_t k = 0; k < 3; ++k) cosine += normal[k] * area[k];
+  const double most = std::hypot(normal[0], normal[1], normal[2]) *
+                      std::hypot(area[0], area[1], area[2]);
+  // Rounding turns a polygon by as little as this only where it has no width.
+  if (std::abs(cosine) < most / 2) return io::kNoValue;
+  return cosine < 0 ? -1 : 1;
+}
+
 /// A leaf's file, moved to where the leaf is.
 class PlacedFaces {
  public:
@@ -217,7 +230,7 @@ class AttributeCarrier {
                                          std::size_t face,
                                          const DoublePoint& at);
   void append(const CarriedChannel& carried, std::size_t leaf,
-              PlacedFaces& placed, const Spot& spot, bool is_reversed,
+              PlacedFaces& placed, const Spot& spot, double outwards,
               io::Channel& to);
   void add_origins();
 
@@ -385,7 +398,7 @@ Spot AttributeCarrier::spot_of(PlacedFaces& placed, std::size_t face,
 
 void AttributeCarrier::append(const CarriedChannel& carried, std::size_t leaf,
                               PlacedFaces& placed, const Spot& spot,
-                              bool is_reversed, io::Channel& to) {
+                              double outwards, io::Channel& to) {
   const io::Channel* from = carried.sources[leaf];
   const std::size_t begin = to.values.size();
   for (std::size_t i = 0; i < to.width; ++i) {
@@ -407,7 +420,7 @@ void AttributeCarrier::append(const CarriedChannel& carried, std::size_t leaf,
                         to.values[begin + 2]};
   if (placed.is_moved()) normal = placed.turned(normal);
   for (std::size_t i = 0; i < 3; ++i)
-    to.values[begin + i] = is_reversed ? 0 - normal[i] : normal[i];
+    to.values[begin + i] = outwards * normal[i] + 0.0;
 }
 
 void AttributeCarrier::add_corners(std::size_t leaf, std::size_t face,
@@ -419,8 +432,7 @@ void AttributeCarrier::add_corners(std::size_t leaf, std::size_t face,
     own.push_back(placed.point(corner));
   const DoublePoint normal = area_vector(own);
   const std::size_t axis = longest_axis_of(normal);
-  const bool is_reversed =
-      area_vector(points)[axis] * normal[axis] * placed.turns() < 0;
+  const double outwards = outwards_of(normal, area_vector(points));
   for (const DoublePoint& at : points) {
     Spot spot;
     if (const auto corner = corner_near(placed, leaf, face, at)) {
@@ -429,7 +441,8 @@ void AttributeCarrier::add_corners(std::size_t leaf, std::size_t face,
       spot = spot_of(placed, face, at, axis);
     }
     for (CarriedChannel& carried : corner_channels_) {
-      append(carried, leaf, placed, spot, is_reversed, carried.channel);
+      append(carried, leaf, placed, spot, outwards * placed.turns(),
+             carried.channel);
       if (spot.weights) carried.channel.is_integer = false;
     }
   }

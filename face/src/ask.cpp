@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "fields.hpp"
@@ -8,6 +9,7 @@
 #include "halfspace/csg/outcome.hpp"
 #include "halfspace/csg/topology.hpp"
 #include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/solid/merged_copy.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/format.hpp"
@@ -22,16 +24,18 @@ namespace {
 using detail::Evaluation;
 using detail::SolidNode;
 
-fast::Solid merged_by(const fast::Solid& solid, MergeFaces merge) {
+/// Nothing where the solid is merged already.
+std::optional<fast::Solid> merged_by(const fast::Solid& solid,
+                                     MergeFaces merge) {
   switch (merge) {
     case MergeFaces::kOrigin:
-      return fast::merge_faces(solid, fast::Merge::kOrigin);
+      return fast::merged_copy(solid, fast::Merge::kOrigin);
     case MergeFaces::kPlane:
-      return fast::merge_faces(solid, fast::Merge::kPlane);
+      return fast::merged_copy(solid, fast::Merge::kPlane);
     case MergeFaces::kNone:
       break;
   }
-  return solid;
+  return std::nullopt;
 }
 
 csg::MergeRule rule_of(MergeFaces merge) {
@@ -127,7 +131,9 @@ Result<Mesh> Solid::mesh(const MeshOptions& options) const {
       evaluation_of(*this, {options.threads, options.progress});
   if (!evaluation) return evaluation.error();
   const Lock lock((*evaluation)->mutex);
-  const fast::Solid solid = merged_by((*evaluation)->solid, options.merge);
+  const std::optional<fast::Solid> merged =
+      merged_by((*evaluation)->solid, options.merge);
+  const fast::Solid& solid = merged ? *merged : (*evaluation)->solid;
   fast::ExportedMesh exported =
       fast::to_mesh(solid, {options.triangles, options.threads});
   Mesh mesh;

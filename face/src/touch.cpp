@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cmath>
+#include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "halfspace/csg/interval.hpp"
 #include "halfspace/csg/surface.hpp"
+#include "halfspace/fast/solid/near_faces.hpp"
 #include "halfspace/solid.hpp"
 #include "node.hpp"
 
@@ -17,22 +17,57 @@ using csg::Integer;
 using detail::Evaluation;
 using detail::SolidNode;
 
-/// A solid's surface, and what its grid steps are in those of the other.
-struct TouchSide {
-  ExactSurface surface;
-  csg::Scale scale;  ///< a step of this one, in model units
-
-  explicit TouchSide(const fast::Solid& solid)
-      : surface(solid), scale(csg::scale_of(solid.unit, 1)) {}
+/// n . p = offset, in the steps that both solids are in.
+struct TouchPlane {
+  csg::Integers3 normal;
+  Integer offset;
+  std::size_t axis = 0;  ///< along which the normal is longest
 };
 
-/// A point of one on the grid of the other.
-ExactPoint moved(const ExactPoint& point, const TouchSide& from,
-                 const TouchSide& to) {
-  ExactPoint result = point;
-  for (Integer& c : result.at) c *= from.scale.numerator * to.scale.denominator;
-  result.below *= from.scale.denominator * to.scale.numerator;
-  return result;
+/// A solid's surface in steps of which those of both solids are multiples. Each
+/// point and each plane is worked out once.
+class TouchSide {
+ public:
+  TouchSide(const fast::Solid& solid, Integer steps)
+      : surface_(solid), steps_(std::move(steps)) {}
+
+  const fast::Solid& solid() const { return surface_.solid(); }
+  const fast::Face& face(std::int32_t f) const {
+    return solid().faces[static_cast<std::size_t>(f)];
+  }
+  const ExactPoint& point(std::int32_t vertex) {
+    const auto [at, is_new] = points_.try_emplace(vertex);
+    if (is_new) {
+      at->second = surface_.point(vertex);
+      for (Integer& c : at->second.at) c *= steps_;
+    }
+    return at->second;
+  }
+  const TouchPlane& plane(const fast::Face& face) {
+    const auto [at, is_new] = planes_.try_emplace(face.plane);
+    if (is_new) {
+      TouchPlane& plane = at->second;
+      plane.normal = surface_.normal(face);
+      plane.offset = csg::dot(plane.normal, surface_.origin(face)) * steps_;
+      plane.axis = csg::longest_axis(plane.normal);
+    }
+    return at->second;
+  }
+  /// Whether a point of the face's plane is in it or on its boundary.
+  bool holds(const fast::Face& face, const ExactPoint& point) {
+    return csg::is_in_face(surface_, face, {point.at, point.below * steps_});
+  }
+
+ private:
+  ExactSurface surface_;
+  Integer steps_;  ///< in a step of the solid's grid
+  std::unordered_map<std::int32_t, ExactPoint> points_;
+  std::unordered_map<std::int32_t, TouchPlane> planes_;
+};
+
+/// n . p - offset, times the point's denominator.
+Integer side_of(const TouchPlane& plane, const ExactPoint& point) {
+  return csg::dot(plane.normal, point.at) - plane.offset * point.below;
 }
 
 /// Where a segment meets the face's plane; its ends are on either side, or one
@@ -68,22 +103,18 @@ bool segments_meet(const ExactPoint& a, const ExactPoint& b,
 }
 
 /// Whether a segment and a face, both closed, have a common point.
-bool segment_meets(ExactSurface& surface, const fast::Face& face,
-                   const ExactPoint& a, const ExactPoint& b) {
-  const csg::Integers3 normal = surface.normal(face);
-  const Integer offset = csg::dot(normal, surface.origin(face));
-  const Integer a_side = csg::dot(normal, a.at) - offset * a.below;
-  const Integer b_side = csg::dot(normal, b.at) - offset * b.below;
+bool segment_meets(TouchSide& side, const fast::Face& face, const ExactPoint& a,
+                   const ExactPoint& b) {
+  const TouchPlane& plane = side.plane(face);
+  const Integer a_side = side_of(plane, a), b_side = side_of(plane, b);
   if (a_side.sign() * b_side.sign() > 0) return false;
-  if (a_side != 0 || b_side != 0) {
-    return csg::is_in_face(surface, face, meet(a, abs(a_side), b, abs(b_side)));
-  }
-  if (csg::is_in_face(surface, face, a)) return true;
-  const std::size_t axis = csg::longest_axis(normal);
+  if (a_side != 0 || b_side != 0)
+    return side.holds(face, meet(a, abs(a_side), b, abs(b_side)));
+  if (side.holds(face, a)) return true;
   bool any = false;
-  csg::for_edges(surface.solid(), face, [&](const fast::SolidEdge& edge) {
-    const ExactPoint c = surface.point(edge.from);
-    any = any || segments_meet(a, b, c, surface.point(edge.to), axis);
+  csg::for_edges(side.solid(), face, [&](const fast::SolidEdge& edge) {
+    any = any || segments_meet(a, b, side.point(edge.from), side.point(edge.to),
+                               plane.axis);
   });
   return any;
 }
@@ -92,55 +123,47 @@ bool segment_meets(ExactSurface& surface, const fast::Face& face,
 bool edges_meet(TouchSide& first, const fast::Face& face, TouchSide& second,
                 const fast::Face& other) {
   bool any = false;
-  csg::for_edges(first.surface.solid(), face, [&](const fast::SolidEdge& edge) {
-    if (any) return;
-    const ExactPoint a = moved(first.surface.point(edge.from), first, second);
-    const ExactPoint b = moved(first.surface.point(edge.to), first, second);
-    any = segment_meets(second.surface, other, a, b);
+  csg::for_edges(first.solid(), face, [&](const fast::SolidEdge& edge) {
+    any = any || segment_meets(second, other, first.point(edge.from),
+                               first.point(edge.to));
   });
   return any;
 }
 
-/// A face's box in model units, rounded outwards and more.
-struct ModelBox {
-  std::array<double, 3> low{};
-  std::array<double, 3> high{};
-};
-
-std::vector<ModelBox> boxes_of(const fast::Solid& solid) {
-  const double step = std::pow(static_cast<double>(solid.unit.base),
-                               static_cast<double>(solid.unit.exponent));
-  std::vector<ModelBox> boxes;
-  for (const fast::Face& face : solid.faces) {
-    ModelBox box;
-    for (std::size_t i = 0; i < 3; ++i) {
-      // The step, and the product with it, are off by a few 2^-53.
-      const double low = step * static_cast<double>(face.box.low[i]);
-      const double high = step * static_cast<double>(face.box.high[i]);
-      box.low[i] = low - std::abs(low) * 0x1p-48;
-      box.high[i] = high + std::abs(high) * 0x1p-48;
-    }
-    boxes.push_back(box);
-  }
-  return boxes;
+/// Whether all of the first face is off the second one's plane, on one side.
+bool is_beside(TouchSide& first, const fast::Face& face, TouchSide& second,
+               const fast::Face& other) {
+  const TouchPlane& plane = second.plane(other);
+  bool above = true, below = true;
+  csg::for_edges(first.solid(), face, [&](const fast::SolidEdge& edge) {
+    if (!above && !below) return;
+    const int side = side_of(plane, first.point(edge.from)).sign();
+    above = above && side > 0;
+    below = below && side < 0;
+  });
+  return above || below;
 }
 
 bool surfaces_meet(const fast::Solid& a, const fast::Solid& b) {
-  TouchSide first(a), second(b);
-  const auto a_boxes = boxes_of(a), b_boxes = boxes_of(b);
-  const auto apart = [](const ModelBox& p, const ModelBox& q) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (p.high[i] < q.low[i] || q.high[i] < p.low[i]) return true;
-    }
-    return false;
-  };
-  for (std::size_t i = 0; i < a.faces.size(); ++i) {
-    for (std::size_t j = 0; j < b.faces.size(); ++j) {
-      if (apart(a_boxes[i], b_boxes[j])) continue;
-      if (edges_meet(first, a.faces[i], second, b.faces[j]) ||
-          edges_meet(second, b.faces[j], first, a.faces[i]))
-        return true;
-    }
+  // A step of one is p/q of the other's: p and q steps of a finer grid.
+  const csg::Scale a_step = csg::scale_of(a.unit, 1);
+  const csg::Scale b_step = csg::scale_of(b.unit, 1);
+  Integer a_steps = a_step.numerator * b_step.denominator;
+  Integer b_steps = b_step.numerator * a_step.denominator;
+  const Integer common = gcd(a_steps, b_steps);
+  a_steps /= common;
+  b_steps /= common;
+  TouchSide first(a, a_steps), second(b, b_steps);
+  for (const auto& [f, g] :
+       fast::near_faces(a, b, csg::nearest_double(b_steps, a_steps))) {
+    const fast::Face& face = first.face(f);
+    const fast::Face& other = second.face(g);
+    if (is_beside(first, face, second, other) ||
+        is_beside(second, other, first, face))
+      continue;
+    if (edges_meet(first, face, second, other) ||
+        edges_meet(second, other, first, face))
+      return true;
   }
   return false;
 }

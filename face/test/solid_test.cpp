@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <fstream>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "halfspace/glm.hpp"
@@ -319,6 +321,72 @@ TEST(FaceSolid, SectionsAreRegionsWithHoles) {
   EXPECT_EQ(pipe.section({{0, 0, 1}, 9})->size(), 1u);
   EXPECT_EQ(pipe.section({{0, 0, 1}, 0})->size(), 0u);
   EXPECT_EQ(pipe.section({{0, 0, 1}, 20})->size(), 0u);
+}
+
+TEST(FaceSolid, FacesThatBecomeOneAreTheSameInPlaceAndMoved) {
+  // Triangles, most of which have a neighbour in their plane; of the second
+  // solid the merged faces are convex, and of the third they are not.
+  const Solid block = Solid::box({0, 0, 0}, {8, 6, 4});
+  const Solid notched = block - Solid::box({2, 2, -1}, {5, 3, 5});
+  for (const Solid& made : {block, notched, Solid::cylinder(3, 5, 4)}) {
+    Mesh mesh = *made.mesh({.triangles = true});
+    mesh.origins.clear();
+    const Solid whole = Solid::from_mesh(mesh);
+    const Solid tool =
+        Solid::hull({{1, 1, 1}, {9, 2, 3}, {4, 9, 2}, {3, 3, 9}});
+    const Point by{16, -8, 32};
+    const Mesh here = *(whole - tool).mesh();
+    const Mesh there = *(whole.translated(by) - tool.translated(by)).mesh();
+    EXPECT_EQ(here.corners, there.corners);
+    EXPECT_EQ(here.first_corner, there.first_corner);
+    EXPECT_EQ(here.origins, there.origins);
+    EXPECT_EQ(whole.mesh()->corners, made.mesh()->corners);
+    EXPECT_EQ((whole - tool).mesh()->polygon_count(),
+              (made - tool).mesh()->polygon_count());
+  }
+}
+
+TEST(FaceSolid, MessagesSayWhatTheIndexOfAnErrorCounts) {
+  Mesh mesh = *Solid::box({0, 0, 0}, {1, 1, 1}).mesh({.triangles = true});
+  mesh.origins.clear();
+  const auto expect = [](const Mesh& bad, ErrorCode code,
+                         const std::string& noun) {
+    const Error error = Solid::from_mesh(bad).volume().error();
+    EXPECT_EQ(error.code, code);
+    EXPECT_GE(error.index, 0);
+    EXPECT_NE(to_string(error).find(noun), std::string::npos)
+        << to_string(error);
+    EXPECT_NE(error.message.find(std::to_string(error.index)),
+              std::string::npos)
+        << error.message;
+  };
+  Mesh bad = mesh;
+  bad.corners[7] = 99;
+  expect(bad, ErrorCode::kBadIndex, "corner 7");
+  bad = mesh;
+  bad.vertices[3].y = HUGE_VAL;
+  expect(bad, ErrorCode::kNotFinite, "vertex 3");
+  bad = mesh;
+  bad.field_count = 1;
+  bad.fields.assign(bad.corners.size(), 1);
+  bad.fields[5] = NAN;
+  expect(bad, ErrorCode::kNotFinite, "corner 5");
+  bad = mesh;
+  std::swap(bad.corners[0], bad.corners[1]);
+  expect(bad, ErrorCode::kOpen, " bad edges");
+  bad = mesh;
+  for (std::size_t i = 0; i < bad.corners.size(); i += 3)
+    std::swap(bad.corners[i], bad.corners[i + 1]);
+  expect(bad, ErrorCode::kInsideOut, "polygon");
+  // Two boxes that are in each other's way.
+  bad = mesh;
+  for (const std::int32_t corner : mesh.corners)
+    bad.corners.push_back(corner + 8);
+  for (std::size_t p = 0; p < mesh.polygon_count(); ++p)
+    bad.first_corner.push_back(bad.first_corner.back() + 3);
+  for (const Point& p : mesh.vertices)
+    bad.vertices.push_back({p.x + 0.5, p.y + 0.25, p.z + 0.125});
+  expect(bad, ErrorCode::kSelfCrossing, "polygon");
 }
 
 TEST(FaceSolid, AFileIsMended) {

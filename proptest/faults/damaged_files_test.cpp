@@ -84,6 +84,7 @@ io::Format format_of(char name) {
          : name == 'p' ? io::Format::kPly
          : name == '3' ? io::Format::k3mf
          : name == 'g' ? io::Format::kGlb
+         : name == 'j' ? io::Format::kGltf
                        : io::Format::kOff;
 }
 

@@ -10,6 +10,7 @@ the result has the value of its box's function there. The results are read by
 the readers below, which share nothing with the program, and by the program
 again, format after format.
 """
+import base64
 import json
 import math
 import pathlib
@@ -98,7 +99,7 @@ def read_obj(path):
                        for v in values]
             faces.append({"points": [points[c[0]] for c in corners],
                           "uv": [texture[c[1]] for c in corners],
-                          "normal": [normals[c[2]] for c in corners],
+                          "normal": [normals[c[2]] if c[2:] else None for c in corners],
                           "material": material, "group": group, "object": item,
                           "color": colors[material]})
     return faces
@@ -165,9 +166,18 @@ def read_glb(path):
     data = path.read_bytes()
     assert data[:8] == b"glTF\2\0\0\0" and struct.unpack("<I", data[8:12])[0] == len(data)
     length, = struct.unpack("<I", data[12:16])
-    file = json.loads(data[20:20 + length])
-    body = data[28 + length:]
+    return faces_of_gltf(json.loads(data[20:20 + length]), data[28 + length:])
 
+
+def read_gltf(path):
+    file = json.loads(path.read_text())
+    buffer, = file["buffers"]
+    body = base64.b64decode(buffer["uri"].split(";base64,")[1], validate=True)
+    assert len(body) == buffer["byteLength"]
+    return faces_of_gltf(file, body)
+
+
+def faces_of_gltf(file, body):
     def numbers(i):
         accessor = file["accessors"][i]
         view = file["bufferViews"][accessor["bufferView"]]
@@ -229,7 +239,8 @@ def read_3mf(path):
     return faces
 
 
-READERS = {".obj": read_obj, ".ply": read_ply, ".glb": read_glb, ".3mf": read_3mf}
+READERS = {".obj": read_obj, ".ply": read_ply, ".glb": read_glb, ".gltf": read_gltf,
+           ".3mf": read_3mf}
 
 
 def volume_of(faces):
@@ -316,6 +327,44 @@ def main():
             f"turned{suffix}", "--keep-origin")
         volume = volume_of(READERS[suffix](FOLDER / f"turned{suffix}"))
         check(f"turned{suffix}", volume, turned_back, 1e-6, origins=suffix != ".obj")
+    # What is mirrored has its normals outside all the same, and what is cut out
+    # by it has them inside.
+    for suffix in READERS:
+        run("csg", "A | translate(mirror(B, 1, 0, 0), 6, 0, 0)", "A=a.obj", "B=b.obj",
+            "-o", f"joined{suffix}")
+        check(f"joined{suffix}", 64 + 64 - 27, lambda p: (6 - p[0], p[1], p[2]), 1e-6)
+        run("csg", "A - translate(mirror(B, 1, 0, 0), 6, 0, 0)", "A=a.obj", "B=b.obj",
+            "-o", f"mirror{suffix}")
+        check(f"mirror{suffix}", 37, lambda p: (6 - p[0], p[1], p[2]), 1e-6)
+    # The bytes of a glTF may be beside it; they are an input, too.
+    file = json.loads((FOLDER / "cut.gltf").read_text())
+    body = base64.b64decode(file["buffers"][0]["uri"].split(",")[1])
+    file["buffers"][0]["uri"] = "bytes.obj"
+    (FOLDER / "apart.gltf").write_text(json.dumps(file))
+    (FOLDER / "bytes.obj").write_bytes(body)
+    run("csg", "A", "A=apart.gltf", "-o", "apart.ply")
+    check("apart.ply", 37, same, 1e-6)
+    run("csg", "A", "A=apart.gltf", "-o", "bytes.obj", status=2)
+    if (FOLDER / "bytes.obj").read_bytes() != body:
+        wrong("bytes.obj is another now")
+    # A repair keeps them: a hole is filled by what the face beside it has.
+    text = (FOLDER / "b.obj").read_text()
+    (FOLDER / "open.obj").write_text(text.replace("f 5/5/2", "# f 5/5/2"))
+    run("repair", "open.obj", "--close-all", "-o", "closed.obj")
+    run("csg", "B", "B=b.obj", "-o", "whole.obj")
+    faces, fine = read_obj(FOLDER / "closed.obj"), read_obj(FOLDER / "whole.obj")
+    if len(faces) != 6 or abs(volume_of(faces) - 64) > 1e-9:
+        wrong(f"closed.obj: {len(faces)} faces, volume {volume_of(faces)}")
+    if sum(face in fine for face in faces) != 5:
+        wrong("closed.obj: not five faces as they were")
+    filling, = [face for face in faces if face not in fine]
+    if (filling["material"], filling["group"], filling["normal"]) != \
+            ("blue", "side", [None] * 4):
+        wrong(f"closed.obj: {filling}")
+    out = run("repair", "open.obj", "--close-all", "-o", "closed.stl")
+    if "has no room for materials, names of objects, groups" not in out:
+        wrong(f"closed.stl: {out}")
+    run("repair", "open.obj", "--close-all", "-o", "b.obj", status=2)
     # Another program reads the packages, and finds closed meshes.
     judge = pathlib.Path(__file__).resolve().parents[1] / "judge_files.py"
     done = subprocess.run([sys.executable, judge, "cut.3mf", "turned.3mf"], cwd=FOLDER,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 #include "halfspace/csg/closing.hpp"
@@ -266,6 +267,11 @@ Result<Repaired> Mender::run(const io::Mesh& mesh) {
     made = source(true);
   }
   if (!made) return naming_what_was_left_out(made.error());
+  auto faces =
+      std::make_shared<const io::AttributedFaces>(io::attributed_faces(mesh));
+  if (!faces->attributes.empty()) made->attributed = std::move(faces);
+  // Corners that were welded are still those of the file.
+  made->report.max_move = std::max(made->report.max_move, report_.weld_move);
   return Repaired{*std::move(made), std::move(report_)};
 }
 

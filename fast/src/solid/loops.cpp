@@ -73,16 +73,20 @@ class LoopTracer {
 
 }  // namespace
 
-void pack_edges(Solid& solid) {
+bool are_packed(const Solid& solid) {
   std::uint32_t next = 0;
   bool in_line = true;
   for (const Face& face : solid.faces) {
     in_line = in_line && face.first_edge == next;
     next += face.edge_count;
   }
-  if (in_line && next == solid.edges.size()) return;
+  return in_line && next == solid.edges.size();
+}
+
+void pack_edges(Solid& solid) {
+  if (are_packed(solid)) return;
   List<SolidEdge> row;
-  row.reserve(next);
+  row.reserve(solid.edges.size());
   for (Face& face : solid.faces) {
     const auto edges =
         std::span(solid.edges).subspan(face.first_edge, face.edge_count);

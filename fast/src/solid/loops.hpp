@@ -29,6 +29,9 @@ inline std::int64_t bucket_of(std::size_t o, std::int32_t face, bool flipped) {
          (flipped ? 1 : 0);
 }
 
+/// Whether the edges are in the order of the faces, without gaps.
+bool are_packed(const Solid& solid);
+
 /// Puts the edges in the order of the faces, if they are not. Gaps go.
 void pack_edges(Solid& solid);
 

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "base/id_map.hpp"
+#include "halfspace/fast/solid/merged_copy.hpp"
 #include "solid/loops.hpp"
 #include "solid/merge_groups.hpp"
 #include "solid/vertex_stars.hpp"
@@ -50,25 +52,40 @@ void move_down(List<T>& list, std::size_t first, std::size_t last,
   std::copy(at(first), at(last), at(to));
 }
 
-/// Merges the faces of a solid in place; its edges are packed. Most faces have
-/// no neighbour in their plane and no collinear vertex: they are only moved.
+/// Whether turn_loops() would do nothing but to triangles.
+bool are_turned(const Solid& solid) {
+  const SolidEdge* edges = solid.edges.data();
+  return std::all_of(
+      solid.faces.begin(), solid.faces.end(), [edges](const Face& face) {
+        return face.edge_count == 3 || face.edge_count == 0 ||
+               first_of_loop(edges + face.first_edge, face.edge_count) == 0;
+      });
+}
+
+/// Merges the faces of a solid whose edges are packed. Most faces have no
+/// neighbour in their plane and no collinear vertex: they are only moved.
 class FaceMerger {
  public:
-  FaceMerger(Solid& solid, Merge rule) : solid_(solid), groups_(solid, rule) {}
-
-  void run() {
+  FaceMerger(const Solid& solid, Merge rule)
+      : solid_(solid), groups_(solid, rule) {
     find_others();
-    const VertexStars stars = stars_of_others();
-    bool all_stay = true;
+    stars_.emplace(stars_of_others());
     for (const std::int32_t f : others_) {
       const auto at = static_cast<std::size_t>(f);
-      staying_[at] = stays(at, stars);
-      all_stay = all_stay && staying_[at] != 0;
+      staying_[at] = stays(at, *stars_);
+      all_stay_ = all_stay_ && staying_[at] != 0;
     }
-    if (all_stay) {
-      turn_loops(solid_.faces, solid_.edges);
+  }
+
+  /// Whether the solid is as it would be merged, as merged_copy() says.
+  bool is_done() const { return all_stay_ && are_turned(solid_); }
+
+  /// Merges the faces of the solid itself, or of a copy.
+  void merge(Solid& solid) {
+    if (all_stay_) {
+      turn_loops(solid.faces, solid.edges);
     } else {
-      put_together(stars);
+      put_together(*stars_, solid);
     }
   }
 
@@ -90,11 +107,13 @@ class FaceMerger {
   void find_others();
   VertexStars stars_of_others() const;
   bool stays(std::size_t f, const VertexStars& stars) const;
-  std::size_t pass_on(std::size_t first);
-  void put_together(const VertexStars& stars);
+  std::size_t pass_on(std::size_t first, Solid& solid);
+  void put_together(const VertexStars& stars, Solid& solid);
 
-  Solid& solid_;
+  const Solid& solid_;
   CoplanarGroups groups_;
+  std::optional<VertexStars> stars_;  ///< of the others
+  bool all_stay_ = true;
   /// By face: whether it is a triangle that keeps its edges; in the end, of the
   /// others too, as stays() says.
   std::vector<std::uint8_t> staying_;
@@ -181,20 +200,20 @@ bool FaceMerger::stays(std::size_t f, const VertexStars& stars) const {
 /// Moves up to 256 unchanged faces from number `first` on, few enough that they
 /// are still in the cache when they have been moved. Returns the number of the
 /// next face.
-std::size_t FaceMerger::pass_on(std::size_t first) {
+std::size_t FaceMerger::pass_on(std::size_t first, Solid& solid) {
   constexpr std::size_t kMostAtOnce = 256;
   const std::size_t end = std::min(first + kMostAtOnce, staying_.size());
   std::size_t last = first;
   while (last < end && staying_[last] != 0) ++last;
-  const std::uint32_t first_edge = solid_.faces[first].first_edge;
+  const std::uint32_t first_edge = solid.faces[first].first_edge;
   const std::uint32_t last_edge =
-      solid_.faces[last - 1].first_edge + solid_.faces[last - 1].edge_count;
-  move_down(solid_.edges, first_edge, last_edge, edge_count_);
-  move_down(solid_.faces, first, last, face_count_);
-  const auto faces = std::span(solid_.faces).subspan(face_count_, last - first);
+      solid.faces[last - 1].first_edge + solid.faces[last - 1].edge_count;
+  move_down(solid.edges, first_edge, last_edge, edge_count_);
+  move_down(solid.faces, first, last, face_count_);
+  const auto faces = std::span(solid.faces).subspan(face_count_, last - first);
   const auto moved = static_cast<std::uint32_t>(first_edge - edge_count_);
   for (Face& face : faces) face.first_edge -= moved;
-  turn_loops(faces, solid_.edges);
+  turn_loops(faces, solid.edges);
   face_count_ += faces.size();
   edge_count_ += last_edge - first_edge;
   return last;
@@ -202,7 +221,7 @@ std::size_t FaceMerger::pass_on(std::size_t first) {
 
 /// Unchanged faces move together, and their edges do. Merged faces stand among
 /// them; their edges, no more than before, follow after all others.
-void FaceMerger::put_together(const VertexStars& stars) {
+void FaceMerger::put_together(const VertexStars& stars, Solid& solid) {
   // The remaining edges of the merged faces, by the first face of each group.
   List<DirectedEdge> pieces;
   const auto stays_on = [this](std::size_t f) { return staying_[f] != 0; };
@@ -216,7 +235,7 @@ void FaceMerger::put_together(const VertexStars& stars) {
   auto piece = pieces.begin();
   for (std::size_t f = 0; f < staying_.size();) {
     if (staying_[f] != 0) {
-      f = pass_on(f);
+      f = pass_on(f, solid);
       continue;
     }
     const std::size_t whole = f++;
@@ -226,18 +245,18 @@ void FaceMerger::put_together(const VertexStars& stars) {
       ++piece;
     if (piece == first) continue;
     wholes.push_back(face_count_);
-    Face& face = solid_.faces[face_count_++] = solid_.faces[whole];
+    Face& face = solid.faces[face_count_++] = solid.faces[whole];
     face.edge_count = static_cast<std::uint32_t>(piece - first);
   }
-  solid_.faces.resize(face_count_);
-  solid_.edges.resize(edge_count_);
+  solid.faces.resize(face_count_);
+  solid.edges.resize(edge_count_);
   piece = pieces.begin();
   for (const std::size_t at : wholes) {
-    Face& face = solid_.faces[at];
-    face.first_edge = static_cast<std::uint32_t>(solid_.edges.size());
+    Face& face = solid.faces[at];
+    face.first_edge = static_cast<std::uint32_t>(solid.edges.size());
     for (std::uint32_t i = 0; i < face.edge_count; ++i, ++piece)
-      solid_.edges.push_back({piece->from, piece->to, piece->other});
-    face.box = face_box(solid_, face);
+      solid.edges.push_back({piece->from, piece->to, piece->other});
+    face.box = face_box(solid, face);
   }
 }
 
@@ -247,8 +266,18 @@ Solid merge_faces(Solid solid, Merge rule) {
   // A solid without faces need not have a table.
   if (solid.faces.empty()) return solid;
   pack_edges(solid);
-  FaceMerger(solid, rule).run();
+  FaceMerger(solid, rule).merge(solid);
   return solid;
+}
+
+std::optional<Solid> merged_copy(const Solid& solid, Merge rule) {
+  if (solid.faces.empty()) return std::nullopt;
+  if (!are_packed(solid)) return merge_faces(solid, rule);
+  FaceMerger merger(solid, rule);
+  if (merger.is_done()) return std::nullopt;
+  Solid copy = solid;
+  merger.merge(copy);
+  return copy;
 }
 
 }  // namespace halfspace::fast

@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "halfspace/fast/boolean.hpp"
+#include "halfspace/fast/solid/merged_copy.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "lattice.hpp"
 #include "scenes.hpp"
@@ -139,6 +141,36 @@ Solid shuffled(Solid solid, bool loops, std::mt19937& random) {
     }
   }
   return solid;
+}
+
+TEST(MergeFaces, ACopyHasTheMeshThatMergingGives) {
+  std::uint64_t state = 29;
+  int copies = 0, kept = 0;
+  for (int round = 0; round < 40; ++round) {
+    const Solid a = to_solid(lattice::surface(lattice::random_cubes(3, state)));
+    const Solid b =
+        to_solid(lattice::surface(lattice::random_cubes(3, state)), a, 1);
+    Solid solid = boolean(BooleanOp::kSymmetricDifference, a, b);
+    // Some are merged already, by the same rule or by another one.
+    if (round % 2 == 1) solid = merge_faces(std::move(solid), Merge::kPlane);
+    for (const Merge rule : {Merge::kOrigin, Merge::kColor, Merge::kPlane}) {
+      for (const bool triangles : {false, true}) {
+        const std::optional<Solid> copy = merged_copy(solid, rule);
+        const ExportedMesh found =
+            to_mesh(copy ? *copy : solid, {.triangles = triangles});
+        const Solid merged = merge_faces(solid, rule);
+        const ExportedMesh wanted = to_mesh(merged, {.triangles = triangles});
+        ASSERT_EQ(found.vertices, wanted.vertices);
+        ASSERT_EQ(found.first_corner, wanted.first_corner);
+        ASSERT_EQ(found.corners, wanted.corners);
+        ASSERT_EQ(found.faces, wanted.faces);
+        ASSERT_EQ(shapes_of(copy ? *copy : merged), shapes_of(merged));
+        ++(copy ? copies : kept);
+      }
+    }
+  }
+  EXPECT_GT(copies, 60);
+  EXPECT_GT(kept, 60);
 }
 
 TEST(MergeFaces, DoesNotDependOnTheOrderOfEdges) {

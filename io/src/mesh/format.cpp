@@ -28,6 +28,19 @@ Result<std::string> encoded_off(const MeshContent& content) {
   return off_text(content.texts, content.faces);
 }
 
+/// A reader of what is in the file alone.
+template <Result<Mesh> (*read)(std::string_view)>
+Result<Mesh> read_alone(std::string_view bytes, const std::filesystem::path*) {
+  return read(bytes);
+}
+
+Result<Mesh> read_obj_in(std::string_view bytes,
+                         const std::filesystem::path* folder) {
+  Result<Mesh> mesh = read_obj(bytes);
+  if (mesh && !mesh->attributes.files.empty()) add_materials(folder, *mesh);
+  return mesh;
+}
+
 using enum Coordinates;
 constexpr unsigned kObjRoom = kMaterialRoom | kObjectRoom | kGroupRoom |
                               kTextureRoom | kNormalRoom | kCornerColorRoom |
@@ -39,17 +52,20 @@ constexpr unsigned kGlbRoom = kObjRoom | kCornerNumberRoom | kOriginRoom;
 
 /// In the order of the enumerators.
 constexpr FormatEntry kFormats[] = {
-    {Format::kObj, "OBJ", ".obj", kText, false, kObjRoom, read_obj,
+    {Format::kObj, "OBJ", ".obj", kText, false, kObjRoom, read_obj_in,
      encoded_obj},
-    {Format::kStl, "STL", ".stl", kFloats, true, 0, read_stl, encoded_stl},
-    {Format::kPly, "PLY", ".ply", kTextOrDoubles, false, kPlyRoom, read_ply,
-     encoded_ply},
-    {Format::kOff, "OFF", ".off", kText, false, kFaceColorRoom, read_off,
-     encoded_off},
-    {Format::k3mf, "3MF", ".3mf", kFloats, true, k3mfRoom, read_3mf,
+    {Format::kStl, "STL", ".stl", kFloats, true, 0, read_alone<read_stl>,
+     encoded_stl},
+    {Format::kPly, "PLY", ".ply", kTextOrDoubles, false, kPlyRoom,
+     read_alone<read_ply>, encoded_ply},
+    {Format::kOff, "OFF", ".off", kText, false, kFaceColorRoom,
+     read_alone<read_off>, encoded_off},
+    {Format::k3mf, "3MF", ".3mf", kFloats, true, k3mfRoom, read_alone<read_3mf>,
      three_mf_bytes},
-    {Format::kGlb, "GLB", ".glb", kFloats, true, kGlbRoom, read_glb,
-     glb_bytes}};
+    {Format::kGlb, "GLB", ".glb", kFloats, true, kGlbRoom, read_gltf,
+     glb_bytes},
+    {Format::kGltf, "glTF", ".gltf", kFloats, true, kGlbRoom, read_gltf,
+     gltf_text}};
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();

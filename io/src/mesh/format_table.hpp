@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,7 +61,9 @@ struct FormatEntry {
   Coordinates coordinates;
   bool has_triangles_only;
   unsigned room;
-  Result<Mesh> (*read)(std::string_view bytes);
+  /// Files beside the mesh's own are in the folder; null: they are not read.
+  Result<Mesh> (*read)(std::string_view bytes,
+                       const std::filesystem::path* folder);
   Result<std::string> (*encoded)(const MeshContent& content);
 };
 

@@ -21,9 +21,7 @@ Result<Mesh> read_bytes(std::string_view bytes, Format format,
   const FormatEntry* entry = entry_of(format);
   if (entry == nullptr)
     return Error{ErrorCode::kUnknownFormat, "the format is unknown"};
-  Result<Mesh> mesh = entry->read(bytes);
-  if (mesh && !mesh->attributes.files.empty()) add_materials(folder, *mesh);
-  return mesh;
+  return entry->read(bytes, folder);
 }
 
 }  // namespace

@@ -14,7 +14,11 @@ Result<Mesh> read_stl(std::string_view bytes);
 Result<Mesh> read_ply(std::string_view bytes);
 Result<Mesh> read_off(std::string_view bytes);
 Result<Mesh> read_3mf(std::string_view bytes);
-Result<Mesh> read_glb(std::string_view bytes);
+
+/// The same of a GLB or a .gltf; buffers beside it are read from the folder,
+/// and are an error where it is null.
+Result<Mesh> read_gltf(std::string_view bytes,
+                       const std::filesystem::path* folder);
 
 /// Reads the files of materials that an OBJ names, from its folder. Whatever is
 /// wrong with them is noted, and they are left out of `files`; without a folder

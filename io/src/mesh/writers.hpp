@@ -15,6 +15,7 @@ namespace halfspace::io {
 /// Errors: kNotFinite (a coordinate beyond floats), kOutOfRange (a GLB of 4 GiB
 ///         or more), kUnknownFormat (this build has no 3MF).
 Result<std::string> glb_bytes(const MeshContent& content);
+Result<std::string> gltf_text(const MeshContent& content);
 Result<std::string> three_mf_bytes(const MeshContent& content);
 
 /// The error of a coordinate that no float holds.

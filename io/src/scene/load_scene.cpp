@@ -73,6 +73,7 @@ Format format_of_bytes(std::string_view bytes) {
   constexpr std::size_t kStlHead = 84, kStlTriangle = 50;
   if (bytes.starts_with("ply")) return Format::kPly;
   if (bytes.starts_with("glTF")) return Format::kGlb;
+  if (bytes.starts_with("{")) return Format::kGltf;
   if (bytes.starts_with("PK")) return Format::k3mf;
   const std::string_view word = bytes.substr(0, bytes.find_first_of(" \t\r\n"));
   if (word.ends_with("OFF") && word.size() <= 6) return Format::kOff;

@@ -16,10 +16,10 @@ TEST(Formats, EachEntryStandsAtItsEnumerator) {
 }
 
 TEST(Formats, ListsNameEveryFormat) {
-  EXPECT_EQ(format_extensions(), ".obj, .stl, .ply, .off, .3mf or .glb");
+  EXPECT_EQ(format_extensions(), ".obj, .stl, .ply, .off, .3mf, .glb or .gltf");
   EXPECT_EQ(format_extensions(".scene"),
-            ".obj, .stl, .ply, .off, .3mf, .glb or .scene");
-  EXPECT_EQ(format_names(), "OBJ, STL, PLY, OFF, 3MF, GLB");
+            ".obj, .stl, .ply, .off, .3mf, .glb, .gltf or .scene");
+  EXPECT_EQ(format_names(), "OBJ, STL, PLY, OFF, 3MF, GLB, glTF");
 }
 
 }  // namespace

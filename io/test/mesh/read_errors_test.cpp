@@ -54,10 +54,10 @@ TEST(ReadErrors, OfFilesAreToTheLetter) {
   std::filesystem::create_directory(file.path());
   expect_error(read_mesh(file.path()), kUnreadable,
                name + "cannot be read: Is a directory");
-  expect_error(
-      read_mesh("/a/b.step"), kUnknownFormat,
-      "/a/b.step: a mesh file ends in .obj, .stl, .ply, .off, .3mf or .glb, "
-      "perhaps with .gz after it");
+  expect_error(read_mesh("/a/b.step"), kUnknownFormat,
+               "/a/b.step: a mesh file ends in .obj, .stl, .ply, .off, .3mf, "
+               ".glb or .gltf, "
+               "perhaps with .gz after it");
   expect_error(read_mesh("x", static_cast<Format>(99)), kUnknownFormat,
                "the format is unknown");
   // A file of as much as is read at once, and of more.

@@ -334,12 +334,12 @@ TEST(WriteMesh, ErrorsAreToTheLetter) {
     samples::expect_error(write_mesh(bad, mesh), ErrorCode::kUnknownFormat,
                           std::string(bad) +
                               ": a mesh is written to .obj, .stl, .ply, "
-                              ".off, .3mf or .glb");
+                              ".off, .3mf, .glb or .gltf");
     samples::expect_error(write_scene_mesh(bad, Scene{}),
                           ErrorCode::kUnknownFormat,
                           std::string(bad) +
                               ": a mesh is written to .obj, .stl, .ply, "
-                              ".off, .3mf or .glb");
+                              ".off, .3mf, .glb or .gltf");
   }
   mesh.vertices[0][2] = 0x1p128;
   samples::expect_error(

@@ -136,6 +136,20 @@ std::string loss_sentence(const csg::Outcome& result) {
   return sentence + ": they are thinner than the file's numbers are fine";
 }
 
+void print_notes(const std::string& name, const io::Attributes& attributes) {
+  for (const std::string& note : attributes.notes)
+    say("note: {}: {}\n", name, one_line(note));
+}
+
+void print_lost(const std::string& output,
+                const std::vector<std::string>& lost) {
+  if (lost.empty()) return;
+  std::string list;
+  for (const std::string& word : lost)
+    list += (list.empty() ? "" : ", ") + one_line(word);
+  say("warning: {} has no room for {}; PLY has\n", output, list);
+}
+
 namespace {
 
 /// What was passed over in files, and what the result's has no room for.
@@ -146,20 +160,14 @@ void print_attributes(const CsgContext& context, const io::ExportReport& report,
     const auto leaf = static_cast<std::int32_t>(i);
     const io::AttributedFaces* faces = context.operands.attributed(leaf);
     if (faces == nullptr) continue;
-    for (const std::string& note : faces->attributes.notes) {
-      say("note: {}: {}\n", context.operands.name_of(leaf), one_line(note));
-    }
+    print_notes(context.operands.name_of(leaf), faces->attributes);
     if (!context.result.data) continue;
     for (std::string& word : lost_but_colors(faces->attributes)) {
       if (std::find(lost.begin(), lost.end(), word) == lost.end())
         lost.push_back(std::move(word));
     }
   }
-  if (lost.empty()) return;
-  std::string list;
-  for (const std::string& word : lost)
-    list += (list.empty() ? "" : ", ") + one_line(word);
-  say("warning: {} has no room for {}; PLY has\n", output, list);
+  print_lost(output, lost);
 }
 
 /// What is said where rounding did more than move vertices a little.

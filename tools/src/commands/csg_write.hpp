@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "halfspace/csg/operands.hpp"
 #include "halfspace/csg/outcome.hpp"
@@ -43,6 +44,13 @@ Result<Done> write_origins(const std::string& path, const CsgContext& context);
 /// What is said where rounding lost something of the solid.
 /// Requires: result.rounding.
 std::string loss_sentence(const csg::Outcome& result);
+
+/// Says what was passed over in a file.
+void print_notes(const std::string& name, const io::Attributes& attributes);
+
+/// Says what the output's format has no room for, if there is any.
+void print_lost(const std::string& output,
+                const std::vector<std::string>& lost);
 
 /// What `--stats` says.
 nlohmann::json stats_of(const CsgContext& context,

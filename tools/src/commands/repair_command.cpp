@@ -120,7 +120,21 @@ Status write(const RepairArguments& arguments, const csg::RepairReport& report,
       written->max_move);
   if (outcome.rounding && outcome.rounding->lost_any())
     say("warning: {}\n", loss_sentence(outcome));
+  print_lost(arguments.output, written->lost);
   return Status::kFine;
+}
+
+/// What is wrong with the output, if files beside both are looked at, too.
+std::string file_complaint(const RepairArguments& arguments,
+                           const io::Attributes& attributes) {
+  std::vector<NamedFile> inputs{{"FILE", arguments.input}};
+  for (const std::filesystem::path& beside : attributes.files)
+    inputs.push_back({"FILE", beside.string()});
+  std::vector<NamedFile> outputs{{"-o", arguments.output}};
+  if (!attributes.empty() &&
+      io::format_of(arguments.output) == io::Format::kObj)
+    outputs.push_back({"-o", io::material_path(arguments.output).string()});
+  return complaint(inputs, outputs);
 }
 
 Status run_repair(const RepairArguments& arguments) {
@@ -135,6 +149,8 @@ Status run_repair(const RepairArguments& arguments) {
   if (!wrong.empty()) return fail(wrong);
   Result<io::Mesh> mesh = io::read_mesh(arguments.input);
   if (!mesh) return fail(mesh.error().message);
+  const std::string wrong_beside = file_complaint(arguments, mesh->attributes);
+  if (!wrong_beside.empty()) return fail(wrong_beside);
   csg::RepairOptions options;
   options.weld = arguments.weld;
   options.without = steps_of(arguments.without);
@@ -156,6 +172,7 @@ Status run_repair(const RepairArguments& arguments) {
       outcome_of(arguments, std::move(repaired->source));
   if (!outcome) return failed(outcome.error());
   if (!*outcome) return stop("stopped; nothing was written");
+  print_notes(arguments.input, mesh->attributes);
   return write(arguments, repaired->report, **outcome);
 }
 

@@ -17,7 +17,8 @@ namespace halfspace::csg {
 /// that corner's numbers; any other has those of the affine function over a
 /// triangle of the face: of its fan from its first corner, that which holds the
 /// corner, or else the first with an area. Normals are turned with the solid,
-/// and round where the polygon's outside was the solid's inside.
+/// and round where the polygon's outside was the solid's inside; what fills a
+/// hole beside a face, and so is in another plane, has none.
 ///
 /// Where polygons of several faces became one (MergeRule::kColor and kPlane)
 /// they have what the first has, and corners nothing.

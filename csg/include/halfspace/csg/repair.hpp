@@ -63,7 +63,9 @@ struct RepairReport {
 };
 
 struct Repaired {
-  /// A solid, if `to_repair` is not set; else what is to be resolved.
+  /// A solid, if `to_repair` is not set; else what is to be resolved. What the
+  /// mesh says of its faces is there: what fills a hole is a part of a face
+  /// beside it, and both sides of a shell are of the face between them.
   Source source;
   RepairReport report;
 };

@@ -1,4 +1,4 @@
-// Stands for read_glb.cpp and encode_glb.cpp where nothing may be thrown.
+// Stands for read_gltf.cpp and encode_gltf.cpp where nothing may be thrown.
 #include "mesh/readers.hpp"
 #include "mesh/writers.hpp"
 
@@ -12,7 +12,10 @@ Error no_glb() {
 
 }  // namespace
 
-Result<Mesh> read_glb(std::string_view) { return no_glb(); }
+Result<Mesh> read_gltf(std::string_view, const std::filesystem::path*) {
+  return no_glb();
+}
 Result<std::string> glb_bytes(const MeshContent&) { return no_glb(); }
+Result<std::string> gltf_text(const MeshContent&) { return no_glb(); }
 
 }  // namespace halfspace::io

@@ -10,6 +10,7 @@
 
 #include "base/binary.hpp"
 #include "mesh/format_table.hpp"
+#include "mesh/glb/base64.hpp"
 #include "mesh/glb/glb.hpp"
 #include "mesh/writers.hpp"
 
@@ -35,9 +36,13 @@ class GlbWriter {
   explicit GlbWriter(const MeshContent& content)
       : content_(content),
         attributes_(content.attributes ? *content.attributes : none_) {}
-  Result<std::string> written();
+  /// Makes the JSON, but for its buffers, and the bytes.
+  void write();
+  Result<std::string> glb() const;
+  Result<std::string> text() const;
 
  private:
+  GlbJson with_buffer(const std::string& uri) const;
   void choose_channels();
   std::int32_t label(const Labels& labels, std::size_t face) const {
     return labels.of_face.empty() ? -1 : labels.of_face[face];
@@ -263,7 +268,7 @@ GlbJson GlbWriter::primitive(const PrimitiveKey& key,
   return json;
 }
 
-Result<std::string> GlbWriter::written() {
+void GlbWriter::write() {
   choose_channels();
   std::map<PrimitiveKey, std::vector<std::size_t>> primitives;
   for (std::size_t i = 0; i < content_.triangles.size(); ++i) {
@@ -298,10 +303,21 @@ Result<std::string> GlbWriter::written() {
   }
   if (!attributes_.origins.empty())
     file_["asset"]["extras"]["origins"] = attributes_.origins;
-  if (!bytes_.empty())
-    file_["buffers"].push_back({{"byteLength", bytes_.size()}});
+}
+
+/// The JSON with its one buffer.
+GlbJson GlbWriter::with_buffer(const std::string& uri) const {
+  GlbJson file = file_;
+  if (bytes_.empty()) return file;
+  GlbJson buffer{{"byteLength", bytes_.size()}};
+  if (!uri.empty()) buffer["uri"] = uri;
+  file["buffers"].push_back(std::move(buffer));
+  return file;
+}
+
+Result<std::string> GlbWriter::glb() const {
   std::string json =
-      file_.dump(-1, ' ', false, GlbJson::error_handler_t::replace);
+      with_buffer({}).dump(-1, ' ', false, GlbJson::error_handler_t::replace);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::size_t size =
       kGlbHeader + kGlbChunkHeader + json.size() +
@@ -325,11 +341,28 @@ Result<std::string> GlbWriter::written() {
   return file + bytes_;
 }
 
+/// A file of its own: what is beside another can get lost.
+Result<std::string> GlbWriter::text() const {
+  return with_buffer("data:application/octet-stream;base64," +
+                     base64_of(bytes_))
+             .dump(1, ' ', false, GlbJson::error_handler_t::replace) +
+         "\n";
+}
+
 }  // namespace
 
 Result<std::string> glb_bytes(const MeshContent& content) {
   if (auto error = beyond_floats(content.doubles)) return *error;
-  return GlbWriter(content).written();
+  GlbWriter writer(content);
+  writer.write();
+  return writer.glb();
+}
+
+Result<std::string> gltf_text(const MeshContent& content) {
+  if (auto error = beyond_floats(content.doubles)) return *error;
+  GlbWriter writer(content);
+  writer.write();
+  return writer.text();
 }
 
 }  // namespace halfspace::io

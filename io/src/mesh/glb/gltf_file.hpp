@@ -1,0 +1,32 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "halfspace/result.hpp"
+#include "mesh/glb/gltf_json.hpp"
+
+namespace halfspace::io {
+
+/// A glTF 2.0 as it comes: its JSON, and the bytes that it speaks of.
+struct GltfFile {
+  Json json;
+  /// By the file's number of them: each as long as the file says, or longer.
+  std::vector<std::string_view> buffers;
+  /// The bytes of those that are not in the file as they are.
+  std::deque<std::string> owned;
+  /// The files beside it that were read.
+  std::vector<std::filesystem::path> files;
+};
+
+/// The file that `bytes` are: a GLB, or the JSON of a .gltf, whose buffers are
+/// in base64 or in files of `folder`; these are not read where it is null.
+///
+/// Errors: kUnknownFormat, kTruncated, kSyntax, kOutOfRange, kUnreadable.
+Result<GltfFile> gltf_file(std::string_view bytes,
+                           const std::filesystem::path* folder);
+
+}  // namespace halfspace::io
