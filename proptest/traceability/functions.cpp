@@ -9,6 +9,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/behind.hpp"
 #include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/fast/image/screens.hpp"
@@ -36,6 +37,7 @@
 #include "halfspace/panorama.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/ref/area_image.hpp"
+#include "halfspace/ref/behind.hpp"
 #include "halfspace/ref/boolean.hpp"
 #include "halfspace/ref/build.hpp"
 #include "halfspace/ref/classify.hpp"
@@ -166,6 +168,9 @@ void take_all() {
   take(&fast::order_indices);  // S3.8
   take(&ref::depth_sort);  // S3.9
   take(&fast::depth_sort);  // S3.9
+  take(&ref::is_behind);  // S3.10
+  take(&fast::is_behind);  // S3.10
+  take(&fast::count_behind);  // S3.10
   take(&make_camera);  // S4.1
   take(&ref::side_of_eye);  // S4.2
   take(&fast::side_of_eye);  // S4.2
@@ -362,5 +367,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 167 ? 0 : 1;
+  return halfspace::taken == 170 ? 0 : 1;
 }

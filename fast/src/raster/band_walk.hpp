@@ -5,6 +5,7 @@
 #include "raster/frame.hpp"
 #include "raster/polygon_rasterizer.hpp"
 #include "raster/tile_buffer.hpp"
+#include "tree/behind_test.hpp"
 #include "tree/traversal.hpp"
 
 namespace halfspace::fast {
@@ -88,7 +89,13 @@ void show_front_to_back(const Frame& frame, TileBuffer& buffer,
     }
     return screen.open_tiles > 0;
   };
-  walk_front_to_back(tree, eye_side, enter, show);
+  // Boxes leave out what is behind, and more.
+  const BehindTest behind(frame.reader, frame.view, frame.camera);
+  const bool has_test = !has_boxes && frame.moved == nullptr;
+  walk_front_to_back(
+      tree, eye_side, enter, show, [&](const Node& node, int sign, int side) {
+        return !has_test || !behind(node.plane, node.splitter, sign, side);
+      });
   draw_waiting();
 }
 

@@ -12,6 +12,7 @@
 #include "raster/polygon_rasterizer.hpp"
 #include "raster/render_pass.hpp"
 #include "raster/tile_buffer.hpp"
+#include "tree/behind_test.hpp"
 #include "tree/traversal.hpp"
 
 namespace halfspace::fast {
@@ -48,14 +49,19 @@ BandResult paint_band(const Frame& frame, TileBuffer& buffer) {
   FilterStats stats;
   std::vector<std::int32_t> scratch;
   const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats);
-  walk_back_to_front(tree, eye_side, [&](const Node& node, int sign) {
+  const BehindTest behind(frame.reader, frame.view, frame.camera);
+  const auto show = [&](const Node& node, int sign) {
     rasterizer.set_clips(clip_mask(frame, node));
     return for_fragments_reversed(
         tree, node, scratch, [&](const TreeFragment& fragment) {
           rasterizer.draw(fragment, source_side(fragment, sign));
           return true;
         });
-  });
+  };
+  walk_back_to_front(tree, eye_side, show,
+                     [&](const Node& node, int sign, int side) {
+                       return !behind(node.plane, node.splitter, sign, side);
+                     });
   stats.add(rasterizer.stats());
   return {rasterizer.pixels(), rasterizer.fragments(), stats};
 }

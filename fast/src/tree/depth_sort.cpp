@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "halfspace/assert.hpp"
+#include "tree/behind_test.hpp"
 #include "tree/eye_classifier.hpp"
 #include "tree/fragment_splitter.hpp"
 #include "tree/image_extent.hpp"
@@ -28,12 +29,15 @@ class DepthSorter {
         reader_(scene, result_.list) {
     const EyeClassifier side_of_eye(reader_, view_, camera.data(),
                                     result_.decisions);
+    const BehindTest behind(reader_, view_, camera.data());
     for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
       const auto id = static_cast<PolygonId>(p);
       planes_.push_back(splitter_.planes().plane(id));
       eye_sides_.push_back(side_of_eye(planes_.back(), id));
-      // What is in a plane through the eye, or behind it, covers nothing.
-      if (eye_sides_.back() == 0) continue;
+      // What is in a plane through the eye, in one that no ray meets, or behind
+      // the eye, covers nothing.
+      const int eye = eye_sides_.back();
+      if (eye == 0 || behind(planes_.back(), id, eye, -eye)) continue;
       const Unlisted polygon = unlisted_of(splitter_.whole(id));
       if (view_.perspective && polygon.extent.depth_high <= 0) continue;
       sorted_.push_back(polygon);

@@ -11,17 +11,23 @@ namespace halfspace::fast {
 /// subtree; else far subtree, node, near subtree. Positive counts as near for
 /// an eye on the splitter (E2).
 ///
-/// enter(id) says whether the subtree is worth it. show(node, sign) displays a
-/// node's fragments, `sign` being the eye's side, 0 for a leaf, and says
-/// whether to go on. The papers recurse; a stack works at any depth.
-template <bool kNearFirst, class Enter, class Show>
-void walk(const BspTree& tree, const EyeClassifier& side_of_eye, Enter&& enter,
-          Show&& show) {
+/// reach(node, sign, side) says whether the child on that side can be seen past
+/// the node's splitter; enter(id) whether the subtree is worth it. show(node,
+/// sign) displays a node's fragments, `sign` being the eye's side, 0 for a
+/// leaf, and says whether to go on. The papers recurse; a stack works at any
+/// depth.
+template <bool kNearFirst, class Reach, class Enter, class Show>
+void walk(const BspTree& tree, const EyeClassifier& side_of_eye, Reach&& reach,
+          Enter&& enter, Show&& show) {
   struct Step {
     NodeId node;  ///< to be shown, and then its second subtree walked
     int sign;
   };
   std::vector<Step> steps;
+  const auto child = [&](const Node& node, int sign, bool positive) {
+    const NodeId id = positive ? node.positive : node.negative;
+    return id != kNoNode && reach(node, sign, positive ? 1 : -1) ? id : kNoNode;
+  };
   NodeId next = tree.nodes.empty() ? kNoNode : 0;
   while (true) {
     while (next != kNoNode && enter(next)) {
@@ -32,7 +38,7 @@ void walk(const BspTree& tree, const EyeClassifier& side_of_eye, Enter&& enter,
       }
       const int sign = side_of_eye(node.plane, node.splitter);
       steps.push_back({next, sign});
-      next = (sign < 0) == kNearFirst ? node.negative : node.positive;
+      next = child(node, sign, (sign < 0) != kNearFirst);
     }
     if (steps.empty()) return;
     const Step step = steps.back();
@@ -40,20 +46,25 @@ void walk(const BspTree& tree, const EyeClassifier& side_of_eye, Enter&& enter,
     const Node& node = node_at(tree, step.node);
     // Polygons in a plane that holds the eye are invisible.
     if (step.sign != 0 && !show(node, step.sign)) return;
-    next = (step.sign < 0) == kNearFirst ? node.positive : node.negative;
+    next = child(node, step.sign, (step.sign < 0) == kNearFirst);
   }
 }
 
-template <class Enter, class Show>
+/// Every side can be seen.
+struct ReachAll {
+  bool operator()(const Node&, int, int) const { return true; }
+};
+
+template <class Enter, class Show, class Reach = ReachAll>
 void walk_front_to_back(const BspTree& tree, const EyeClassifier& side_of_eye,
-                        Enter&& enter, Show&& show) {
-  walk<true>(tree, side_of_eye, enter, show);
+                        Enter&& enter, Show&& show, Reach&& reach = {}) {
+  walk<true>(tree, side_of_eye, reach, enter, show);
 }
-template <class Show>
+template <class Show, class Reach = ReachAll>
 void walk_back_to_front(const BspTree& tree, const EyeClassifier& side_of_eye,
-                        Show&& show) {
+                        Show&& show, Reach&& reach = {}) {
   walk<false>(
-      tree, side_of_eye, [](NodeId) { return true; }, show);
+      tree, side_of_eye, reach, [](NodeId) { return true; }, show);
 }
 
 /// for_fragments() from the list's end. `scratch` is room for their indices.

@@ -7,6 +7,7 @@
 
 #include "../vector.hpp"
 #include "halfspace/assert.hpp"
+#include "halfspace/ref/behind.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/split.hpp"
 
@@ -58,8 +59,13 @@ class Sorter {
         depth_(depth_of(camera)) {
     for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
       const Fragment polygon = whole(scene, static_cast<PolygonId>(p));
-      // What is in a plane through the eye, or behind it, covers nothing.
-      if (eye_side(polygon) == Side::kOn) continue;
+      // What is in a plane through the eye, in one that no ray meets, or behind
+      // the eye, covers nothing.
+      const Side eye = eye_side(polygon);
+      if (eye == Side::kOn) continue;
+      const Side far =
+          eye == Side::kPositive ? Side::kNegative : Side::kPositive;
+      if (ref::is_behind(plane(polygon), camera, far)) continue;
       const Extent w = extent_of(polygon, projection_.w);
       if (sign(w.greatest) <= 0) continue;
       unlisted_.push_back({polygon, extent_of(polygon, depth_)});

@@ -121,8 +121,17 @@ struct Picture {
   std::size_t listed = 0;
   std::size_t moves = 0;
   std::size_t cuts = 0;
+  /// Of the tree: subtrees behind the viewer, and fragments in them (S3.10).
+  std::size_t subtrees_behind = 0;
+  std::size_t fragments_behind = 0;
   /// Pixels of exact areas that rationals decided.
   std::size_t exact_pixels = 0;
+};
+
+/// What of a tree is behind the viewer (S3.10).
+struct Behind {
+  std::size_t subtrees = 0;
+  std::size_t fragments = 0;
 };
 
 /// One library, as the commands see it.
@@ -166,6 +175,10 @@ class Engine {
   /// and without leaves for the painter; an alpha for the painter alone.
   virtual Picture render(const Scene& scene, const Camera& camera,
                          const Shot& shot) const = 0;
+
+  /// What of the tree a display leaves out as behind the viewer.
+  virtual Behind count_behind(const Scene& scene,
+                              const Camera& camera) const = 0;
 
   /// The image of exact areas (S7.6), and its items if shot.items.
   ///

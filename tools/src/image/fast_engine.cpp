@@ -7,6 +7,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/behind.hpp"
 #include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -94,6 +95,11 @@ class FastEngine : public Engine {
   void set_scalars(const Scene& scene, ScalarField field,
                    ColorScale scale) override {
     scalars_ = fast::prepare_scalars(scene, std::move(field), std::move(scale));
+  }
+
+  Behind count_behind(const Scene& scene, const Camera& camera) const override {
+    const auto count = fast::count_behind(scene, tree_, camera);
+    return {count.subtrees, count.fragments};
   }
 
   Result<Picture> render_area(const Scene& scene, const Camera& camera,

@@ -319,6 +319,11 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
     times_ms.push_back(watch.elapsed_ms());
   }
   frame.frame_ms = median(std::move(times_ms));
+  if (arguments.build.stats_file && needs_tree(arguments)) {
+    const auto count = engine.count_behind(loaded.file.scene, camera);
+    frame.picture.subtrees_behind = count.subtrees;
+    frame.picture.fragments_behind = count.fragments;
+  }
   add_background(arguments, camera->height_px, frame);
   if (arguments.lines.edges) {
     const ShownLines lines = shown_lines(arguments.lines, shot.options.cull);
@@ -396,6 +401,10 @@ nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
   stats["exact_pixels"] = frame.picture.exact_pixels;
   stats["pixels_painted"] = frame.picture.pixels_painted;
   stats["fragments_displayed"] = frame.picture.fragments_displayed;
+  if (needs_tree(arguments)) {
+    stats["subtrees_behind"] = frame.picture.subtrees_behind;
+    stats["fragments_behind"] = frame.picture.fragments_behind;
+  }
   if (arguments.priority == Priority::kDepthSort) {
     stats["listed"] = frame.picture.listed;
     stats["moves"] = frame.picture.moves;

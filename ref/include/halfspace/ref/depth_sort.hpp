@@ -18,7 +18,8 @@ struct DepthSort {
 
 /// The list priority of the scene for the camera, by depth sort (S3.9; NNS72).
 ///
-/// Requires: the list is walked from this camera's eye alone.
+/// Polygons whose planes no ray of the image meets are not listed (S3.10).
+/// Requires: the list is displayed for this camera alone.
 /// Exact:    yes: all tests are, those of extents and images, too.
 /// Cost:     the square of the number of polygons, and more where they cut.
 DepthSort depth_sort(const Scene& scene, const Camera& camera);

@@ -22,8 +22,9 @@ struct DepthSort {
 /// The list priority of the scene for the camera, by depth sort (S3.9; NNS72).
 ///
 /// A pure function of its arguments.
-/// Requires: the list is walked from this camera's eye alone; the near distance
-///           and the image's size do not matter.
+/// Polygons whose planes no ray of the image meets are not listed (S3.10).
+/// Requires: the list is displayed for this camera alone; the near distance does
+///           not matter.
 /// Exact:    yes: sides of planes are decided. Depths and images are compared
 ///           in doubles with bounds; where these touch, the planes decide.
 /// Cost:     for each fragment a pass over those whose depths meet its own; a
