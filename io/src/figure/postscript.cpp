@@ -100,10 +100,11 @@ std::string texts_of(const Figure& figure, const Pen& pen, bool is_pdf) {
   for (const FigureText& line : figure.texts) {
     const std::string size = decimal(pen.scale * line.size, 3);
     const std::string start = pen.at(start_of(line));
-    text += is_pdf ? "BT\n" + postscript_rgb(line.color) + " rg\n/F " + size + " Tf\n" +
-                         start + " Td\n" + quoted(line.text) + " Tj\nET\n"
-                   : postscript_rgb(line.color) + " c /Helvetica findfont " + size +
-                         " scalefont setfont\n" + start + " m " +
+    text += is_pdf ? "BT\n" + postscript_rgb(line.color) + " rg\n/F " + size +
+                         " Tf\n" + start + " Td\n" + quoted(line.text) +
+                         " Tj\nET\n"
+                   : postscript_rgb(line.color) + " c /Helvetica findfont " +
+                         size + " scalefont setfont\n" + start + " m " +
                          quoted(line.text) + " show\n";
   }
   return text;
