@@ -43,7 +43,7 @@ expect 0 'result' csg union a.off b.off -o c.off
 ls ./*.part-* 2>/dev/null && wrong 'a part was left'
 
 # Standard input and output, and gzipped files.
-for format in off obj stl ply scene; do
+for format in off obj stl ply glb gltf scene; do
   "$program" csg union a.off b.off -o "direct.$format" -q || wrong "-o $format"
   "$program" csg union a.off b.off -o - --format $format >"piped.$format" ||
     wrong "-o - --format $format"

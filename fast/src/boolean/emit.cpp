@@ -130,7 +130,7 @@ void Emitter::emit_intersection_segments() {
 }
 
 /// Whether the wedge before the first half-face is inside the operand: it is if
-/// the first of its own half-faces exits it, for none of its faces overlap
+/// the first of its own half-faces leaves it, for none of its faces overlap
 /// (S6.2).
 bool Emitter::is_before_inside(std::size_t o, bool member) const {
   const auto first = std::find_if(

@@ -203,7 +203,7 @@ void Resolver::emit_segments(Segment line) {
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     line.low = points_[i];
     line.high = points_[i + 1];
-    // Edges and segments may ray_contribution a segment.
+    // Edges and segments may share a segment.
     if (done_.insert(std::minmax(line.low, line.high)).second) emit(line);
   }
 }

@@ -30,7 +30,7 @@ bool may_merge(const Face& f, const Face& g, Merge rule) {
   return true;
 }
 
-/// Puts entries in the order of `low`, which is less than `count`, and exits
+/// Puts entries in the order of `low`, which is less than `count`, and leaves
 /// those with one `low` in their order.
 void sort_by_low(std::vector<EdgeOfFace>& entries, std::size_t count) {
   std::vector<std::uint32_t> place(count + 1);

@@ -10,7 +10,7 @@
 namespace halfspace::fast {
 
 /// Which faces of a solid are to be one, and the edges between them, which are
-/// dropped: those that just two faces ray_contribution which may be one.
+/// dropped: those that just two faces share which may be one.
 class CoplanarGroups {
  public:
   /// Requires: the solid's edges are in line.

@@ -10,7 +10,7 @@
 
 namespace halfspace::fast {
 
-/// A geometry table that solids ray_contribution.
+/// A geometry table that solids share.
 ///
 /// The table only grows, so whoever knows a plane or a point may read it at any
 /// time. One TableLease at a time extends it; an operation that finds it leased

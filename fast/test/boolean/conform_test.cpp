@@ -245,7 +245,7 @@ TEST(FastConform, IsAskedForOnlyWhereAFaceHasAnEdgeThatIsNotItsOwn) {
   const Solid c = prism_on_block();
   EXPECT_EQ(have_nodes(c, blocks({{{1, 2, 2}, {3, 3, 3}}})), not_first);
   EXPECT_EQ(have_nodes(c, blocks({{{0, 0, 2}, {4, 1, 3}}})), kBoth);
-  // Neither edges nor points that faces ray_contribution by right.
+  // Neither edges nor points that faces share by right.
   std::uint64_t state = 11;
   for (int i = 0; i < 40; ++i) {
     const Solid x =

@@ -424,8 +424,8 @@ Status run_csg(const CsgArguments& arguments) {
 constexpr Word<std::string_view> kFormatWords[] = {
     {"off", "off"},        {"obj", "obj"},       {"stl", "stl"},
     {"ply", "ply"},        {"3mf", "3mf"},       {"glb", "glb"},
-    {"scene", "scene"},    {"hsolid", "hsolid"}, {"step", "step"},
-    {kTextForm, kTextForm}};
+    {"gltf", "gltf"},      {"scene", "scene"},   {"hsolid", "hsolid"},
+    {"step", "step"},      {kTextForm, kTextForm}};
 
 constexpr Word<csg::MergeRule> kMergeWords[] = {
     {"origin", csg::MergeRule::kOrigin},
