@@ -25,7 +25,7 @@ PLANTED = [
     ("a clause that is gone", "spec/S3-tree.md", "## S3.2 ", "### S3.2 ",
      "no clause S3.2"),
     ("a clause that is new", "spec/S3-tree.md", "## S3.1 ",
-     "## S3.9 New\n\nText.\n\n## S3.1 ", "S3.9 has no row"),
+     "## S3.99 New\n\nText.\n\n## S3.1 ", "S3.99 has no row"),
     ("a row twice", TABLE, "## S1.2 Scene", "## S1.1 Scene",
      "stands there twice"),
     ("a row without a line", TABLE, "laws: S1.L7\n", "", "S1.1: has"),
