@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "figure/writers.hpp"
 #include "halfspace/int128.hpp"
 
@@ -60,11 +60,6 @@ FigureCertificate certify(std::string_view ending, const Figure& figure,
   const Pen pen = pen_of(ending, figure, options);
   FigureCertificate result;
   result.bound = 0.5 * std::pow(10.0, -options.decimals);
-  const auto number_of = [](const std::string& text) {
-    double value = 0;
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-  };
   for (const FigureRegion& region : figure.regions) {
     for (const auto& loop : region.loops) {
       Loop before;
@@ -78,8 +73,8 @@ FigureCertificate certify(std::string_view ending, const Figure& figure,
         const double to_y =
             pen.height < 0 ? pen.scale * p[1] : pen.height - pen.scale * p[1];
         result.largest_move =
-            std::max({result.largest_move, std::abs(number_of(x) - to_x),
-                      std::abs(number_of(y) - to_y)});
+            std::max({result.largest_move, std::abs(value_or_none(x) - to_x),
+                      std::abs(value_or_none(y) - to_y)});
         before.push_back({fine_of(to_x), fine_of(to_y)});
         after.push_back(
             {units_of(x, options.decimals), units_of(y, options.decimals)});
