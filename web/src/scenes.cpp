@@ -212,8 +212,8 @@ Result<std::string> drawn(WebScene& shown, const AskedView& view,
                           {view.cull, tools::keys_of(shown.figure, by)}, {});
     if (!map) return map.error();
     if (!asked.by.empty()) {
-      tools::add_regions(figure, *map, shown.figure, by, view.background, true,
-                         {});
+      tools::add_regions(figure, *map, shown.figure,
+                         {.by = by, .background = view.background}, {});
     }
     if (asked.lines == 1)
       tools::add_borders(figure, *map, asked.line_width, {});
