@@ -13,12 +13,7 @@ need dh-python "those of Python"
 need pybuild-plugin-pyproject "the same"
 need appstream "checks the description for software centres"
 need lintian "looks for what packages have wrong"
-need pybind11-dev "binds the library to Python"
-need python3-dev "builds the package for Python"
-need python3-pybind11 "the same, for its build"
-need python3-numpy "arrays of the package for Python"
-need python3-setuptools "builds its wheel"
-need python3-wheel "builds its wheel"
+need_python_packages
 install_needed
 
 version=$(dpkg-parsechangelog -S Version)

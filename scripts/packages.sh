@@ -100,6 +100,18 @@ need_build_packages() {
   need pkg-config "finds both of them"
 }
 
+# What the package for Python takes, built as a wheel and installed.
+need_python_packages() {
+  need python3-dev "builds the package for Python"
+  need pybind11-dev "binds the library to Python"
+  need python3-pybind11 "the same, for pip"
+  need python3-numpy "arrays of the package for Python"
+  need python3-setuptools "builds its wheel"
+  need python3-wheel "builds its wheel"
+  need python3-venv "tests the wheel where nothing else is"
+  need python3-pip "installs the wheel"
+}
+
 # What the tests take beside that.
 need_test_packages() {
   need libgtest-dev "test framework"
@@ -112,14 +124,7 @@ need_test_packages() {
   need xdotool "a hand for the viewer"
   need make "compiles the proofs"
   need ocaml "compiles the oracle that the proofs are extracted to"
-  need python3-dev "builds the package for Python"
-  need pybind11-dev "binds the library to Python"
-  need python3-pybind11 "the same, for pip"
-  need python3-numpy "arrays of the package for Python"
-  need python3-setuptools "builds its wheel"
-  need python3-wheel "builds its wheel"
-  need python3-venv "tests the wheel where nothing else is"
-  need python3-pip "installs the wheel"
+  need_python_packages
   need python3-pytest "tests of the package for Python"
   need python3-hypothesis "random properties of it"
   need python3-matplotlib "figures that the package makes right"

@@ -6,14 +6,7 @@ cd "$(dirname "$0")/.."
 . scripts/packages.sh
 
 need_build_packages
-need python3-dev "builds the package for Python"
-need pybind11-dev "binds the library to Python"
-need python3-pybind11 "the same, for pip"
-need python3-numpy "arrays of the package for Python"
-need python3-setuptools "builds its wheel"
-need python3-wheel "builds its wheel"
-need python3-venv "a place for it"
-need python3-pip "installs it"
+need_python_packages
 need python3-matplotlib "figures of the site"
 need mkdocs "makes pages of text"
 need mkdocs-material "how they look"
