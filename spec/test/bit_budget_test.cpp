@@ -243,11 +243,11 @@ TEST_P(BitBudget, TwoPointsByCoordinateExceedTheRegister) {
   EXPECT_GT(bits_of(product), register_bits());
 }
 
-using Vector = std::array<Integer, 3>;
+using Triple = std::array<Integer, 3>;
 
 /// The eight vectors all of whose components have this size.
-std::vector<Vector> sign_vectors(const Integer& size) {
-  std::vector<Vector> all;
+std::vector<Triple> sign_vectors(const Integer& size) {
+  std::vector<Triple> all;
   for (int mask = 0; mask < 8; ++mask) {
     all.push_back({(mask & 1) != 0 ? size : Integer(-size),
                    (mask & 2) != 0 ? size : Integer(-size),
@@ -257,7 +257,7 @@ std::vector<Vector> sign_vectors(const Integer& size) {
 }
 
 /// The plane's value at the point (x, y, z) / w, times w.
-Integer value_at(const Row& plane, const Vector& p, const Integer& w) {
+Integer value_at(const Row& plane, const Triple& p, const Integer& w) {
   return plane[0].value * p[0] + plane[1].value * p[1] + plane[2].value * p[2] +
          plane[3].value * w;
 }
@@ -265,9 +265,9 @@ Integer value_at(const Row& plane, const Vector& p, const Integer& w) {
 TEST_P(BitBudget, ValuesAtTheEyeAndOnTheImageReachTheirBounds) {
   Largest eye, image;
   for (const Row& plane : cube_planes(n())) {
-    for (const Vector& e : sign_vectors(camera_most()))
+    for (const Triple& e : sign_vectors(camera_most()))
       eye.put(value_at(plane, e, power(kLatticeBits)));
-    for (const Vector& s : sign_vectors(image_most()))
+    for (const Triple& s : sign_vectors(image_most()))
       image.put(value_at(plane, s, power(kLatticeBits + 1)));
   }
   EXPECT_LT(eye.size, power(3 * n() + 15));
@@ -279,9 +279,9 @@ TEST_P(BitBudget, ValuesAtTheEyeAndOnTheImageReachTheirBounds) {
 TEST_P(BitBudget, EdgeSignsDepthsAndTheirDerivativesStayInTheirBounds) {
   const std::vector<Row> planes = cube_planes(n());
   Largest sign, derivative;
-  for (const Vector& e : sign_vectors(camera_most())) {
-    for (const Vector& s : sign_vectors(image_most())) {
-      Vector step = s;
+  for (const Triple& e : sign_vectors(camera_most())) {
+    for (const Triple& s : sign_vectors(image_most())) {
+      Triple step = s;
       for (Integer& c : step) c = c > 0 ? camera_most() : -camera_most();
       for (const Row& p : planes) {
         for (const Row& q : planes) {
@@ -307,10 +307,10 @@ TEST_P(BitBudget, NearLinesStayInTheirBounds) {
   const Integer most_near = power(32);
   Largest perspective, orthographic;
   for (const Row& plane : cube_planes(n())) {
-    for (const Vector& e : sign_vectors(camera_most())) {
+    for (const Triple& e : sign_vectors(camera_most())) {
       const Integer pe = value_at(plane, e, power(kLatticeBits));
       const Integer ne = value_at(plane, e, 0);
-      for (const Vector& s : sign_vectors(image_most())) {
+      for (const Triple& s : sign_vectors(image_most())) {
         const Integer ps = value_at(plane, s, power(kLatticeBits + 1));
         for (const Integer& k : {Integer(0), most_near}) {
           perspective.put((one - k) * 2 * pe + k * ps);
@@ -327,12 +327,12 @@ TEST_P(BitBudget, NearLinesStayInTheirBounds) {
 }
 
 /// det(e, s, p, q) for homogeneous e, s and grid points p, q.
-Integer edge_determinant(const Vector& e, const Vector& s, const GridPoint& p,
+Integer edge_determinant(const Triple& e, const Triple& s, const GridPoint& p,
                          const GridPoint& q) {
   const Integer we = power(kLatticeBits);
   const Integer ws = power(kLatticeBits + 1);
-  const Vector u{Integer(p.x), Integer(p.y), Integer(p.z)};
-  const Vector v{Integer(q.x), Integer(q.y), Integer(q.z)};
+  const Triple u{Integer(p.x), Integer(p.y), Integer(p.z)};
+  const Triple v{Integer(q.x), Integer(q.y), Integer(q.z)};
   Integer total = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
@@ -348,13 +348,13 @@ Integer edge_determinant(const Vector& e, const Vector& s, const GridPoint& p,
 TEST_P(BitBudget, SourceEdgesAndColoursStayInTheirBounds) {
   const std::vector<GridPoint> corners = cube_corners(n());
   Largest edge, color;
-  for (const Vector& e : sign_vectors(camera_most())) {
-    for (const Vector& s : sign_vectors(image_most())) {
+  for (const Triple& e : sign_vectors(camera_most())) {
+    for (const Triple& s : sign_vectors(image_most())) {
       for (const GridPoint& p : corners) {
         for (const GridPoint& q : corners) {
           const Integer d = edge_determinant(e, s, p, q);
           edge.put(d);
-          // Three such weights, each times 2 c - 2 m + 1 for channels c, m.
+          // Triple such weights, each times 2 c - 2 m + 1 for channels c, m.
           color.put(3 * 511 * d);
         }
       }
