@@ -3,8 +3,9 @@
 ///   peer_gl2ps TRIANGLES OUT.pdf
 ///
 /// A line of TRIANGLES is nine coordinates in pixels, the third of each point
-/// its depth, greater is nearer, and three channels from 0 to 255. The image is
-/// 1000 x 1000. Prints seconds of processor time. Not a part of the library.
+/// its depth, greater is nearer, three channels from 0 to 255, and 1 if it is
+/// of a closed surface, else 0. The image is 1000 x 1000. Prints seconds of
+/// processor time. Not a part of the library.
 #include <GL/gl.h>
 #include <GL/osmesa.h>
 #include <gl2ps.h>
@@ -18,7 +19,7 @@
 namespace {
 
 constexpr int kSide = 1000;
-using Triangle = std::array<float, 12>;
+using Triangle = std::array<float, 13>;
 
 std::vector<Triangle> read_triangles(const char* path) {
   std::vector<Triangle> triangles;
@@ -40,7 +41,8 @@ void draw(const std::vector<Triangle>& triangles) {
   glBegin(GL_TRIANGLES);
   for (const Triangle& t : triangles) {
     glColor3f(t[9] / 255, t[10] / 255, t[11] / 255);
-    for (int k = 0; k < 3; ++k) glVertex3f(t[3 * k], t[3 * k + 1], t[3 * k + 2]);
+    for (int k = 0; k < 3; ++k)
+      glVertex3f(t[3 * k], t[3 * k + 1], t[3 * k + 2]);
   }
   glEnd();
 }
@@ -51,9 +53,10 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const std::vector<Triangle> triangles = read_triangles(argv[1]);
   std::vector<unsigned char> pixels(4 * kSide * kSide);
-  const OSMesaContext context = OSMesaCreateContextExt(GL_RGBA, 24, 0, 0, nullptr);
-  if (context == nullptr ||
-      !OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, kSide, kSide))
+  const OSMesaContext context =
+      OSMesaCreateContextExt(GL_RGBA, 24, 0, 0, nullptr);
+  if (context == nullptr || !OSMesaMakeCurrent(context, pixels.data(),
+                                               GL_UNSIGNED_BYTE, kSide, kSide))
     return 1;
   glViewport(0, 0, kSide, kSide);
   glMatrixMode(GL_PROJECTION);
@@ -73,7 +76,8 @@ int main(int argc, char** argv) {
     draw(triangles);
     if (gl2psEndPage() != GL2PS_OVERFLOW) break;
   }
-  std::printf("%.3f\n", static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  std::printf("%.3f\n",
+              static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   std::fclose(out);
   OSMesaDestroyContext(context);
   return 0;

@@ -40,21 +40,24 @@ const SIDE = 1000;
 const groups = new Map();
 for (const line of fs.readFileSync(process.argv[2], "utf8").split("\n")) {
   const numbers = line.split(" ").map(Number);
-  if (numbers.length < 12) continue;
-  const color = numbers.slice(9).join(",");
-  if (!groups.has(color)) groups.set(color, []);
-  groups.get(color).push(...numbers.slice(0, 9));
+  if (numbers.length < 13) continue;
+  const look = numbers.slice(9).join(",");
+  if (!groups.has(look)) groups.set(look, []);
+  for (let k = 0; k < 9; k += 3)
+    groups.get(look).push(numbers[k], SIDE - numbers[k + 1], numbers[k + 2]);
 }
 const begin = process.cpuUsage();
 const scene = new THREE.Scene();
-for (const [color, points] of groups) {
+for (const [look, points] of groups) {
+  const [red, green, blue, closed] = look.split(",");
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position",
                         new THREE.Float32BufferAttribute(points, 3));
   scene.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial(
-      {color: new THREE.Color(`rgb(${color})`), side: THREE.DoubleSide})));
+      {color: new THREE.Color(`rgb(${red},${green},${blue})`),
+       side: closed === "1" ? THREE.FrontSide : THREE.DoubleSide})));
 }
-const camera = new THREE.OrthographicCamera(0, SIDE, 0, SIDE, 1, 5000);
+const camera = new THREE.OrthographicCamera(0, SIDE, SIDE, 0, 1, 5000);
 camera.position.z = 2500;
 const renderer = new SVGRenderer();
 renderer.setSize(SIDE, SIDE);

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 """Compares figures of halfspace with those of gl2ps and three.js's SVGRenderer.
 
-  peers.py PROGRAM [--three FOLDER] [--table FILE.md]
+  peers.py PROGRAM [--gl2ps PEER] [--three FOLDER] [--table FILE.md]
 
-PROGRAM: halfspace; FOLDER: where `npm install three` ran, else it is left out
-and the table says so. Of each scene of docs/figures/models.py all get the same
+PROGRAM: halfspace; PEER: peer_gl2ps, which HALFSPACE_BENCH_GL2PS=ON builds;
+FOLDER: where `npm install three` ran. Who is left out is named in the table. Of each scene of docs/figures/models.py all get the same
 triangles, in one orthographic view of 1000 x 1000 pixels, a colour an object.
 Wrong: the share of pixels away from edges that show another object's colour.
 Seams: the share of such pixels that change with what is behind the figure.
 Paths are filled ones; times are of the processor, without reading the file for
-the peers and with all of it for halfspace.
-Debian: libgl2ps-dev libosmesa6-dev g++ poppler-utils librsvg2-bin nodejs
+the peers and with all of it for halfspace. three.js is told to leave out the
+backs of closed objects, as its users do.
+Debian: libgl2ps-dev libosmesa6-dev poppler-utils librsvg2-bin nodejs
 python3-numpy python3-pil. Exit status: 0 if halfspace has nothing wrong and no
 seam.
 """
@@ -88,7 +89,20 @@ def parts_of(polygons, vertices):
             for polygon in polygons]
 
 
-def write_triangles(path, seen, polygons, colors, ground):
+def closed_parts(polygons, vertices, parts):
+    """By part whether each of its edges is passed once both ways."""
+    passed = set()
+    names = [tuple(point) for point in vertices]
+    for polygon, part in zip(polygons, parts):
+        for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+            passed.add((part, names[p], names[q]))
+    closed = [True] * (max(parts) + 1)
+    for part, p, q in passed:
+        closed[part] = closed[part] and (part, q, p) in passed
+    return closed
+
+
+def write_triangles(path, seen, polygons, looks, ground):
     """A page that has no colour of its own gets two triangles behind all."""
     lines = []
     far = seen[:, 2].min() - 100
@@ -96,12 +110,12 @@ def write_triangles(path, seen, polygons, colors, ground):
     for k in (1, 2) if ground else ():
         points = [c for p in (corners[0], corners[k], corners[k + 1])
                   for c in (*p, far)]
-        lines.append([*points, *ground])
-    for polygon, color in zip(polygons, colors):
+        lines.append([*points, *ground, 0])
+    for polygon, look in zip(polygons, looks):
         for k in range(1, len(polygon) - 1):
             points = [c for v in (polygon[0], polygon[k], polygon[k + 1])
                       for c in seen[v]]
-            lines.append([*points, *color])
+            lines.append([*points, *look])
     path.write_text("\n".join(" ".join(f"{n:.6g}" if isinstance(n, float)
                                        else str(n) for n in line)
                               for line in lines) + "\n")
@@ -169,14 +183,13 @@ def own_row(program, folder, scene, objects, colors):
     return Row("halfspace", files, seconds, objects, colors)
 
 
-def peer_rows(folder, peers, seen, polygons, objects, colors, parts):
+def peer_rows(folder, peers, seen, polygons, objects, colors, looks):
     rows = []
-    polygon_colors = [colors[part] for part in parts]
     for name, command, ending in peers:
         files, seconds = {}, 0
         for ground, color in GROUNDS.items():
             triangles = folder / f"{ground}.txt"
-            write_triangles(triangles, seen, polygons, polygon_colors,
+            write_triangles(triangles, seen, polygons, looks,
                             color if ending == "pdf" else None)
             files[ground] = folder / f"{name}-{ground}.{ending}"
             words, cwd = command
@@ -188,6 +201,7 @@ def peer_rows(folder, peers, seen, polygons, objects, colors, parts):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--gl2ps", type=pathlib.Path)
     parser.add_argument("--three", type=pathlib.Path)
     parser.add_argument("--table", type=pathlib.Path)
     arguments = parser.parse_args()
@@ -198,9 +212,11 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         models.write_all(folder)
-        run("g++", "-O2", "-o", folder / "gl2ps", HERE / "peer_gl2ps.cpp",
-            "-lgl2ps", "-lOSMesa", "-lGL")
-        peers = [("gl2ps", ([folder / "gl2ps"], None), "pdf")]
+        peers = []
+        if arguments.gl2ps:
+            peers.append(("gl2ps", ([arguments.gl2ps.resolve()], None), "pdf"))
+        else:
+            lines.insert(0, "Without --gl2ps, so without gl2ps.\n")
         if arguments.three:
             peers.append(("three.js", (["node", HERE / "peer_three.mjs"],
                                        arguments.three), "svg"))
@@ -220,8 +236,10 @@ def main():
             own = own_row(program, folder, scene, objects, colors)
             bad |= own.wrong > 0 or own.seams > 0
             seen = seen_vertices(camera, vertices)
+            closed = closed_parts(polygons, vertices, parts)
+            looks = [(*colors[part], int(closed[part])) for part in parts]
             rows = [own] + peer_rows(folder, peers, seen, polygons, objects,
-                                     colors, parts)
+                                     colors, looks)
             for row in rows:
                 lines.append(f"| {scene} | " + " | ".join(row.cells) + " |")
                 print(lines[-1], flush=True)

@@ -1,4 +1,4 @@
-#include "image/figures.hpp"
+#include "figure/figures.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "image/notes.hpp"
+#include "figure/notes.hpp"
 
 #include <fmt/format.h>
 

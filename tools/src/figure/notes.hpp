@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "figure/figures.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/drawing.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/io/figure.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
-#include "image/figures.hpp"
 
 /// What is drawn with a scene and hidden by it: lines, points and texts.
 namespace halfspace::tools {
