@@ -55,7 +55,7 @@ for view in "--ortho" "--eye 1,-3,3 --target 2,2,1 --fov 70"; do
     set -- $view --size 48x36 --shade gouraud
     expect 0 'span' render tent.off "$@" -o c.png
     for ending in svg pdf; do
-      expect 0 'none turned over' draw tent.off "$@" -o "c.$ending" \
+      expect 0 ' 0 turned over' draw tent.off "$@" -o "c.$ending" \
         --decimals 6 --levels "$levels" --certificate
       python3 "$colors" "c.$ending" c.png "$levels" ||
         wrong "$view, $levels levels: $ending has other colours"
@@ -65,10 +65,18 @@ done
 for ending in eps tex; do
   expect 0 ' regions' draw tent.off --shade gouraud -o "c.$ending" --size 48x36
 done
+# What would turn over gets more decimals.
 tent 30 >fine.off
-expect 2 'turns [1-9][0-9]* of .* loops over' draw fine.off -o t.svg \
-  --by polygon --size 40x30 --decimals 0 --certificate --view iso
-[ -e t.svg ] && wrong "a figure that is turned over was written"
+expect 0 ' 0 turned over, .*; [1-9][0-9]* points with up to [1-9]' draw \
+  fine.off -o t.svg --by polygon --size 40x30 --decimals 0 --certificate \
+  --view iso
+# Shaded regions are of one polygon each.
+expect 0 ' regions' draw tent.off --fill shaded -o shaded.svg --size 48x36
+grep -q linearGradient shaded.svg || wrong "nothing is shaded"
+for by in face part file all; do
+  expect 2 "regions by $by have one colour" draw tent.off --shade gouraud \
+    --by "$by" -o none.svg
+done
 grep -q "certificate: coordinates moved by .* 0 of [0-9]* loops turned" \
   a.svg || wrong "a.svg has no certificate"
 grep -q 'id="region-0" class="' a.svg || wrong "paths have no ids"

@@ -65,11 +65,20 @@ void complete(DrawArguments& arguments) {
       arguments.fill.empty() &&
       (plotter || speaks_of_edges || arguments.lines == "edges");
   if (arguments.fill.empty()) arguments.fill = only_lines ? "none" : "colour";
+  if (arguments.fill == "shaded") {
+    arguments.fill = "colour";
+    if (!arguments.view.shading) arguments.view.shading = Shading::kGouraud;
+  }
   if (arguments.lines.empty())
     arguments.lines = only_lines || speaks_of_edges ? "edges" : "none";
   if (arguments.by.empty()) {
     arguments.by = arguments.fill == "none" ? "face" : arguments.fill;
   }
+}
+
+/// Whether regions may have the colours of their polygon's corners.
+bool can_shade(const std::string& by) {
+  return by == "colour" || by == "polygon";
 }
 
 DrawingOptions drawing_options(const DrawArguments& arguments, bool cull) {
@@ -93,7 +102,7 @@ class Figures {
         cull_(image.cull),
         smooth_(image.shading == Shading::kGouraud &&
                 !scene.scene().data().corner_colors.empty() &&
-                (arguments.by == "colour" || arguments.by == "polygon")),
+                can_shade(arguments.by)),
         background_(image.background) {}
 
   /// Adds one view. Errors: those of the map and the drawing.
@@ -242,6 +251,14 @@ std::string complaint_of(const DrawArguments& arguments) {
           std::filesystem::path(arguments.output).extension().string()) &&
       arguments.lines == "none")
     return arguments.output + ": the format holds lines alone; give --lines";
+  const bool asks_for_shade =
+      arguments.view.shading.value_or(
+          arguments.view.crease_deg ? Shading::kGouraud : Shading::kFlat) ==
+      Shading::kGouraud;
+  if (asks_for_shade && arguments.fill != "none" && !can_shade(arguments.by)) {
+    return "regions by " + arguments.by +
+           " have one colour each; for shaded ones give --by colour or polygon";
+  }
   std::vector<NamedFile> inputs;
   for (const std::string& path : arguments.paths)
     inputs.push_back({"FILE", path});
@@ -273,15 +290,6 @@ Status run_draw(DrawArguments arguments) {
   if (!drawn) return fail(loaded->name, drawn.error());
   note_part(arguments.output);
   const io::FigureOptions options = {arguments.decimals, arguments.levels};
-  const std::string ending =
-      std::filesystem::path(arguments.output).extension().string();
-  const io::FigureCertificate certificate =
-      io::certify(ending, figures.figure(), options);
-  if (arguments.certificate && certificate.turned_over > 0) {
-    return fail(fmt::format(
-        "{}: rounding turns {} of {} loops over; give more --decimals",
-        arguments.output, certificate.turned_over, certificate.loops));
-  }
   const Result<Done> written =
       io::write_figure(arguments.output, figures.figure(), options);
   if (!written) return fail(arguments.output, written.error());
@@ -289,10 +297,14 @@ Status run_draw(DrawArguments arguments) {
       loaded->scene().polygon_count(), figures.regions(), figures.arcs(),
       figures.strokes());
   if (arguments.certificate) {
-    say("coordinates moved by at most {:.3g} of {:.3g}; {} loops, none turned "
-        "over, {} vanished\n",
+    const io::FigureCertificate certificate = io::certify(
+        std::filesystem::path(arguments.output).extension().string(),
+        figures.figure(), options);
+    say("coordinates moved by at most {:.3g} of {:.3g}; {} loops, {} turned "
+        "over, {} vanished; {} points with up to {} decimals\n",
         certificate.largest_move, certificate.bound, certificate.loops,
-        certificate.vanished);
+        certificate.turned_over, certificate.vanished, certificate.finer_points,
+        certificate.most_decimals);
   }
   return Status::kFine;
 }
@@ -352,21 +364,25 @@ void add_draw(CLI::App& program, Status& status) {
       ->required()
       ->type_name("OUT");
   app->add_option("--fill", arguments->fill,
-                  "What regions show: the colours of lit faces, or one colour "
-                  "a part or a file; colour if not said")
-      ->check(CLI::IsMember({"none", "face", "part", "file", "colour"}));
+                  "What regions show: the colours of lit faces, the same "
+                  "shaded between corners, or one colour a part or a file; "
+                  "colour if not said")
+      ->check(
+          CLI::IsMember({"none", "face", "part", "file", "colour", "shaded"}));
   app->add_option("--by", arguments->by,
                   "Which polygons make one region where they meet; if not "
                   "said, what --fill says")
       ->check(
           CLI::IsMember({"polygon", "face", "colour", "part", "file", "all"}));
-  app->add_option("--decimals", arguments->decimals,
-                  "Of coordinates, in the figure's units")
+  app->add_option(
+         "--decimals", arguments->decimals,
+         "Of coordinates, in the figure's units; where that would turn "
+         "a region over, its corners get more")
       ->check(CLI::Range(0, 12))
       ->capture_default_str();
   app->add_flag("--certificate", arguments->certificate,
-                "Say how far rounding moved coordinates; fail if it turned a "
-                "region over");
+                "Say how far rounding moved coordinates, and how many got more "
+                "decimals so that no region turns over");
   app->add_option("--levels", arguments->levels,
                   "With --shade gouraud: by how many of 255 levels a shaded "
                   "region's colour may be off")
