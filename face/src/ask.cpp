@@ -163,12 +163,6 @@ Result<Mesh> Solid::mesh(const MeshOptions& options) const {
   mesh.vertices.reserve(exported.vertices.size());
   for (const auto& v : exported.vertices)
     mesh.vertices.push_back({v[0], v[1], v[2]});
-  mesh.origins.reserve(exported.faces.size());
-  for (const std::int32_t f : exported.faces) {
-    const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
-    mesh.origins.push_back(
-        {static_cast<std::uint32_t>(face.part), face.polygon});
-  }
   detail::carry_properties(**evaluation, solid, exported, mesh);
   mesh.first_corner = std::move(exported.first_corner);
   mesh.corners = std::move(exported.corners);
