@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t kMostNoteBytes = std::uint64_t{1} << 26;
 
-double unit_of(const Scene& scene) {
+double note_unit(const Scene& scene) {
   return std::pow(static_cast<double>(scene.unit().base),
                   scene.unit().exponent);
 }
@@ -31,7 +31,7 @@ std::optional<GridPoint> on_grid(const Scene& scene, const glm::dvec3& p) {
   std::int64_t steps[3] = {};
   const double limit = std::ldexp(1, scene.grid_bits() - 1) - 1;
   for (int k = 0; k < 3; ++k) {
-    const double value = std::round(p[k] / unit_of(scene));
+    const double value = std::round(p[k] / note_unit(scene));
     if (!(std::abs(value) <= limit)) return std::nullopt;
     steps[k] = static_cast<std::int64_t>(value);
   }
@@ -135,7 +135,7 @@ class AxisMaker {
 
   /// Beyond the grid there is nothing to draw on: then a point is left out.
   std::optional<GridPoint> grid_point(const glm::dvec3& p) const {
-    return on_grid(scene_, p * unit_of(scene_));
+    return on_grid(scene_, p * note_unit(scene_));
   }
 
   void add(int axis, const glm::dvec3& from, const glm::dvec3& out) {
@@ -143,7 +143,7 @@ class AxisMaker {
     to[axis] = high_[axis];
     if (to[axis] == from[axis]) return;
     line(from, to);
-    const double unit = unit_of(scene_);
+    const double unit = note_unit(scene_);
     const double first = from[axis] * unit;
     const double last = to[axis] * unit;
     const double step = nice_step(last - first);
