@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace halfspace::fast {
 namespace {
@@ -122,6 +123,19 @@ bool Hiding::is_point(const Line& line) {
          parallel(sight_.x_form(), sight_.y_form());
 }
 
+bool Hiding::are_same_side(const Cut& f, const Cut& g) const {
+  if (f.kind != CutKind::kSide || g.kind != CutKind::kSide) return false;
+  const auto ends_of = [&](const Cut& cut) {
+    const auto corners = sight_.scene().corners(cut.polygon);
+    const auto k = static_cast<std::size_t>(cut.number);
+    const std::size_t next = k + 1 == corners.size() ? 0 : k + 1;
+    const VertexId u = point(corners[k]).vertex;
+    const VertexId v = point(corners[next]).vertex;
+    return std::pair{std::min(u, v), std::max(u, v)};
+  };
+  return ends_of(f) == ends_of(g);
+}
+
 /// A share is |F| / (|F| + |G|) for a form's values F and G at the ends, of
 /// different signs; for that of homogeneous points both are scaled by their
 /// weights, which drop out of the comparison.
@@ -142,6 +156,7 @@ int Hiding::compare(const Line& line, const Cut& f, const Cut& g) {
   }
   if (f.kind == g.kind && f.polygon == g.polygon && f.number == g.number)
     return 0;
+  if (are_same_side(f, g)) return 0;
   ++sight_.stats().exact;
   const Form p = form_of(f);
   const Form q = form_of(g);

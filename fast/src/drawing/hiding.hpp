@@ -102,6 +102,8 @@ class Hiding {
   /// 1 if the plane through the eye and a polygon's side from `u` to `v`, which
   /// holds the edge, faces as the edge's own does, else -1.
   int side_of_parallel(const Line& line, VertexId u, VertexId v) const;
+  /// Whether two cuts are by sides between the same two points.
+  bool are_same_side(const Cut& f, const Cut& g) const;
   /// The sign at a point of a polygon's side seen from the eye, positive
   /// inside.
   int side_sign(const SpacePoint& p, PolygonId polygon, std::size_t side,
