@@ -2,22 +2,22 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/origin_parts.hpp"
 #include "halfspace/csg/carry.hpp"
 #include "halfspace/csg/components.hpp"
 #include "halfspace/csg/evaluate.hpp"
 #include "halfspace/csg/outcome.hpp"
 #include "halfspace/csg/volume.hpp"
 #include "halfspace/fast/boolean.hpp"
-#include "halfspace/fast/canonical_solid.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/fast/solid/canonical_solid.hpp"
 #include "halfspace/fast/solid_data.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/io/load_scene.hpp"
-#include "origin_parts.hpp"
 
 namespace halfspace::csg {
 namespace {

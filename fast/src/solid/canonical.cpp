@@ -8,7 +8,7 @@
 
 #include "base/id_map.hpp"
 #include "halfspace/big_integer.hpp"
-#include "halfspace/fast/canonical_solid.hpp"
+#include "halfspace/fast/solid/canonical_solid.hpp"
 #include "solid/loops.hpp"
 #include "solid/move_to_table.hpp"
 #include "solid/vertex_order.hpp"
