@@ -118,10 +118,6 @@ Result<fast::Rendering> Display::State::rendered(
   }
   const fast::BspTree* made = picture_tree(view);
   if (made == nullptr) return detail::stopped();
-  if (view.anti_aliasing != AntiAliasing::kNone && !options->clips.empty()) {
-    return Error{ErrorCode::kOutOfRange,
-                 "anti-aliasing is not for clip planes; leave out either"};
-  }
   fast::Rendering image =
       samples == 1
           ? fast::render(scene, *made, *camera, *options, how)
