@@ -44,7 +44,7 @@ def read_binary(data):
     b = Bytes(data[:-4])
     b.at = len(MAGIC)
     version, flags, base, exponent, grid = b.take("IIiiI")
-    assert version == 1
+    assert version in (1, 2)
     solid = {"checked": bool(flags & 1), "conforming": bool(flags & 2),
              "unit": [base, exponent], "grid": grid,
              "point": b.several(lambda: b.take("qqq")),
@@ -56,7 +56,8 @@ def read_binary(data):
     counts = iter(b.several(lambda: b.take("I")[0]))
     corners = iter(b.several(lambda: b.take("II")))
     solid["face"] = [
-        {"plane": plane, "side": "+-"[side], "color": color, "origin": origin,
+        {"plane": plane, "side": "+-"[side & 1], "origin": origin,
+         "color": None if side & 2 else color,
          "loops": [[next(corners) for _ in range(next(counts))]
                    for _ in range(loops)]}
         for plane, origin, loops, *color, side in faces]
@@ -75,7 +76,8 @@ def read_text(data):
         elif key == "face":
             plane, side, *color, origin = words
             solid["face"].append({"plane": int(plane), "side": side,
-                                  "color": [int(c) for c in color],
+                                  "color": None if color == ["-"] else
+                                  [int(c) for c in color],
                                   "origin": int(origin), "loops": []})
         elif key == "loop":
             solid["face"][-1]["loops"].append(

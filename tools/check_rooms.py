@@ -44,7 +44,7 @@ ROOMS = {"fast/src": "fast/CMakeLists.txt",
          "proptest": "proptest/CMakeLists.txt",
          "io/src": ("base", "polygon", "mesh", "scene", "color", "view", "picture",
                     "figure"),
-         "tools/src": ("cli", "image", "commands"),
+         "tools/src": ("cli", "image", "figure", "commands"),
          "viewer/src": ("core", "window")}
 
 # Who looks inside a library that is not theirs, and why.

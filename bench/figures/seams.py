@@ -5,7 +5,7 @@ figure's regions.
   seams.py PROGRAM [SIZE ...]        PROGRAM: halfspace; sizes 500 1000 2000
 
 Each scene of docs/figures/models.py that has several regions is drawn on white
-and on green. A pixel that is the same on both, with the eight round it, if everything
+and on green, one of them shaded smoothly. A pixel that is the same on both, with the eight round it, if everything
 is one region is inside: a viewer's rounding of an outline reaches no farther.
 One that is inside and differs if there are all regions is a seam.
 Viewers: rsvg-convert and Chromium for SVG, pdftoppm and mutool for PDF. Debian:
@@ -26,7 +26,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "docs/figures"))
 import models  # noqa: E402
 
-SCENES = ("bars", "cubes", "surfaces", "moebius", "vessel")
+SCENES = ("bars", "cubes", "surfaces", "moebius", "vessel", "bust")
+# Scenes whose regions are shaded, by gradients and meshes.
+SHADED = {"bust": ["--shade", "gouraud", "--smooth", "60"]}
 SIDE = 1000  # pixels of the figure itself
 
 
@@ -85,9 +87,11 @@ def main():
                 for ground in ("#ffffff", "#00ff00"):
                     for ending in ("svg", "pdf"):
                         path = folder / f"{by}{ground[1:]}.{ending}"
+                        shade = SHADED.get(scene, []) if by == "colour" else []
                         run(program, "draw", folder / f"{scene}.off", "--by",
                             by, "--background", ground, "--size",
-                            f"{SIDE}x{SIDE}", "--ortho", "-q", "-o", path)
+                            f"{SIDE}x{SIDE}", "--ortho", "-q", *shade, "-o",
+                            path)
             for check in (("qpdf", "--check", folder / "colourffffff.pdf"),
                           ("xmllint", "--noout", folder / "colourffffff.svg")):
                 faults += subprocess.run(

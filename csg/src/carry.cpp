@@ -232,6 +232,10 @@ class AttributeCarrier {
   void append(const CarriedChannel& carried, std::size_t leaf,
               PlacedFaces& placed, const Spot& spot, double outwards,
               io::Channel& to);
+  /// The colour of a polygon whose file says nothing else of it: that of a
+  /// scene, or of an exact solid.
+  std::optional<Rgb> bare_color(std::size_t polygon) const;
+  bool has_bare_colors() const;
   void add_origins();
 
   const Plan& plan_;
@@ -309,6 +313,30 @@ void AttributeCarrier::collect_channels() {
     if (!is_merged_)
       add_channels(leaf, &io::Attributes::corners, corner_channels_);
   }
+  const bool has_colors = std::any_of(
+      face_channels_.begin(), face_channels_.end(), [](const auto& carried) {
+        return carried.channel.kind == io::ChannelKind::kColor;
+      });
+  if (has_colors || !has_bare_colors()) return;
+  face_channels_.push_back({{"color", io::ChannelKind::kColor, 3, {}, false},
+                            std::vector<const io::Channel*>(leaves_.size())});
+}
+
+std::optional<Rgb> AttributeCarrier::bare_color(std::size_t polygon) const {
+  if (result_.color_sources.empty() ||
+      result_.color_sources[polygon] == ColorSource::kNone)
+    return std::nullopt;
+  const auto leaf = static_cast<std::size_t>(result_.origins[polygon].leaf);
+  if (leaf >= leaves_.size() || leaves_[leaf]) return std::nullopt;
+  return result_.scene ? result_.scene->color(static_cast<PolygonId>(polygon))
+                       : result_.mesh.colors[polygon];
+}
+
+bool AttributeCarrier::has_bare_colors() const {
+  for (std::size_t p = 0; p < result_.color_sources.size(); ++p) {
+    if (bare_color(p)) return true;
+  }
+  return false;
 }
 
 /// The result's material that is a leaf's. Materials of one name that are not
@@ -468,6 +496,15 @@ void AttributeCarrier::add_polygon(std::size_t polygon) {
       name_of(from.groups, face, made_->groups, groups_));
   for (CarriedChannel& carried : face_channels_) {
     const io::Channel* source = is_known ? carried.sources[leaf] : nullptr;
+    if (const auto color = carried.channel.kind == io::ChannelKind::kColor
+                               ? bare_color(polygon)
+                               : std::nullopt) {
+      const double shares[] = {color->r / 255.0, color->g / 255.0,
+                               color->b / 255.0, 1};
+      carried.channel.values.insert(carried.channel.values.end(), shares,
+                                    shares + carried.channel.width);
+      continue;
+    }
     for (std::size_t i = 0; i < carried.channel.width; ++i) {
       carried.channel.values.push_back(source == nullptr || i >= source->width
                                            ? io::kNoValue
@@ -511,7 +548,8 @@ std::shared_ptr<const io::Attributes> AttributeCarrier::carried() {
   const bool any =
       std::any_of(leaves_.begin(), leaves_.end(),
                   [](const auto& leaf) { return leaf.has_value(); });
-  if ((!any && !keep_origin_) || result_.origins.empty()) return nullptr;
+  if (result_.data || result_.origins.empty()) return nullptr;
+  if (!any && !keep_origin_ && !has_bare_colors()) return nullptr;
   if (result_.scene) {
     const SceneData& data = result_.scene->data();
     const Unit unit = data.unit;

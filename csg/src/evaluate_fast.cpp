@@ -20,9 +20,6 @@
 namespace halfspace::csg {
 namespace {
 
-/// What half-spaces cut has no colour of its own.
-constexpr Rgb kCutColor{170, 170, 170};
-
 /// The fast library's solids, all in one table of planes and points. The parts
 /// are the plan's leaves, and then its planes.
 class FastAlgebra {
@@ -55,7 +52,7 @@ class FastAlgebra {
     const auto points = operands_.plane(id);
     if (!points) return points.error();
     Value half = fast::half_space(*points, nothing_);
-    half.faces.front().color = kCutColor;
+    half.faces.front().color = io::kUsualSurface;
     half.faces.front().part = leaf_count_ + id;
     return half;
   }
@@ -241,6 +238,14 @@ std::optional<Scene> exact_scene(fast::Solid& solid,
 
 }  // namespace
 
+std::vector<bool> has_color(const std::vector<ColorSource>& sources) {
+  std::vector<bool> has(sources.size());
+  std::transform(
+      sources.begin(), sources.end(), has.begin(),
+      [](ColorSource source) { return source != ColorSource::kNone; });
+  return has;
+}
+
 BooleanOp boolean_op(NodeKind kind) {
   switch (kind) {
     case NodeKind::kIntersection:
@@ -255,6 +260,14 @@ BooleanOp boolean_op(NodeKind kind) {
 }
 
 namespace {
+
+/// Notes where the colours are from, by the origins.
+void note_color_sources(const Operands& operands, Outcome& result) {
+  result.color_sources.clear();
+  for (const Origin& origin : result.origins)
+    result.color_sources.push_back(
+        operands.color_source(origin.leaf, origin.polygon));
+}
 
 /// Whether the solid is closed: only of closed faces can there be polygons.
 bool note_closed(const fast::Solid& made, Outcome& result) {
@@ -281,7 +294,13 @@ Outcome exact_outcome(fast::Solid solid, const Plan& plan,
   result.origins.clear();
   for (const fast::Face& face : solid.faces)
     result.origins.push_back({face.part, face.polygon});
+  note_color_sources(operands, result);
   result.data = exact_data(std::move(solid), plan, operands);
+  for (std::size_t f = 0; f < result.data->faces.size(); ++f) {
+    if (result.color_sources[f] != ColorSource::kNone) continue;
+    result.data->faces[f].has_color = false;
+    result.data->faces[f].color = {};
+  }
   return result;
 }
 
@@ -333,6 +352,8 @@ Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
           : outcome_of(**std::move(solid), options);
   if (!result) return result.error();
   result->repairs = algebra.repairs();
+  note_color_sources(operands, *result);
+  result->mesh.has_color = has_color(result->color_sources);
   result->attributes = carried_attributes(plan, operands, *result, options);
   result->mesh.attributes = result->attributes;
   return std::optional<Outcome>(*std::move(result));

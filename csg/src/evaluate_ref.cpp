@@ -167,6 +167,13 @@ Result<std::optional<Outcome>> evaluate_ref(const Plan& plan,
   result.scene = scene_of(solid, unit);
   result.mesh = {std::move(rounded.vertices), std::move(rounded.first_corner),
                  std::move(rounded.corners), std::move(rounded.colors)};
+  // Where faces come from is not known, but what has a colour has another one.
+  for (const ref::Face& face : solid.faces) {
+    result.color_sources.push_back(face.color == io::kUsualSurface
+                                       ? ColorSource::kNone
+                                       : ColorSource::kGiven);
+  }
+  result.mesh.has_color = has_color(result.color_sources);
   result.moved = rounded.moved;
   result.max_move = rounded.max_move;
   result.faces = result.polygons = solid.faces.size();

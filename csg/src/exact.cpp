@@ -201,8 +201,13 @@ bool is_below(const Number& a, Number b) {
   return sum(a, b).mantissa < 0;
 }
 
-/// The polygons of a rounded surface as a mesh.
-io::Mesh mesh_of(const fast::RoundedMesh& rounded) {
+/// The polygons of a rounded surface as a mesh. `solid` is that of the data.
+io::Mesh mesh_of(const fast::RoundedMesh& rounded, const fast::Solid& solid,
+                 const SolidData& data) {
+  std::vector<bool> colored(data.origins.size());
+  for (const SolidData::Face& face : data.faces) {
+    if (face.has_color) colored[face.origin] = true;
+  }
   io::Mesh mesh;
   for (const auto& [x, y, z] : rounded.vertices) {
     mesh.vertices.push_back(
@@ -210,7 +215,12 @@ io::Mesh mesh_of(const fast::RoundedMesh& rounded) {
   }
   mesh.first_corner = rounded.first_corner;
   mesh.corners = rounded.corners;
-  mesh.face_colors.assign(rounded.colors.begin(), rounded.colors.end());
+  for (std::size_t p = 0; p < rounded.faces.size(); ++p) {
+    const auto face = static_cast<std::size_t>(rounded.faces[p]);
+    const auto origin = static_cast<std::size_t>(solid.faces[face].polygon);
+    mesh.face_colors.push_back(
+        colored[origin] ? std::optional<Rgb>(rounded.colors[p]) : std::nullopt);
+  }
   return mesh;
 }
 
@@ -288,7 +298,8 @@ Result<io::Imported> rounded(const SolidData& data,
   if (!solid) return solid.error();
   const Result<fast::RoundedMesh> mesh = fast::rounded_mesh(*solid);
   if (!mesh) return mesh.error();
-  Result<io::Imported> imported = io::import_scene(mesh_of(*mesh), options);
+  Result<io::Imported> imported =
+      io::import_scene(mesh_of(*mesh, *solid, data), options);
   if (!imported) return imported;
   for (PolygonId& polygon : imported->faces) {
     const auto face = static_cast<std::size_t>(

@@ -155,6 +155,7 @@ Result<Source> closed_source(const std::string& path, Scene scene,
   source.path = path;
   source.polygons = imported.faces;
   source.report = imported.report;
+  source.has_color = imported.has_color;
   ClosedScene closed = closed_on_lines(std::move(scene));
   source.corners_added = closed.added;
   source.scene = std::move(closed.scene);
@@ -186,6 +187,19 @@ Result<Source> make_source(const std::string& path,
   return source;
 }
 
+namespace {
+
+/// By origin whether a face of it has a colour; empty: none has.
+std::vector<bool> colored_origins(const SolidData& data) {
+  std::vector<bool> colored(data.origins.size());
+  for (const SolidData::Face& face : data.faces) {
+    if (face.has_color) colored[face.origin] = true;
+  }
+  return colored;
+}
+
+}  // namespace
+
 /// The source that the bytes of a `.hsolid` file are.
 Result<Source> exact_source(const std::string& path, std::string_view bytes,
                             const OperandOptions& options, bool flip) {
@@ -204,6 +218,10 @@ Result<Source> exact_source(const std::string& path, std::string_view bytes,
                                           code == ErrorCode::kInsideOut);
     if (!fine && !source.to_repair) return io::error_about(path, fine.error());
   }
+  for (SolidData::Face& face : data->faces) {
+    if (!face.has_color) face.color = io::kUsualSurface;
+  }
+  source.has_color = colored_origins(*data);
   source.exact = std::make_shared<const SolidData>(*std::move(data));
   return source;
 }
@@ -223,22 +241,27 @@ Result<Source> read_source(const std::string& path,
     if (!bytes) return io::error_about(path, bytes.error());
     return exact_source(path, *bytes, options, flip);
   }
-  Result<io::LoadedScene> loaded =
-      path == "-" ? io::scene_of_input(input, {}) : io::load_scene(path, {});
+  Result<io::LoadedScene> loaded = path == "-"
+                                       ? io::scene_of_input(input, io::unlit())
+                                       : io::load_scene(path, io::unlit());
   if (!loaded) return loaded.error();
   if (flip) loaded->file.scene = flipped(loaded->file.scene);
-  Result<Source> source =
-      make_source(path,
-                  {std::move(loaded->file.scene), std::move(loaded->polygons),
-                   loaded->report},
-                  options);
-  if (source) source->attributed = std::move(loaded->attributed);
+  Result<Source> source = make_source(path,
+                                      {std::move(loaded->file.scene),
+                                       std::move(loaded->polygons),
+                                       loaded->report,
+                                       {},
+                                       std::move(loaded->has_color)},
+                                      options);
+  if (!source) return source;
+  source->attributed = std::move(loaded->attributed);
+  source->is_lit = loaded->is_scene_file;
   return source;
 }
 
 Result<Source> primitive_source(const std::string& name, const io::Mesh& mesh,
                                 const OperandOptions& options) {
-  Result<io::Imported> imported = io::import_scene(mesh, {});
+  Result<io::Imported> imported = io::import_scene(mesh, io::unlit());
   if (!imported) return io::error_about(name, imported.error());
   return make_source(name, *imported, options);
 }
@@ -311,6 +334,17 @@ std::size_t Operands::polygon_count(std::int32_t leaf) const {
                         : source_of(leaf).scene.polygon_count();
 }
 
+ColorSource Operands::color_source(std::int32_t part, PolygonId polygon) const {
+  if (part < 0 || part >= leaf_count() || polygon < 0)
+    return ColorSource::kNone;
+  const Source& source = source_of(part);
+  if (source.is_lit) return ColorSource::kLit;
+  const auto at = static_cast<std::size_t>(polygon);
+  return at < source.has_color.size() && source.has_color[at]
+             ? ColorSource::kGiven
+             : ColorSource::kNone;
+}
+
 const std::string& Operands::path_of(std::int32_t leaf) const {
   return source_of(leaf).path;
 }
@@ -324,7 +358,9 @@ std::string Operands::name_of(std::int32_t leaf) const {
 std::string Operands::name_in_files(std::int32_t leaf) const {
   const Leaf& at = plan_->leaves[static_cast<std::size_t>(leaf)];
   const File& file = script_->files[static_cast<std::size_t>(at.file)];
-  if (file.path.empty()) return file.name;
+  // Where a primitive stands in a script is not what it is: another script may
+  // make the same solid.
+  if (file.path.empty()) return file.name.substr(0, file.name.find(" at "));
   return std::filesystem::path(file.path).filename().string();
 }
 

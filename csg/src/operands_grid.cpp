@@ -286,11 +286,12 @@ Result<Done> Operands::round_leaf(std::int32_t leaf) {
   needs_[i].reset();
   if (rounded_[file]) return Done{};
   const Source& source = *sources_[file];
-  const Result<io::Imported> imported = rounded(*source.exact, {});
+  const Result<io::Imported> imported = rounded(*source.exact, io::unlit());
   if (!imported) return io::error_about(source.path, imported.error());
   Result<Source> made = make_source(source.path, *imported, options_);
   if (!made) return made.error();
   made->exact = source.exact;
+  made->has_color = source.has_color;
   made->merge_coplanar = source.merge_coplanar;
   made->is_free = true;
   report_.moved += made->report.moved;

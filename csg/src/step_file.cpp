@@ -247,6 +247,8 @@ void StepWriter::take(const fast::Solid& part) {
         made.push_back(data.corners[corner++].vertex);
       ++loop;
     }
+    // A slit bounds nothing.
+    std::erase_if(loops, [](const StepLoop& made) { return made.size() < 3; });
     take_face(unit_vector(outwards), std::move(loops));
   }
 }

@@ -167,6 +167,36 @@ TEST(Repair, MakesASheetAPlate) {
             "1 polygon turned to agree with others; made a shell 0.5 thick; 4");
 }
 
+TEST(Repair, AShellIsAsThickAsWasSaid) {
+  Pieces pieces = box();
+  pieces.polygons.erase(pieces.polygons.begin() + 1);
+  // The outer box is 2.25 by 2.25 by 3.125, the inner 1.75 by 1.75 by 2.875.
+  EXPECT_EQ(told(pieces, {.thicken = 0.25}),
+            "made a shell 0.25 thick; 7.015625");
+  // Two edges at right angles: a miter.
+  Pieces fold;
+  fold.points = {{"0", "0", "0"}, {"4", "0", "0"}, {"4", "2", "0"},
+                 {"0", "2", "0"}, {"4", "0", "4"}, {"4", "2", "4"}};
+  fold.polygons = {{0, 1, 2, 3}, {1, 4, 5, 2}};
+  const Result<Repaired> made = mended(fold, {.thicken = 1});
+  ASSERT_TRUE(made);
+  EXPECT_NEAR(made->report.least_thickness, 1, 1e-12);
+  EXPECT_NEAR(made->report.most_thickness, 1, 1e-12);
+  EXPECT_EQ(exact_volume(made->source.scene), "16");
+  // Where four planes do not meet in a point it is told how thick it is.
+  Pieces tent;
+  tent.points = {{"0", "0", "0"},
+                 {"4", "0", "0"},
+                 {"4", "2", "0"},
+                 {"0", "2", "0"},
+                 {"2", "1", "1"}};
+  tent.polygons = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  const std::string sentence = told(tent, {.thicken = 0.5});
+  EXPECT_NE(sentence.find("made a shell 0.5 thick, at sharp or curved places "),
+            std::string::npos)
+      << sentence;
+}
+
 TEST(Repair, LeavesWhatCrossesItselfToBeResolved) {
   Pieces pieces = box();
   add_box(pieces, {"1", "1", "1"}, {"4", "4", "4"});

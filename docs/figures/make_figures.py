@@ -26,7 +26,7 @@ result = body - hole(-37, 22) - hole(37, 22) - hole(-37, -22) - hole(37, -22)
 """
 
 SCENE = ["--ortho", "--size", "480x480", "--decimals", "2"]
-# Of each figure the model and the options.
+# Of each figure the model and the options; SVG without another ending.
 FIGURES = {
     "bars": ("bars", [*SCENE, "--view", "top", "--fill", "part",
                       "--lines", "edges"]),
@@ -37,7 +37,10 @@ FIGURES = {
                             "--crease", "60"]),
     "vessel": ("vessel", [*SCENE, "--fill", "part", "--lines", "edges",
                           "--crease", "60"]),
-    "plot": ("plot", [*SCENE, "--fill", "colour"]),
+    "plot": ("plot", [*SCENE, "--fill", "colour", "--axes"]),
+    "glass": ("bars", [*SCENE, "--view", "top", "--alpha", "150"]),
+    "bust.pdf": ("bust", [*SCENE, "--fill", "shaded", "--smooth", "60",
+                          "--view", "front"]),
     "building": ("building", ["--eye", "30,-28,14", "--target", "6,4,4",
                               "--fov", "24", "--size", "640x480", "--fill",
                               "colour", "--lines", "edges", "--decimals",
@@ -65,8 +68,8 @@ def main():
         run("csg", "A & half(y > 0)", f"A={folder / 'part.off'}", "-o",
             folder / "half.off")
         for figure, (model, options) in FIGURES.items():
-            run("draw", folder / f"{model}.off", *options, "-o",
-                HERE / f"{figure}.svg")
+            name = figure if "." in figure else figure + ".svg"
+            run("draw", folder / f"{model}.off", *options, "-o", HERE / name)
         run("draw", folder / "honeycomb.off", "--lines", "edges", "-o",
             HERE / "plotter.hpgl")
 

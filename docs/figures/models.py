@@ -140,7 +140,7 @@ def vessel():
 
 
 def plot():
-    """A surface over a floor with the three axes, as bars."""
+    """A surface over a floor."""
     model = Model()
 
     def hill(u, v):
@@ -158,17 +158,6 @@ def plot():
                   [(0, 1, 2), (3, 4, 5)], color)
     model.add([(-3, -3, -1), (3, -3, -1), (3, 3, -1), (-3, 3, -1)],
               [(0, 1, 2, 3)], (235, 235, 235))
-    w = 0.03
-    for a in range(3):
-        low, high = [-3 - w, -3 - w, -1 - w], [-3 + w, -3 + w, -1 + w]
-        high[a] = (3.3, 3.3, 2.4)[a]
-        model.add(box(tuple(low), tuple(high)), BOX_FACES, (60, 60, 60))
-        for tick in range(1, 6):
-            at = [-3, -3, -1]
-            at[a] += tick * (1.0, 1.0, 0.6)[a]
-            model.add(box(tuple(c - 3 * w for c in at),
-                          tuple(c + 3 * w for c in at)),
-                      BOX_FACES, (60, 60, 60))
     return model
 
 

@@ -77,27 +77,42 @@ auto answer_of_some(const Solid& solid, const Ask& ask)
   return ask((*evaluation)->solid);
 }
 
+/// The colour of the polygons of a part; nothing where they have none.
+std::optional<Rgb> color_of(const Evaluation& evaluation, std::int32_t part,
+                            PolygonId polygon) {
+  if (part < 0 || static_cast<std::size_t>(part) >= evaluation.uses.size())
+    return std::nullopt;
+  const auto& properties = evaluation.uses[static_cast<std::size_t>(part)]
+                               .node->leaf->data()
+                               ->properties;
+  if (!properties || properties->colors.empty()) return std::nullopt;
+  return properties->colors[static_cast<std::size_t>(polygon)];
+}
+
 /// The mesh as an exact scene, if its vertices are on the grid; else the mesh.
 Result<Done> written(const std::filesystem::path& path,
-                     const csg::Outcome& outcome) {
-  const auto report = outcome.scene ? io::write_scene_mesh(path, *outcome.scene)
-                                    : io::write_mesh(path, outcome.mesh);
+                     const Evaluation& evaluation, csg::Outcome outcome) {
+  std::vector<bool> has_color;
+  for (const csg::Origin& origin : outcome.origins)
+    has_color.push_back(
+        color_of(evaluation, origin.leaf, origin.polygon).has_value());
+  if (outcome.scene) {
+    const auto report =
+        io::write_scene_mesh(path, *outcome.scene, nullptr, true, has_color);
+    if (!report) return report.error();
+    return Done{};
+  }
+  outcome.mesh.has_color = std::move(has_color);
+  const auto report = io::write_mesh(path, outcome.mesh);
   if (!report) return report.error();
   return Done{};
 }
 
 /// The colours of properties, in the faces.
 void color_faces(const Evaluation& evaluation, fast::Solid& solid) {
-  for (fast::Face& face : solid.faces) {
-    const auto part = static_cast<std::size_t>(face.part);
-    if (part >= evaluation.uses.size()) continue;
-    const auto& properties =
-        evaluation.uses[part].node->leaf->data()->properties;
-    face.color =
-        properties && !properties->colors.empty()
-            ? properties->colors[static_cast<std::size_t>(face.polygon)]
-            : Rgb{200, 200, 200};
-  }
+  for (fast::Face& face : solid.faces)
+    face.color = color_of(evaluation, face.part, face.polygon)
+                     .value_or(io::kUsualSurface);
 }
 
 /// Writes the solid as it is, its faces' origins with it.
@@ -114,8 +129,16 @@ Result<Done> saved_exactly(const std::filesystem::path& path,
   }
   for (const Evaluation::Cut& cut : evaluation.cuts)
     parts.push_back({SolidNode::solid_of(cut.node).name(), nullptr});
-  return io::write_file(path, write_solid(csg::data_of(std::move(solid), parts),
-                                          SolidForm::kBinary));
+  std::vector<bool> has_color;
+  for (const fast::Face& face : solid.faces)
+    has_color.push_back(
+        color_of(evaluation, face.part, face.polygon).has_value());
+  SolidData data = csg::data_of(std::move(solid), parts);
+  for (std::size_t f = 0; f < data.faces.size(); ++f) {
+    data.faces[f].has_color = has_color[f];
+    if (!has_color[f]) data.faces[f].color = {};
+  }
+  return io::write_file(path, write_solid(data, SolidForm::kBinary));
 }
 
 }  // namespace
@@ -140,12 +163,6 @@ Result<Mesh> Solid::mesh(const MeshOptions& options) const {
   mesh.vertices.reserve(exported.vertices.size());
   for (const auto& v : exported.vertices)
     mesh.vertices.push_back({v[0], v[1], v[2]});
-  mesh.origins.reserve(exported.faces.size());
-  for (const std::int32_t f : exported.faces) {
-    const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
-    mesh.origins.push_back(
-        {static_cast<std::uint32_t>(face.part), face.polygon});
-  }
   detail::carry_properties(**evaluation, solid, exported, mesh);
   mesh.first_corner = std::move(exported.first_corner);
   mesh.corners = std::move(exported.corners);
@@ -172,9 +189,9 @@ Result<Done> Solid::save(const std::filesystem::path& path,
     how.triangles = true;
     how.number = fast::FileNumber::kFloat;
   }
-  const auto outcome = csg::outcome_of(std::move(solid), how);
+  auto outcome = csg::outcome_of(std::move(solid), how);
   if (!outcome) return outcome.error();
-  return written(path, *outcome);
+  return written(path, **evaluation, *std::move(outcome));
 }
 
 Result<std::vector<Solid>> Solid::operands() const {

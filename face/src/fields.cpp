@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -24,12 +25,6 @@ constexpr Rgb kCutColor{170, 170, 170};
 /// A field's value where there is none.
 constexpr double kNoField = 0;
 
-/// An operand of the result.
-struct Part {
-  const Mesh* properties = nullptr;        ///< null where there are none
-  std::optional<PlacedVertices> vertices;  ///< where there are fields
-};
-
 /// The triangle that a polygon's affine functions are given by: three corners
 /// of the operand's mesh, and the axis along which it is seen.
 struct Base {
@@ -40,9 +35,10 @@ struct Base {
 
 /// A vertex of the result.
 struct ResultVertex {
-  bool is_known = false;
   bool is_grid = false;
-  GridPoint point;  ///< it, or one near it
+  bool is_near =
+      false;  ///< `point` is not it, but one that is known to be near
+  GridPoint point;
 };
 
 using Wide3 = std::array<Int128, 3>;
@@ -66,6 +62,46 @@ Wide3 normal_of(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
           a[0] * b[1] - a[1] * b[0]};
 }
 
+/// Copies `count` values, kCount if that is not 0. No value comes out as -0.
+using CopyValues = void (*)(const double* from, double* to, std::size_t count);
+template <std::size_t kCount>
+void copy_values(const double* from, double* to, std::size_t count) {
+  const std::size_t all = kCount == 0 ? count : kCount;
+  for (std::size_t k = 0; k < all; ++k) to[k] = from[k] + 0.0;
+}
+
+/// The one for so many: loops of known length, for up to a line of the cache.
+CopyValues copier_of(std::size_t count) {
+  constexpr std::array<CopyValues, 9> kCopiers = {
+      copy_values<0>, copy_values<1>, copy_values<2>,
+      copy_values<3>, copy_values<4>, copy_values<5>,
+      copy_values<6>, copy_values<7>, copy_values<8>};
+  return count < kCopiers.size() ? kCopiers[count] : kCopiers[0];
+}
+
+/// 1 where the points are equal, else 0; without a branch, for which one of
+/// three it is cannot be foretold.
+std::size_t are_equal(const GridPoint& p, const GridPoint& q) {
+  return ((p.x ^ q.x) | (p.y ^ q.y) | (p.z ^ q.z)) == 0 ? 1 : 0;
+}
+
+/// An operand of the result.
+struct Part {
+  const Mesh* properties = nullptr;        ///< null where there are none
+  std::optional<PlacedVertices> vertices;  ///< where there are fields
+  CopyValues copy = nullptr;
+  bool has_triangles = false;  ///< and nothing else: polygon `p` begins at 3p
+};
+
+bool has_only_triangles(const Mesh& mesh) {
+  const auto& first = mesh.first_corner;
+  if (mesh.corners.size() != 3 * mesh.polygon_count()) return false;
+  for (std::size_t p = 0; p < first.size(); ++p) {
+    if (first[p] != 3 * p) return false;
+  }
+  return true;
+}
+
 class Carrier {
  public:
   Carrier(const Evaluation& evaluation, const fast::Solid& solid,
@@ -73,17 +109,27 @@ class Carrier {
   void carry();
 
  private:
-  /// Polygons between the one that is worked on and the one asked for.
-  static constexpr std::size_t kAhead = 8;
+  /// Polygons that are worked on at once.
+  static constexpr std::size_t kBlock = 64;
 
-  Part* part_of(const fast::Face& face);
+  Part* part_of(std::size_t polygon);
+  void take_origins();
+  void carry_colors();
+  void take_vertices();
+  void carry_block(std::size_t first, std::size_t last);
   void carry_fields(std::size_t polygon);
-  void prefetch(std::size_t polygon);
+  /// Of a triangle: the corners of the operand that have the values of its own.
+  struct Copied {
+    const Part* part = nullptr;  ///< null where they are computed
+    std::array<std::size_t, 3> corners{};
+  };
+  Copied copied_corners(std::size_t polygon);
+  void prefetch(std::size_t polygon) const;
   std::optional<Base> base_of(const fast::Face& face, Part& part);
   std::size_t axis_of(const fast::Face& face) const;
   bool has_area(const Base& base, Part& part);
   Triangle exact_triangle(const Base& base, Part& part) const;
-  const ResultVertex& vertex_at(std::size_t v);
+  ResultVertex& vertex_near(std::size_t v);
   std::optional<std::size_t> corner_at(const Base& base, Part& part,
                                        std::size_t v);
   std::array<SeenPoint, 3> seen_triangle(const Base& base, Part& part,
@@ -98,7 +144,7 @@ class Carrier {
   bool is_exact_;
   Mesh& mesh_;
   std::vector<Part> parts_;
-  std::vector<ResultVertex> vertices_;
+  std::pmr::vector<ResultVertex> vertices_;
   /// By vertex that is not on the grid: it less the point near it.
   std::unordered_map<std::size_t, BoundedPoint> less_;
   std::vector<bool> known_;  ///< of a corner's fields
@@ -120,80 +166,164 @@ Carrier::Carrier(const Evaluation& evaluation, const fast::Solid& solid,
     const Evaluation::Use& use = evaluation.uses[i];
     const LeafData& data = *use.node->leaf->data();
     parts_[i].properties = data.properties.get();
-    if (parts_[i].properties && parts_[i].properties->field_count > 0)
+    if (parts_[i].properties && parts_[i].properties->field_count > 0) {
       parts_[i].vertices.emplace(use.matrix, solid_.unit, data);
+      parts_[i].copy = copier_of(data.properties->field_count);
+      parts_[i].has_triangles = has_only_triangles(*data.properties);
+    }
   }
 }
 
-/// The operand; null of a half-space's face.
-Part* Carrier::part_of(const fast::Face& face) {
-  const auto part = static_cast<std::size_t>(face.part);
+/// The operand that a polygon of the result is from; null of a half-space.
+Part* Carrier::part_of(std::size_t polygon) {
+  const std::size_t part = mesh_.origins[polygon].operand;
   return part < parts_.size() ? &parts_[part] : nullptr;
 }
 
-void Carrier::carry() {
+void Carrier::carry_colors() {
   bool any_colors = false, any_materials = false;
   for (const Part& part : parts_) {
     if (!part.properties) continue;
     any_colors = any_colors || !part.properties->colors.empty();
     any_materials = any_materials || !part.properties->materials.empty();
-    mesh_.field_count =
-        std::max(mesh_.field_count, part.properties->field_count);
   }
-  if (!any_colors && !any_materials && mesh_.field_count == 0) return;
-  for (const std::int32_t f : rounded_.faces) {
-    const fast::Face& face = solid_.faces[static_cast<std::size_t>(f)];
-    const Part* part = part_of(face);
+  if (!any_colors && !any_materials) return;
+  for (std::size_t p = 0; p < rounded_.faces.size(); ++p) {
+    const Part* part = part_of(p);
     const Mesh* properties = part ? part->properties : nullptr;
-    const auto polygon = static_cast<std::size_t>(face.polygon);
+    const auto from = static_cast<std::size_t>(mesh_.origins[p].polygon);
     if (any_colors) {
       const bool has = properties && !properties->colors.empty();
-      mesh_.colors.push_back(has ? properties->colors[polygon] : kCutColor);
+      mesh_.colors.push_back(has ? properties->colors[from] : kCutColor);
     }
     if (any_materials) {
       const bool has = properties && !properties->materials.empty();
-      mesh_.materials.push_back(has ? properties->materials[polygon] : 0);
+      mesh_.materials.push_back(has ? properties->materials[from] : 0);
     }
   }
+}
+
+void Carrier::take_origins() {
+  mesh_.origins.reserve(rounded_.faces.size());
+  for (const std::int32_t f : rounded_.faces) {
+    const fast::Face& face = solid_.faces[static_cast<std::size_t>(f)];
+    mesh_.origins.push_back(
+        {static_cast<std::uint32_t>(face.part), face.polygon});
+  }
+}
+
+void Carrier::carry() {
+  take_origins();
+  carry_colors();
+  for (const Part& part : parts_) {
+    if (part.properties)
+      mesh_.field_count =
+          std::max(mesh_.field_count, part.properties->field_count);
+  }
   if (mesh_.field_count == 0) return;
+  take_vertices();
   // Operands may have fewer fields than others, or none.
+  const std::size_t count = rounded_.faces.size();
   mesh_.fields.reserve(rounded_.corners.size() * mesh_.field_count);
+  for (std::size_t p = 0; p < count; p += kBlock)
+    carry_block(p, std::min(p + kBlock, count));
+}
+
+/// Values that are copied first, in loops that wait for memory and do little
+/// else; then those that are computed.
+void Carrier::carry_block(std::size_t first, std::size_t last) {
+  mesh_.fields.resize(rounded_.first_corner[last] * mesh_.field_count,
+                      kNoField);
+  std::array<Copied, kBlock> copied;
+  const std::size_t count = rounded_.faces.size();
+  for (std::size_t p = first; p < last; ++p) {
+    if (p + kBlock < count) prefetch(p + kBlock);
+    copied[p - first] = copied_corners(p);
+  }
+  for (std::size_t p = first; p < last; ++p) {
+    const Copied& from = copied[p - first];
+    if (from.part == nullptr) continue;
+    const Mesh& mesh = *from.part->properties;
+    const std::size_t corner = rounded_.first_corner[p];
+    for (std::size_t i = 0; i < 3; ++i) {
+      from.part->copy(mesh.fields.data() + from.corners[i] * mesh.field_count,
+                      mesh_.fields.data() + (corner + i) * mesh_.field_count,
+                      mesh.field_count);
+    }
+  }
+  for (std::size_t p = first; p < last; ++p) {
+    if (copied[p - first].part == nullptr) carry_fields(p);
+  }
+}
+
+void Carrier::take_vertices() {
   vertices_.resize(rounded_.points.size());
-  for (std::size_t p = 0; p < rounded_.faces.size(); ++p) {
-    prefetch(p + kAhead);
-    mesh_.fields.resize(rounded_.first_corner[p + 1] * mesh_.field_count,
-                        kNoField);
-    carry_fields(p);
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    const fast::SolidVertex from = fast::vertex_at(solid_, rounded_.points[v]);
+    vertices_[v].is_grid = from.is_grid;
+    vertices_[v].point = from.point;
   }
 }
 
 /// Asks for the operand's numbers of a polygon that is soon to come: they are
 /// anywhere, for results are in another order.
-void Carrier::prefetch(std::size_t polygon) {
+void Carrier::prefetch(std::size_t polygon) const {
 #if defined(__GNUC__)
-  if (polygon >= rounded_.faces.size()) return;
-  const fast::Face& face =
-      solid_.faces[static_cast<std::size_t>(rounded_.faces[polygon])];
-  const Part* part = part_of(face);
-  if (!part || !part->vertices) return;
-  const Mesh& from = *part->properties;
-  const std::size_t first =
-      from.first_corner[static_cast<std::size_t>(face.polygon)];
+  const Origin& origin = mesh_.origins[polygon];
+  if (origin.operand >= parts_.size()) return;
+  const Part& part = parts_[origin.operand];
+  if (!part.has_triangles) return;
+  const Mesh& from = *part.properties;
+  const std::size_t first = 3 * static_cast<std::size_t>(origin.polygon);
   const double* const fields = from.fields.data() + first * from.field_count;
-  // A line of the cache has 8 doubles.
+  // A line of the cache has 8 doubles; those of three corners may end in one
+  // more than they fill.
   for (std::size_t i = 0; i < 3 * from.field_count; i += 8)
     __builtin_prefetch(fields + i);
+  __builtin_prefetch(fields + 3 * from.field_count - 1);
   __builtin_prefetch(from.corners.data() + first);
 #endif
+}
+
+/// Where the values of a polygon of the result are copied from, if it has the
+/// corners of the triangle that it is from, and by points of the grid alone.
+Carrier::Copied Carrier::copied_corners(std::size_t polygon) {
+  const std::size_t first = rounded_.first_corner[polygon];
+  Part* part = part_of(polygon);
+  if (!part || !part->has_triangles || is_exact_ ||
+      rounded_.first_corner[polygon + 1] - first != 3)
+    return {};
+  const Mesh& from = *part->properties;
+  const std::size_t base =
+      3 * static_cast<std::size_t>(mesh_.origins[polygon].polygon);
+  std::array<const GridPoint*, 3> at{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    at[k] = part->vertices->on_grid(
+        static_cast<std::size_t>(from.corners[base + k]));
+    if (at[k] == nullptr) return {};
+  }
+  Copied copied;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ResultVertex& vertex =
+        vertices_[static_cast<std::size_t>(rounded_.corners[first + i])];
+    const std::size_t is_second = are_equal(*at[1], vertex.point);
+    const std::size_t is_third = are_equal(*at[2], vertex.point);
+    copied.corners[i] = base + is_second + 2 * is_third;
+    found += (are_equal(*at[0], vertex.point) | is_second | is_third) &
+             (vertex.is_grid ? 1u : 0u);
+  }
+  if (found == 3) copied.part = part;
+  return copied;
 }
 
 /// Gives the corners of a polygon of the result their values: those of a corner
 /// of the base where it is one, else those of the affine function.
 void Carrier::carry_fields(std::size_t polygon) {
+  Part* part = part_of(polygon);
+  if (!part || !part->vertices) return;
   const auto f = static_cast<std::size_t>(rounded_.faces[polygon]);
   const fast::Face& face = solid_.faces[f];
-  Part* part = part_of(face);
-  if (!part || !part->vertices) return;
   const std::optional<Base> base = base_of(face, *part);
   if (!base) return;
   const Mesh& from = *part->properties;
@@ -206,8 +336,7 @@ void Carrier::carry_fields(std::size_t polygon) {
     if (const auto corner = corner_at(*base, *part, v)) {
       const double* const same = from.fields.data() + *corner * count;
       double* const to = values.data();
-      // No value is -0.
-      for (std::size_t k = 0; k < count; ++k) to[k] = same[k] + 0.0;
+      part->copy(same, to, count);
       continue;
     }
     known_.assign(count, false);
@@ -289,14 +418,11 @@ Triangle Carrier::exact_triangle(const Base& base, Part& part) const {
   return triangle;
 }
 
-const ResultVertex& Carrier::vertex_at(std::size_t v) {
+/// The vertex, with a point of the grid that is near.
+ResultVertex& Carrier::vertex_near(std::size_t v) {
   ResultVertex& vertex = vertices_[v];
-  if (vertex.is_known) return vertex;
-  vertex.is_known = true;
-  const fast::SolidVertex from = fast::vertex_at(solid_, rounded_.points[v]);
-  vertex.is_grid = from.is_grid;
-  vertex.point = from.point;
-  if (from.is_grid) return vertex;
+  if (vertex.is_grid || vertex.is_near) return vertex;
+  vertex.is_near = true;
   const auto whole = [this](double at) {
     constexpr double kMost = 0x1p53;
     return static_cast<std::int64_t>(
@@ -304,6 +430,7 @@ const ResultVertex& Carrier::vertex_at(std::size_t v) {
   };
   const auto& at = rounded_.vertices[v];
   vertex.point = {whole(at[0]), whole(at[1]), whole(at[2])};
+  const fast::SolidVertex from = fast::vertex_at(solid_, rounded_.points[v]);
   less_[v] = meet_less(solid_, from.planes, vertex.point);
   return vertex;
 }
@@ -320,7 +447,7 @@ std::optional<std::size_t> Carrier::corner_at(const Base& base, Part& part,
     }
     return std::nullopt;
   }
-  const ResultVertex& vertex = vertex_at(v);
+  const ResultVertex& vertex = vertices_[v];
   if (!vertex.is_grid) return std::nullopt;
   for (std::size_t k = 0; k < 3; ++k) {
     const GridPoint* at = part.vertices->on_grid(base.vertices[k]);
@@ -343,7 +470,7 @@ std::array<SeenPoint, 3> Carrier::seen_triangle(const Base& base, Part& part,
 std::optional<BoundedWeights> Carrier::bounded_weights(const Base& base,
                                                        Part& part,
                                                        std::size_t v) {
-  const ResultVertex& vertex = vertex_at(v);
+  const ResultVertex& vertex = vertex_near(v);
   const auto triangle = seen_triangle(base, part, vertex.point);
   if (vertex.is_grid) return weights_at(triangle, SeenPoint{});
   const BoundedPoint& less = less_.at(v);

@@ -70,7 +70,7 @@ bool has_colors(const io::Mesh& mesh) {
 /// The colours that import gives a file's polygons, as properties.
 std::shared_ptr<const Mesh> properties_of(const io::Mesh& mesh) {
   if (!has_colors(mesh)) return nullptr;
-  const auto imported = io::import_scene(mesh, {});
+  const auto imported = io::import_scene(mesh, io::unlit());
   if (!imported) return nullptr;
   auto properties = std::make_shared<Mesh>();
   properties->colors.resize(mesh.face_count());
@@ -212,8 +212,12 @@ Result<LeafData> file_leaf(const std::string& path,
   source->merge_coplanar = options.merge_coplanar;
   source->is_free = options.may_round;
   auto properties = std::make_shared<Mesh>();
-  properties->colors = is_exact ? colors_of_origins(*source->exact)
-                                : source->scene.data().colors;
+  if (!is_exact) {
+    properties->colors = source->scene.data().colors;
+  } else if (std::find(source->has_color.begin(), source->has_color.end(),
+                       true) != source->has_color.end()) {
+    properties->colors = colors_of_origins(*source->exact);
+  }
   LeafData data;
   data.source = std::make_shared<const csg::Source>(*std::move(source));
   data.properties = std::move(properties);

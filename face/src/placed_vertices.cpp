@@ -72,48 +72,88 @@ PlacedVertices::PlacedVertices(const csg::Matrix& matrix, const Unit& unit,
       data_(data),
       placed_(data.vertices.size()) {
   for (std::size_t i = 0; i < 3; ++i) {
-    std::size_t used = 0, only = 3;
     for (std::size_t j = 0; j < 4; ++j) {
       Factor& factor = rows_[i][j];
       factor = factor_of(matrix.rows[i][j]);
       if (factor.mantissa.high == 0) continue;
       factor.two -= unit.exponent;
       factor.five -= unit.base == 10 ? unit.exponent : 0;
-      ++used;
-      only = j;
     }
-    constexpr std::int32_t kMostTwo = 200, kMostFive = 22;
-    if (used != 1 || only == 3 || data.from == LeafData::From::kOthers)
-      continue;
-    const Factor& factor = rows_[i][only];
-    if (std::abs(factor.mantissa.high) != 1 || factor.five < 0 ||
-        factor.five > kMostFive || std::abs(factor.two) > kMostTwo ||
-        (factor.five > 0 && factor.two < 0))
-      continue;
-    only_[i] = only;
-    has_five_[i] = factor.five > 0;
-    factor_[i] =
-        scaled(factor.mantissa * power_of_five(factor.five), factor.two).high;
+    plain_[i] = plain_row(rows_[i]);
   }
+  place_by_doubles();
 }
 
-/// The coordinate where it is a whole number of steps, and a double tells.
-std::optional<double> PlacedVertices::whole_coordinate(std::size_t vertex,
-                                                       std::size_t axis) const {
-  const std::size_t j = only_[axis];
-  if (j == 3) return std::nullopt;
-  const Point& p = data_.properties->vertices[vertex];
-  const double from = j == 0 ? p.x : (j == 1 ? p.y : p.z);
-  const double at = from * factor_[axis];
-  if (std::floor(at) != at || !(std::abs(at) < 0x1p53)) return std::nullopt;
-  if (at == 0 && from != 0) return std::nullopt;  // maybe an underflow
-  // Below 10^15 a whole number is the short decimal, too. The product is exact
-  // where the factor is a power of two, and where both are whole and it is
-  // below 2^53.
-  const bool is_whole = std::abs(from) < 1e15 && std::floor(from) == from;
-  const bool is_double = data_.from == LeafData::From::kDoubles;
-  if (is_whole || (is_double && !has_five_[axis])) return at;
-  return std::nullopt;
+PlacedVertices::PlainRow PlacedVertices::plain_row(
+    const std::array<Factor, 4>& row) const {
+  PlainRow plain;
+  if (row[3].mantissa.high != 0) return plain;
+  std::size_t only = 3, used = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (row[j].mantissa.high == 0) continue;
+    only = j;
+    ++used;
+  }
+  if (used != 1) return plain;
+  constexpr std::int32_t kMostTwo = 200, kMostFive = 22;
+  const Factor& f = row[only];
+  if (std::abs(f.mantissa.high) != 1 || f.five < 0 || f.five > kMostFive ||
+      std::abs(f.two) > kMostTwo || (f.five > 0 && f.two < 0))
+    return plain;
+  plain.from = only;
+  plain.factor = scaled(f.mantissa * power_of_five(f.five), f.two).high;
+  plain.is_power_of_two = f.five == 0;
+  // The factor but for powers of ten is at most 2^9 or 5^4.
+  plain.is_for_decimals =
+      f.two >= 0 && f.two - f.five <= 9 && f.five - f.two <= 4;
+  return plain;
+}
+
+/// Whether doubles tell that the coordinate is a whole number of steps: `at`.
+///
+/// - A whole number below 10^15 is the short decimal, too. The product is exact
+///   where the factor is a power of two, and where both are whole and it is
+///   below 2^53. So it is of a double that stands for itself.
+/// - A decimal M * 10^-e, |M| < 10^12, times F * 10^k, F < 1000: unless that is
+///   whole, it is 10^(k-e) or more away from what is, for e > k. With
+///   u = 2^-53 the product is off by 2.01u of its size, at most, for its double
+///   and itself are rounded. Its size is below 10^15 * 10^(k-e), so what is
+///   whole comes out within 2.01u of its size, and what is not farther away
+///   than 10^(k-e) * (1 - 0.23), which is more than 4u of it. Below 2^50 the
+///   first is less than 1/2.
+bool PlacedVertices::is_whole(const PlainRow& row, double from,
+                              double& at) const {
+  const double product = from * row.factor;
+  at = std::nearbyint(product);
+  if (product == 0 && from != 0) return false;  // maybe an underflow
+  const bool is_exact =
+      (std::abs(from) < 1e15 && std::floor(from) == from) ||
+      (data_.from == LeafData::From::kDoubles && row.is_power_of_two);
+  if (is_exact) return at == product && std::abs(at) < 0x1p53;
+  return data_.from == LeafData::From::kShortDecimals && row.is_for_decimals &&
+         std::abs(at) < 0x1p50 &&
+         std::abs(at - product) <= 0x1p-51 * std::abs(product);
+}
+
+/// Puts those on the grid of which doubles tell that they are.
+void PlacedVertices::place_by_doubles() {
+  if (data_.from == LeafData::From::kOthers) return;
+  for (const PlainRow& row : plain_) {
+    if (row.from == 3) return;
+  }
+  const std::vector<Point>& points = data_.properties->vertices;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const std::array<double, 3> from = {points[v].x, points[v].y, points[v].z};
+    std::array<double, 3> at{};
+    bool are_whole = true;
+    for (std::size_t i = 0; i < 3; ++i)
+      are_whole &= is_whole(plain_[i], from[plain_[i].from], at[i]);
+    if (!are_whole) continue;
+    placed_[v] = {
+        State::kGrid,
+        {static_cast<std::int64_t>(at[0]), static_cast<std::int64_t>(at[1]),
+         static_cast<std::int64_t>(at[2])}};
+  }
 }
 
 Bounded PlacedVertices::product_of(const Factor& a, const Factor& b) {
@@ -139,28 +179,19 @@ Bounded PlacedVertices::coordinate(std::size_t vertex, std::size_t axis) const {
   return sum;
 }
 
-const PlacedVertices::Vertex& PlacedVertices::placed(std::size_t vertex) {
+void PlacedVertices::place(std::size_t vertex) {
   Vertex& v = placed_[vertex];
-  if (v.state != State::kUnknown) return v;
-  v.state = State::kGrid;
+  v.state = State::kBetween;
   std::array<std::int64_t, 3> at{};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (const auto whole = whole_coordinate(vertex, i)) {
-      at[i] = static_cast<std::int64_t>(*whole);
-      continue;
-    }
     const Bounded c = coordinate(vertex, i);
     const bool is_whole = c.error == 0 && c.low == 0 &&
                           std::abs(c.high) < 0x1p53 &&
                           std::floor(c.high) == c.high;
-    if (!is_whole) {
-      v.state = State::kBetween;
-      return v;
-    }
+    if (!is_whole) return;
     at[i] = static_cast<std::int64_t>(c.high);
   }
-  v.grid = {at[0], at[1], at[2]};
-  return v;
+  v = {State::kGrid, {at[0], at[1], at[2]}};
 }
 
 BoundedPoint PlacedVertices::less(std::size_t vertex, const GridPoint& point) {

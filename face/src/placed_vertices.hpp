@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -17,7 +18,8 @@ namespace halfspace::detail {
 using BoundedPoint = std::array<Bounded, 3>;
 
 /// The vertices of an operand's mesh where a result has the operand: moved, but
-/// not rounded. Each is computed when it is first asked for. Units: grid steps.
+/// not rounded. What doubles do not tell is computed when it is first asked
+/// for. Units: grid steps.
 class PlacedVertices {
  public:
   PlacedVertices(const csg::Matrix& matrix, const Unit& unit,
@@ -26,7 +28,8 @@ class PlacedVertices {
   /// The point of the grid that the vertex certainly is; null where it is none,
   /// or bounds do not tell.
   const GridPoint* on_grid(std::size_t vertex) {
-    const Vertex& v = placed(vertex);
+    const Vertex& v = placed_[vertex];
+    if (v.state == State::kUnknown) place(vertex);
     return v.state == State::kGrid ? &v.grid : nullptr;
   }
   /// The vertex less a point of the grid.
@@ -49,21 +52,25 @@ class PlacedVertices {
   static Factor factor_of(const io::Number& number);
   static Bounded product_of(const Factor& a, const Factor& b);
   Bounded coordinate(std::size_t vertex, std::size_t axis) const;
-  std::optional<double> whole_coordinate(std::size_t vertex,
-                                         std::size_t axis) const;
-  const Vertex& placed(std::size_t vertex);
+  void place_by_doubles();
+  void place(std::size_t vertex);
 
   const csg::Matrix& matrix_;
   const Unit& unit_;
   const std::vector<csg::Numbers3>& from_;
   const LeafData& data_;
   std::array<std::array<Factor, 4>, 3> rows_;  ///< in steps
-  /// By axis the only coordinate that it has, and that one's factor: a sign and
-  /// powers of two and five; 3 where there is more to it.
-  std::array<std::size_t, 3> only_ = {3, 3, 3};
-  std::array<double, 3> factor_{};
-  std::array<bool, 3> has_five_{};
-  std::vector<Vertex> placed_;
+  /// A row with one factor, +-2^i * 5^j, and nothing to add.
+  struct PlainRow {
+    std::size_t from = 3;  ///< the coordinate; 3 where there is more to the row
+    double factor = 0;     ///< exactly
+    bool is_power_of_two = false;
+    bool is_for_decimals = false;  ///< see is_whole()
+  };
+  PlainRow plain_row(const std::array<Factor, 4>& row) const;
+  bool is_whole(const PlainRow& row, double from, double& at) const;
+  std::array<PlainRow, 3> plain_;
+  std::pmr::vector<Vertex> placed_;
   std::unordered_map<std::size_t, csg::ExactPoint> exact_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +13,8 @@
 #include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/halfspace.hpp"
 #include "node.hpp"
+#include "number.hpp"
+#include "placed_vertices.hpp"
 
 namespace halfspace::detail {
 namespace {
@@ -205,6 +208,65 @@ std::vector<double> fields_of(const Evaluation& evaluation, FieldPath path) {
   Mesh mesh;
   carry_properties(evaluation, solid, fast::to_mesh(solid), mesh, path);
   return mesh.fields;
+}
+
+/// Decimals of up to 12 digits: some whole in steps of 10^exponent, and some
+/// next to what is whole.
+Point decimal_point(Numbers& numbers) {
+  const auto decimal = [&numbers] {
+    const int digits = 1 + static_cast<int>(numbers.below(11));
+    const double most = std::pow(10.0, digits);
+    double mantissa = std::floor(
+        std::ldexp(static_cast<double>(numbers.below(std::uint64_t{1} << 40)),
+                   -40) *
+        most);
+    if (numbers.below(2) == 0) mantissa = std::floor(mantissa / 1e5) * 1e5 + 1;
+    const auto below = static_cast<double>(numbers.below(12));
+    return mantissa / std::pow(10.0, below);
+  };
+  return {decimal(), -decimal(), decimal()};
+}
+
+TEST(FaceAffine, DoublesTellWhichDecimalsAreOnTheGrid) {
+  Numbers numbers(6);
+  std::size_t on_grid = 0, missed = 0, between = 0;
+  for (int round = 0; round < 300; ++round) {
+    auto mesh = std::make_shared<Mesh>();
+    for (int i = 0; i < 20; ++i)
+      mesh->vertices.push_back(decimal_point(numbers));
+    const ExactPoints exact = exact_points(mesh->vertices);
+    LeafData data;
+    data.properties = mesh;
+    data.vertices = exact.points;
+    data.from = exact.decimal ? LeafData::From::kShortDecimals
+                              : LeafData::From::kDoubles;
+    const double factor = numbers.below(2) == 0 ? 1 : -8;
+    const csg::Matrix matrix =
+        csg::scaling(numbers_of({factor, factor, factor}));
+    const Unit unit{10, -static_cast<std::int32_t>(numbers.below(12))};
+    PlacedVertices placed(matrix, unit, data);
+    for (std::size_t v = 0; v < mesh->vertices.size(); ++v) {
+      const GridPoint* at = placed.on_grid(v);
+      const ExactPoint& p = placed.exact(v);
+      const bool is_whole = p.at[0] % p.below == 0 && p.at[1] % p.below == 0 &&
+                            p.at[2] % p.below == 0;
+      if (at == nullptr) {
+        const bool fits = std::all_of(p.at.begin(), p.at.end(), [&p](auto& c) {
+          return abs(c) < p.below * (std::int64_t{1} << 53);
+        });
+        if (fits) ++(is_whole ? missed : between);
+        continue;
+      }
+      ++on_grid;
+      ASSERT_TRUE(is_whole) << round << " " << v;
+      ASSERT_EQ(p.at[0], p.below * at->x);
+      ASSERT_EQ(p.at[1], p.below * at->y);
+      ASSERT_EQ(p.at[2], p.below * at->z);
+    }
+  }
+  EXPECT_GT(on_grid, 1000u);
+  EXPECT_LT(missed, on_grid / 10);
+  EXPECT_GT(between, 1000u);
 }
 
 TEST(FaceAffine, MeshesGetTheSameFieldsByFilterAndExactly) {

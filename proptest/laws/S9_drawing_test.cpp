@@ -8,7 +8,9 @@
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/ray.hpp"
 #include "halfspace/ref/drawing.hpp"
+#include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "laws/law.hpp"
 
@@ -113,8 +115,13 @@ struct FastDrawing {
           drawing->edges[static_cast<std::size_t>(i.edge)];
       std::array<double, 6> edge{};
       if (e.edge_class != EdgeClass::kIntersection) {
-        const GridPoint& p = view.scene.point(e.from);
-        const GridPoint& q = view.scene.point(e.to);
+        const bool given = e.edge_class == EdgeClass::kGiven;
+        const GridPoint& p =
+            given ? options.lines[static_cast<std::size_t>(e.other)].from
+                  : view.scene.point(e.from);
+        const GridPoint& q =
+            given ? options.lines[static_cast<std::size_t>(e.other)].to
+                  : view.scene.point(e.to);
         const auto real = [](std::int64_t v) { return static_cast<double>(v); };
         edge = {real(p.x), real(p.y), real(p.z),
                 real(q.x), real(q.y), real(q.z)};
@@ -334,13 +341,148 @@ TYPED_TEST(S9Drawing, L4CornersAndOrientationDoNotMatter) {
       kDrawings);
 }
 
+TYPED_TEST(S9Drawing, L5AGivenLineAlongAnEdgeHasItsIntervals) {
+  std::size_t hidden = 0;
+  law::for_all_views(
+      [&](const SceneFile& view) {
+        DrawingOptions options = drawing_options_of(view);
+        Drawn plain = TypeParam::draw(view, options);
+        std::set<std::array<double, 6>> edges;
+        std::erase_if(plain.intervals, [](const Interval& i) {
+          return i.edge_class == EdgeClass::kIntersection;
+        });
+        for (const Interval& i : plain.intervals) edges.insert(i.edge);
+        const auto whole = [](double c) {
+          return static_cast<std::int64_t>(c);
+        };
+        for (const auto& e : edges) {
+          options.lines.push_back({{whole(e[0]), whole(e[1]), whole(e[2])},
+                                   {whole(e[3]), whole(e[4]), whole(e[5])}});
+        }
+        Drawn given = TypeParam::draw(view, options);
+        std::erase_if(given.intervals, [](const Interval& i) {
+          return i.edge_class != EdgeClass::kGiven;
+        });
+        for (Interval& i : plain.intervals) {
+          i.edge_class = EdgeClass::kGiven;
+          hidden += i.layers > 0 ? 1 : 0;
+        }
+        plain.sort();
+        given.sort();
+        HALFSPACE_LAW(plain.intervals == given.intervals);
+      },
+      kDrawings);
+  EXPECT_GT(hidden, 50u);
+}
+
+/// Points and lines about the corners of a view's scene.
+DrawingOptions given_of(const SceneFile& view) {
+  DrawingOptions options = drawing_options_of(view);
+  const auto& vertices = view.scene.data().vertices;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const GridPoint& p = vertices[k];
+    const GridPoint& q = vertices[(k + 1) % vertices.size()];
+    const GridPoint& r = vertices[(7 * k + 3) % vertices.size()];
+    options.points.push_back(p);
+    options.points.push_back(
+        {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2});
+    if (k % 2 == 0) options.lines.push_back({p, r});
+  }
+  return options;
+}
+
+std::vector<bool> points_visible(const RefDrawing*, const SceneFile& view,
+                                 const DrawingOptions& options) {
+  return ref::draw(view.scene, *view.camera, options).points_visible;
+}
+std::vector<bool> points_visible(const FastDrawing*, const SceneFile& view,
+                                 const DrawingOptions& options) {
+  const auto drawing = fast::draw(view.scene, *view.camera, options);
+  HALFSPACE_LAW(drawing.has_value());
+  std::vector<bool> visible;
+  for (const fast::SeenPoint& point : drawing->points)
+    visible.push_back(point.visible);
+  return visible;
+}
+
+/// The ray from a point to the eye, or in a parallel view beyond the scene.
+Ray ray_to_eye(const SceneFile& view, const GridPoint& p) {
+  const CameraData& camera = view.camera->data();
+  RayData data;
+  const Int128 step = Int128{1} << kLatticeBits;
+  data.origin = {step * p.x, step * p.y, step * p.z};
+  data.reach = Reach::kBetween;
+  data.direction = camera.eye;
+  const auto size = [&] {
+    Int128 most = 0;
+    for (const Int128& c :
+         {data.direction.x, data.direction.y, data.direction.z})
+      most = std::max(most, c < 0 ? -c : c);
+    return most;
+  };
+  if (camera.perspective) {
+    data.direction = {camera.eye.x - data.origin.x,
+                      camera.eye.y - data.origin.y,
+                      camera.eye.z - data.origin.z};
+  } else {
+    const int most = view.scene.grid_bits() + 13;
+    while (2 * size() <= Int128{1} << most) {
+      data.direction = {2 * data.direction.x, 2 * data.direction.y,
+                        2 * data.direction.z};
+    }
+  }
+  const Result<Ray> ray = make_ray(data, view.scene.grid_bits());
+  HALFSPACE_LAW(ray.has_value());
+  return *ray;
+}
+
+TYPED_TEST(S9Drawing, L6AGivenPointIsVisibleWhereItSeesTheEye) {
+  std::size_t counts[2] = {0, 0};
+  law::for_all_views(
+      [&](const SceneFile& changed) {
+        SceneFile view = changed;
+        CameraData camera = view.camera->data();
+        camera.near.reset();
+        view.options.cull = false;
+        const Result<Camera> made = make_camera(camera, view.scene.grid_bits());
+        HALFSPACE_LAW(made.has_value());
+        view.camera = *made;
+        const DrawingOptions options = given_of(view);
+        const std::vector<bool> visible = points_visible(
+            static_cast<const TypeParam*>(nullptr), view, options);
+        const ref::Projection projection = ref::projection_of(*view.camera);
+        for (std::size_t k = 0; k < visible.size(); ++k) {
+          const GridPoint& p = options.points[k];
+          bool in_view = true;
+          for (std::size_t v = 0; v < projection.view_volume.size(); ++v) {
+            const int side =
+                sign(value_at(projection.view_volume[v], ref::to_point(p)));
+            const bool is_near = v == 0 && projection.view_volume.size() == 5;
+            in_view = in_view && (is_near ? side > 0 : side >= 0);
+          }
+          if (!in_view) {
+            HALFSPACE_LAW(!visible[k]);
+            continue;
+          }
+          HALFSPACE_LAW(visible[k] ==
+                        ref::see_each_other(view.scene, ray_to_eye(view, p)));
+          ++counts[visible[k] ? 1 : 0];
+        }
+      },
+      kDrawings);
+  EXPECT_GT(counts[0], 100u);
+  EXPECT_GT(counts[1], 100u);
+}
+
 TEST(S9DrawingAgree, RefAndFastDrawTheSame) {
   std::set<EdgeClass> met;
   law::for_all_views(
       [&met](const SceneFile& view) {
         for (const std::int32_t cosine : {1 << kCosineBits, 0, 759250125}) {
-          DrawingOptions options = drawing_options_of(view);
+          DrawingOptions options =
+              cosine == 0 ? given_of(view) : drawing_options_of(view);
           options.crease_cosine = cosine;
+          options.edges = cosine != 0 || view.scene.polygon_count() % 2 == 0;
           if (cosine == 0) {
             for (std::size_t p = 0; p < view.scene.polygon_count(); ++p)
               options.cuts.push_back(p % 3 == 0);
@@ -354,9 +496,13 @@ TEST(S9DrawingAgree, RefAndFastDrawTheSame) {
           HALFSPACE_LAW(f.strokes == r.strokes);
           for (const Interval& i : f.intervals) met.insert(i.edge_class);
         }
+        const DrawingOptions given = given_of(view);
+        HALFSPACE_LAW(
+            points_visible(static_cast<FastDrawing*>(nullptr), view, given) ==
+            points_visible(static_cast<RefDrawing*>(nullptr), view, given));
       },
       kDrawings);
-  EXPECT_EQ(met.size(), 5u);
+  EXPECT_EQ(met.size(), kEdgeClassCount);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
+#include "halfspace/fast/image/transparent_map.hpp"
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/predicate.hpp"
@@ -25,6 +26,7 @@
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
+#include "halfspace/fast/shade/color_forms.hpp"
 #include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/solid.hpp"
@@ -287,6 +289,10 @@ void take_all() {
   take(&ref::seen_areas);  // S7.7
   take(&panorama);  // S7.7
   take(&fast::seen_areas);  // S7.7
+  take(&ref::transparent_map);  // S7.8
+  take(&fast::transparent_map);  // S7.8
+  take(&ref::exact_color_at);  // S7.9
+  take(&fast::color_forms);  // S7.9
   take(&make_ray);  // S8.1
   take(&ref::all_hits);  // S8.2
   take(&ref::distance_of);  // S8.2
@@ -313,6 +319,8 @@ void take_all() {
   take(&fast::draw);  // S9.5
   take(&ref::draw);  // S9.6
   take(&fast::draw);  // S9.6
+  take(&ref::draw);  // S9.7
+  take(&fast::draw);  // S9.7
   take(&make_clips);  // S10.1
   take(&ref::clipped);  // S10.2
   {  // S10.2
@@ -372,5 +380,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 174 ? 0 : 1;
+  return halfspace::taken == 180 ? 0 : 1;
 }

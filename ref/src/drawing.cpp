@@ -17,7 +17,7 @@ struct PolygonAt {
   bool forwards = true;
 };
 
-/// An edge or an intersection, `from` before `to`.
+/// An edge or an intersection, `from` before `to`, or a given line.
 struct Edge {
   Point from;
   Point to;
@@ -103,8 +103,16 @@ class Drawer {
   }
 
   Drawing run() {
-    find_edges();
-    find_intersections();
+    if (options_.edges) {
+      find_edges();
+      find_intersections();
+    }
+    for (const GivenLine& line : options_.lines) {
+      edges_.push_back(
+          {to_point(line.from), to_point(line.to), EdgeClass::kGiven});
+    }
+    for (const GridPoint& point : options_.points)
+      drawing_.points_visible.push_back(is_visible(to_point(point)));
     std::stable_sort(edges_.begin(), edges_.end(),
                      [](const Edge& f, const Edge& g) {
                        return f.from == g.from ? f.to < g.to : f.from < g.from;
@@ -223,6 +231,7 @@ class Drawer {
 
   /// Whether an edge is seen as a point: its line passes through the eye.
   bool is_point(const Edge& edge) const {
+    if (edge.from == edge.to) return true;
     const Point eye = to_point(camera_->eye);
     if (!camera_->perspective)
       return cross(difference(edge.to, edge.from), eye) == Point{0, 0, 0};
@@ -231,6 +240,29 @@ class Drawer {
       return Point{step * p.x, step * p.y, step * p.z};
     };
     return is_on_line(eye, scaled(edge.from), scaled(edge.to));
+  }
+
+  /// S9.7: whether a given point is visible.
+  bool is_visible(const Point& p) const {
+    for (std::size_t k = 0; k < projection_.view_volume.size(); ++k) {
+      const int side = sign(value_at(projection_.view_volume[k], p));
+      // At the near distance itself nothing is seen.
+      const bool is_near = k == 0 && projection_.view_volume.size() == 5;
+      if (side < 0 || (is_near && side == 0)) return false;
+    }
+    const ImagePoint image = image_of(p, projection_);
+    const Rational nearness = nearness_of(p);
+    return std::none_of(
+        coverings_.begin(), coverings_.end(), [&](const auto& covering) {
+          if (!covering || at(covering->nearness, image) <= nearness)
+            return false;
+          // At its near limit, which comes last, a polygon is not there.
+          if (camera_->near && sign(at(covering->insides.back(), image)) <= 0)
+            return false;
+          return std::all_of(
+              covering->insides.begin(), covering->insides.end(),
+              [&](const Affine& f) { return sign(at(f, image)) >= 0; });
+        });
   }
 
   /// S9.5: the intervals of one edge.

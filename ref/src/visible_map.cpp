@@ -1,6 +1,7 @@
 #include "halfspace/ref/visible_map.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -38,18 +39,31 @@ std::optional<ImagePoint> meet(const Line& l, const Line& m) {
   return ImagePoint{(l.b * m.c - l.c * m.b) / w, (l.c * m.a - l.a * m.c) / w};
 }
 
+/// The key of a cell, by the polygons that cover it from front to back.
+using KeyOf = std::function<std::int32_t(const std::vector<PolygonId>&)>;
+
 /// What the map is decided by (S7.1).
 class Forms {
  public:
-  /// Of what clip planes and caps leave.
-  Forms(const Scene& scene, const Camera& camera, const ImageOptions& options)
+  Forms(const Scene& scene, const Camera& camera, bool cull, KeyOf key_of)
       : width_(camera->width_px),
         height_(camera->height_px),
+        key_of_(std::move(key_of)) {
+    for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
+         ++id)
+      polygons_.push_back(covering_of(whole(scene, id), camera, cull));
+  }
+
+  /// Of what clip planes and caps leave.
+  Forms(const Scene& scene, const Camera& camera, const ImageOptions& options,
+        KeyOf key_of)
+      : width_(camera->width_px),
+        height_(camera->height_px),
+        key_of_(std::move(key_of)),
         options_(options) {
     for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
          ++id) {
       polygons_.emplace_back();
-      keys_.push_back(id);
       const Fragment polygon = whole(scene, id);
       if (!is_there(plane_of(polygon.vertices), options)) continue;
       if (const auto left = clipped(polygon, options))
@@ -57,16 +71,6 @@ class Forms {
     }
     if (options.caps && !options.clips.empty())
       caps_.emplace(scene, camera, options, 1);
-  }
-
-  Forms(const Scene& scene, const Camera& camera, const MapOptions& options)
-      : width_(camera->width_px), height_(camera->height_px) {
-    for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
-         ++id) {
-      polygons_.push_back(covering_of(whole(scene, id), camera, options.cull));
-      const auto index = static_cast<std::size_t>(id);
-      keys_.push_back(options.keys.empty() ? id : options.keys[index]);
-    }
   }
 
   /// All lines that meet the image rectangle, each once.
@@ -109,24 +113,28 @@ class Forms {
     };
     if (!is_inside(p.x, dx, width_) || !is_inside(p.y, dy, height_))
       return kOutsideKey;
-    const Affine* nearest = nullptr;
-    std::int32_t key = kBackgroundKey;
+    std::vector<PolygonId> covering;
     for (std::size_t q = 0; q < polygons_.size(); ++q) {
       if (!polygons_[q]) continue;
-      const Covering& polygon = *polygons_[q];
       const auto covers = [&](const Affine& f) {
         return sign_beside(f, p, dx, dy) > 0;
       };
-      if (!std::all_of(polygon.insides.begin(), polygon.insides.end(), covers))
-        continue;
-      // Where polygons share a plane, the first stays in front.
-      if (nearest != nullptr &&
-          sign_beside(polygon.nearness - *nearest, p, dx, dy) <= 0)
-        continue;
-      nearest = &polygon.nearness;
-      key = keys_[q];
+      const auto& insides = polygons_[q]->insides;
+      if (std::all_of(insides.begin(), insides.end(), covers))
+        covering.push_back(static_cast<PolygonId>(q));
     }
-    return caps_ ? key_of_caps(p, dx, dy, nearest, key) : key;
+    const auto nearness = [&](PolygonId id) -> const Affine& {
+      return polygons_[static_cast<std::size_t>(id)]->nearness;
+    };
+    // Where polygons share a plane, the first stays in front.
+    std::stable_sort(
+        covering.begin(), covering.end(), [&](PolygonId f, PolygonId g) {
+          return sign_beside(nearness(f) - nearness(g), p, dx, dy) > 0;
+        });
+    if (!caps_) return key_of_(covering);
+    const Affine* nearest =
+        covering.empty() ? nullptr : &nearness(covering.front());
+    return key_of_caps(p, dx, dy, nearest, key_of_(covering));
   }
 
   bool holds(const ImagePoint& p) const {
@@ -193,8 +201,8 @@ class Forms {
   }
 
   std::int32_t width_, height_;
+  KeyOf key_of_;
   std::vector<std::optional<Covering>> polygons_;
-  std::vector<std::int32_t> keys_;
   ImageOptions options_;
   std::optional<Caps> caps_;
 };
@@ -231,10 +239,6 @@ struct Before {
     return before(p, q);
   }
 };
-
-}  // namespace
-
-namespace {
 
 std::vector<MapArc> map_of(const Forms& forms) {
   const std::vector<Line> lines = forms.lines();
@@ -273,12 +277,30 @@ std::vector<MapArc> map_of(const Forms& forms) {
 
 std::vector<MapArc> visible_map(const Scene& scene, const Camera& camera,
                                 const MapOptions& options) {
-  return map_of(Forms(scene, camera, options));
+  return map_of(Forms(scene, camera, options.cull, [&](const auto& covering) {
+    if (covering.empty()) return kBackgroundKey;
+    const PolygonId front = covering.front();
+    return options.keys.empty() ? front
+                                : options.keys[static_cast<std::size_t>(front)];
+  }));
+}
+
+std::vector<MapArc> transparent_map(const Scene& scene, const Camera& camera,
+                                    const TransparentOptions& options) {
+  return map_of(Forms(scene, camera, options.cull, [&](const auto& covering) {
+    if (covering.empty()) return kBackgroundKey;
+    Rgb color = options.background;
+    for (auto id = covering.rbegin(); id != covering.rend(); ++id)
+      color = composed_color(scene.color(*id), color, options.alpha);
+    return color_key(color);
+  }));
 }
 
 std::vector<MapArc> section_map(const Scene& scene, const Camera& camera,
                                 const ImageOptions& options) {
-  return map_of(Forms(scene, camera, options));
+  return map_of(Forms(scene, camera, options, [](const auto& covering) {
+    return covering.empty() ? kBackgroundKey : covering.front();
+  }));
 }
 
 Rational area_of_key(const std::vector<MapArc>& map, std::int32_t key) {

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "halfspace/boolean.hpp"
-
 #include "token_lines.hpp"
 
 namespace halfspace {

@@ -172,9 +172,9 @@ bool Checker::check_faces() {
       return fail(ErrorCode::kTooFewVertices, "face", f, " lacks its loops");
     for (std::uint32_t l = 0; l < face.loop_count; ++l, ++loop) {
       const std::uint32_t count = data_.loops[loop];
-      if (count < 3 || count > data_.corners.size() - first)
+      if (count < 2 || count > data_.corners.size() - first)
         return fail(ErrorCode::kTooFewVertices, "face", f,
-                    " has a loop of fewer than 3 corners");
+                    " has a loop of fewer than 2 corners");
       if (!check_loop(first, count, face.plane)) return false;
       first += count;
     }
@@ -206,6 +206,15 @@ Result<Done> Checker::checked() {
 bool is_solid_file(std::string_view bytes) {
   return bytes.starts_with(kSolidTextMagic) ||
          bytes.starts_with(kSolidBinaryMagic.substr(0, 7));
+}
+
+std::uint32_t solid_version(const SolidData& data) {
+  const bool has_slits =
+      std::find(data.loops.begin(), data.loops.end(), 2u) != data.loops.end();
+  const bool is_colored =
+      std::all_of(data.faces.begin(), data.faces.end(),
+                  [](const SolidData::Face& face) { return face.has_color; });
+  return is_colored && !has_slits ? kFirstSolidVersion : kSolidVersion;
 }
 
 Result<Done> check_solid_data(const SolidData& data) {

@@ -117,6 +117,7 @@ class BodyReader {
 
   ByteReader in_;
   SolidData data_;
+  std::uint32_t version_ = 0;
   Error error_{};
 };
 
@@ -132,7 +133,9 @@ bool BodyReader::header() {
                            in_.at());
     return false;
   }
-  if (version != kSolidVersion || (flags & ~(kChecked | kConforming)) != 0) {
+  version_ = version;
+  if (version < kFirstSolidVersion || version > kSolidVersion ||
+      (flags & ~(kChecked | kConforming)) != 0) {
     error_ = error_at_byte(ErrorCode::kUnknownFormat,
                            "version " + std::to_string(version) + ", flags " +
                                std::to_string(flags) + " are not known",
@@ -153,9 +156,12 @@ SolidData::Face BodyReader::face() {
   made.color.g = in_.get<std::uint8_t>();
   made.color.b = in_.get<std::uint8_t>();
   const auto side = in_.get<std::uint8_t>();
-  made.flipped = side == 1;
+  made.flipped = (side & 1) != 0;
+  made.has_color = (side & 2) == 0;
   // Else there would be two files of one solid.
-  if (side > 1) made.loop_count = 0;
+  if (side > (version_ == kFirstSolidVersion ? 1 : 3) ||
+      (!made.has_color && made.color != Rgb()))
+    made.loop_count = 0;
   return made;
 }
 
@@ -213,10 +219,12 @@ void put_faces(ByteWriter& out, const SolidData& data) {
     out.put(face.plane);
     out.put(face.origin);
     out.put(face.loop_count);
-    out.put(face.color.r);
-    out.put(face.color.g);
-    out.put(face.color.b);
-    out.put(static_cast<std::uint8_t>(face.flipped ? 1 : 0));
+    const Rgb color = face.has_color ? face.color : Rgb();
+    out.put(color.r);
+    out.put(color.g);
+    out.put(color.b);
+    out.put(static_cast<std::uint8_t>((face.flipped ? 1 : 0) +
+                                      (face.has_color ? 0 : 2)));
   });
   put_list(out, data.loops, [&](std::uint32_t count) { out.put(count); });
   put_list(out, data.corners, [&](const SolidData::Corner& corner) {
@@ -258,7 +266,7 @@ Result<SolidData> read_solid_binary(std::string_view bytes) {
 std::string solid_binary(const SolidData& data) {
   ByteWriter out;
   out.bytes = kSolidBinaryMagic;
-  out.put(kSolidVersion);
+  out.put(solid_version(data));
   out.put((data.is_checked ? kChecked : 0u) |
           (data.is_conforming ? kConforming : 0u));
   out.put(static_cast<std::uint32_t>(data.unit.base));

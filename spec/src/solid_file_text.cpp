@@ -78,6 +78,7 @@ class TextReader : private TokenLines {
 
   Checked checked_;
   SolidData data_;
+  std::uint32_t version_ = 0;
   bool ended_ = false;
 };
 
@@ -96,7 +97,11 @@ bool TextReader::header_line(std::string_view keyword, std::size_t values) {
 
 bool TextReader::header() {
   if (!header_line(kSolidTextMagic, 1)) return false;
-  if (tokens_[1] != std::to_string(kSolidVersion))
+  for (std::uint32_t known = kFirstSolidVersion; known <= kSolidVersion;
+       ++known) {
+    if (tokens_[1] == std::to_string(known)) version_ = known;
+  }
+  if (version_ == 0)
     return fail(ErrorCode::kUnknownFormat,
                 "version " + in_quotes(tokens_[1]) + " is not known");
   return header_line("unit", 2) && integer(1, 2, 10, data_.unit.base) &&
@@ -166,12 +171,15 @@ bool TextReader::origin_line() {
 
 bool TextReader::face_line() {
   SolidData::Face& face = data_.faces.emplace_back();
-  if (!count_is(6) || !index(1, face.plane)) return false;
+  face.has_color = version_ == kFirstSolidVersion || tokens_.size() != 5 ||
+                   tokens_[3] != "-";
+  if (!count_is(face.has_color ? 6 : 4) || !index(1, face.plane)) return false;
   if (tokens_[2] != "+" && tokens_[2] != "-")
     return fail(ErrorCode::kSyntax,
                 "a face is on the '+' or on the '-' side of its plane, not " +
                     in_quotes(tokens_[2]));
   face.flipped = tokens_[2] == "-";
+  if (!face.has_color) return index(4, face.origin);
   return integer(3, 0, 255, face.color.r) && integer(4, 0, 255, face.color.g) &&
          integer(5, 0, 255, face.color.b) && index(6, face.origin);
 }
@@ -253,8 +261,12 @@ void put_faces(std::string& text, const SolidData& data) {
   std::size_t loop = 0, corner = 0;
   for (const SolidData::Face& face : data.faces) {
     text += "face " + std::to_string(face.plane) + (face.flipped ? " -" : " +");
-    put_values(text, "",
-               {face.color.r, face.color.g, face.color.b, face.origin});
+    if (face.has_color) {
+      put_values(text, "",
+                 {face.color.r, face.color.g, face.color.b, face.origin});
+    } else {
+      put_values(text, " -", {face.origin});
+    }
     for (std::uint32_t l = 0; l < face.loop_count; ++l) {
       text += "loop";
       for (std::uint32_t i = 0; i < data.loops[loop]; ++i, ++corner) {
@@ -276,7 +288,7 @@ Result<SolidData> read_solid_text(std::string_view text) {
 
 std::string solid_text(const SolidData& data) {
   std::string text(kSolidTextMagic);
-  put_values(text, "", {kSolidVersion});
+  put_values(text, "", {solid_version(data)});
   put_values(text, "unit", {data.unit.base, data.unit.exponent});
   put_values(text, "grid", {data.grid_bits});
   if (data.is_checked) text += "checked\n";

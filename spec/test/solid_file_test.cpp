@@ -51,6 +51,38 @@ TEST(SolidFile, BothFormsReadBack) {
   }
 }
 
+/// The tetrahedron with a slit in a face, and a face without a colour.
+SolidData second_version() {
+  SolidData data = tetrahedron();
+  data.faces[1].has_color = false;
+  data.faces[1].color = {};
+  data.faces[3].loop_count = 2;
+  data.loops.push_back(2);
+  data.corners.insert(data.corners.end(), {{1, 1}, {2, 0}});
+  return data;
+}
+
+TEST(SolidFile, SlitsAndFacesWithoutColorsReadBack) {
+  for (const SolidForm form : kForms) {
+    const Result<SolidData> read =
+        read_solid(write_solid(second_version(), form));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(*read, second_version());
+  }
+  std::string text = write_solid(second_version(), SolidForm::kText);
+  EXPECT_TRUE(text.starts_with("halfspace-solid 2\n"));
+  EXPECT_NE(text.find("\nface 1 - - 1\n"), std::string::npos);
+  // What has neither is of the first version, which has no such faces.
+  EXPECT_TRUE(write_solid(tetrahedron(), SolidForm::kText)
+                  .starts_with("halfspace-solid 1\n"));
+  text = text.substr(0, text.rfind("checksum")) + "checksum -\n";
+  EXPECT_TRUE(read_solid(text));
+  text[std::string_view("halfspace-solid ").size()] = '1';
+  const Result<SolidData> read = read_solid(text);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, ErrorCode::kSyntax);
+}
+
 TEST(SolidFile, TheChecksumIsThePublishedOne) {
   EXPECT_EQ(crc32c("123456789"), 0xE3069283u);
 }
@@ -127,7 +159,7 @@ TEST(SolidFile, ErrorsAreFoundWhateverTheChecksumSays) {
             ErrorCode::kSyntax);
   EXPECT_EQ(spoilt([](D& d) { d.corners[0].vertex = 2; }),
             ErrorCode::kRepeatedVertex);
-  EXPECT_EQ(spoilt([](D& d) { d.loops[0] = 2; }), ErrorCode::kTooFewVertices);
+  EXPECT_EQ(spoilt([](D& d) { d.loops[0] = 1; }), ErrorCode::kTooFewVertices);
   EXPECT_EQ(spoilt([](D& d) { d.faces[3].loop_count = 2; }),
             ErrorCode::kTooFewVertices);
   EXPECT_EQ(spoilt([](D& d) { d.corners.push_back({}); }), ErrorCode::kSyntax);

@@ -55,7 +55,7 @@ for view in "--ortho" "--eye 1,-3,3 --target 2,2,1 --fov 70"; do
     set -- $view --size 48x36 --shade gouraud
     expect 0 'span' render tent.off "$@" -o c.png
     for ending in svg pdf; do
-      expect 0 'none turned over' draw tent.off "$@" -o "c.$ending" \
+      expect 0 ' 0 turned over' draw tent.off "$@" -o "c.$ending" \
         --decimals 6 --levels "$levels" --certificate
       python3 "$colors" "c.$ending" c.png "$levels" ||
         wrong "$view, $levels levels: $ending has other colours"
@@ -65,10 +65,18 @@ done
 for ending in eps tex; do
   expect 0 ' regions' draw tent.off --shade gouraud -o "c.$ending" --size 48x36
 done
+# What would turn over gets more decimals.
 tent 30 >fine.off
-expect 2 'turns [1-9][0-9]* of .* loops over' draw fine.off -o t.svg \
-  --by polygon --size 40x30 --decimals 0 --certificate --view iso
-[ -e t.svg ] && wrong "a figure that is turned over was written"
+expect 0 ' 0 turned over, .*; [1-9][0-9]* points with up to [1-9]' draw \
+  fine.off -o t.svg --by polygon --size 40x30 --decimals 0 --certificate \
+  --view iso
+# Shaded regions are of one polygon each.
+expect 0 ' regions' draw tent.off --fill shaded -o shaded.svg --size 48x36
+grep -q linearGradient shaded.svg || wrong "nothing is shaded"
+for by in face part file all; do
+  expect 2 "regions by $by have one colour" draw tent.off --shade gouraud \
+    --by "$by" -o none.svg
+done
 grep -q "certificate: coordinates moved by .* 0 of [0-9]* loops turned" \
   a.svg || wrong "a.svg has no certificate"
 grep -q 'id="region-0" class="' a.svg || wrong "paths have no ids"
@@ -100,6 +108,35 @@ grep -q 'id="section"' cut.svg || wrong "the section has no border"
 expect 0 ' strokes' draw half.off -o cut.svg --view bottom --ortho --cut z=1
 grep -q 'id="hatching"' cut.svg && wrong "a hidden section is hatched"
 expect 2 'x, y or z' draw half.off -o cut.svg --cut w=1
+# What polygons let through is composed; it is of flat colours alone.
+for view in "" "--ortho --cull"; do
+  # shellcheck disable=SC2086
+  set -- $view --size 48x36 --alpha 120
+  expect 0 'painter' render cubes.off $view --size 48x36 --alpha 120 -o glass.png
+  expect 0 ' regions' draw cubes.off "$@" -o glass.svg --decimals 6
+  python3 "$colors" glass.svg glass.png 0 || wrong "glass has other colours"
+done
+expect 2 'composes' draw cubes.off --alpha 120 --by part -o none.svg
+# Axes and notes are seen where nothing is before them.
+expect 0 ' strokes' draw cubes.off --axes -o axes.svg --view iso
+grep -q 'class="tick">' axes.svg || wrong "axes have no numbers"
+grep -q 'class="axis">z<' axes.svg || wrong "axes have no names"
+printf '# a comment\npoint 0 0 200 tip & top\npoint 0 0 0 inside\n' >notes.txt
+printf 'line -200 0 0 250 0 0\ntext 0 0 210 (words)\n' >>notes.txt
+for ending in svg pdf eps tex dxf hpgl; do
+  expect 0 ' strokes' draw cubes.off --notes notes.txt --view iso --ortho \
+    --height 500 --hidden dashed -o "notes.$ending"
+  [ -s "notes.$ending" ] || wrong "notes.$ending is empty"
+done
+grep -q '>tip &amp; top<' notes.svg || wrong "a point has no text"
+grep -q '>inside<' notes.svg && wrong "a hidden text is written"
+grep -q 'id="hidden-given"' notes.svg || wrong "no part of a line is hidden"
+printf 'circle 1 2 3\n' >bad.txt
+expect 2 'bad.txt: line 1: begins with .circle' draw cubes.off --notes bad.txt \
+  -o none.svg
+printf 'text 1 2\n' >bad.txt
+expect 2 'bad.txt: line 1: .* is no finite number' draw cubes.off \
+  --notes bad.txt -o none.svg
 # Several files, and one without polygons.
 expect 0 ' regions' draw cubes.off pinwheel.off -o two.svg --fill file
 grep -q '<title>file 1' two.svg || wrong "the second file is not seen"

@@ -67,7 +67,7 @@ expect 0 painted render ab.hsolid -o ab.png
 grep -a -q 'a.off' chain.hsolid || wrong 'the parts are lost'
 
 # A surface that touches itself along an edge within a face has a slit there,
-# of which nothing is in a file, so that it is read again.
+# which is in the file, so that what goes on from it is what it would have been.
 wedge='matrix(C, 1, -1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)'
 "$program" csg 'box(4, 2, 3)' -o c.off >out.txt || wrong 'c.off'
 "$program" csg 'box(1, 1, 9)' -o d.off >out.txt || wrong 'd.off'
@@ -75,7 +75,29 @@ expect 0 'volume 22,' csg "$wedge - translate(D, 2, 0, -7)" C=c.off D=d.off \
   -o slit.hsolid
 expect 0 'volume 22,' csg 'A' A=slit.hsolid -o again.hsolid
 expect 0 'volume 19,' csg 'A - translate(D, 0, 0, -3)' A=slit.hsolid D=d.off \
-  -o chained.hsolid
+  -o chained.off
+expect 0 'volume 19,' csg \
+  "($wedge - translate(D, 2, 0, -7)) - translate(D, 0, 0, -3)" \
+  C=c.off D=d.off -o whole.off
+same chained.off whole.off
+python3 "${0%/*}/../../examples/read_solid.py" slit.hsolid | grep -q ' 22$' ||
+  wrong "read_solid.py: slit.hsolid"
+
+# Primitives are called by what they are, not by where they stood, and have no
+# colour; a colour of a file goes on.
+expect 0 closed csg 'box(3)' -o one.hsolid
+expect 0 closed csg 'translate(box(2), 1, 1, 2)' -o two.hsolid
+sed '11,$s/$/ 9 8 7/' b.off >nine.off
+for format in off ply hsolid; do
+  expect 0 closed csg '(A | B) - C' A=one.hsolid B=two.hsolid C=nine.off \
+    -o chain.$format
+  expect 0 closed csg '(box(3) | translate(box(2), 1, 1, 2)) - C' C=nine.off \
+    -o script.$format
+  same chain.$format script.$format
+done
+grep -q '^[0-9][0-9 ]* 9 8 7$' chain.off || wrong 'no colour in chain.off'
+[ "$(grep -c '^[4-9] ' chain.off)" -gt "$(grep -c ' 9 8 7$' chain.off)" ] ||
+  wrong 'faces without a colour have one'
 
 # A changed byte is found; a file without a checksum is checked.
 printf x | dd of=form.hsolid bs=1 seek=200 conv=notrunc 2>dd.txt

@@ -62,6 +62,31 @@ expect 0 '^volume     15$' info c.off.gz
 expect 0 'span: 9x9' render shot.scene.gz --ids a.npy
 expect 2 'standard input' info -
 
+# What has no colours gets none on its way through a boolean, and a scene is lit
+# as a picture of the mesh is: all show the same.
+for format in off ply obj 3mf glb stl hsolid scene; do
+  expect 0 closed csg 'a | b' a=a.off b=b.off -o plain.$format
+  expect 0 'painted' render plain.$format --size 40x30 --eye 9,7,8 \
+    --target 1,1,1 -o plain.png
+  [ $format != off ] || cp plain.png off.png
+  same off.png plain.png
+done
+[ -z "$(awk 'NR > 2 && NF > 3 && NF != $1 + 1' plain.off)" ] ||
+  wrong 'colours in plain.off'
+grep -a -q red plain.ply && wrong 'colours in plain.ply'
+expect 0 'painted' render plain.off --size 40x30 --eye 9,7,8 --target 1,1,1 \
+  --shade gouraud -o smooth.png
+cmp -s off.png smooth.png && wrong '--shade gouraud changes nothing'
+# Beside a solid that has some, it is as bright as by itself.
+sed '11,$s/$/ 10 200 30/' b.off >green.off
+for format in off ply obj 3mf glb hsolid scene; do
+  expect 0 closed csg 'a | b' a=a.off b=green.off -o mixed.$format
+  expect 0 'painted' render mixed.$format --size 40x30 --eye 9,7,8 \
+    --target 1,1,1 -o mixed.png
+  [ $format != off ] || cp mixed.png off.png
+  same off.png mixed.png
+done
+
 # A full device, as every output and as standard output.
 if [ -w /dev/full ]; then
   ln -s /dev/full full.off

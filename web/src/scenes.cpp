@@ -21,8 +21,8 @@
 #include "halfspace/io/figure.hpp"
 #include "halfspace/io/ray.hpp"
 #include "halfspace/io/view.hpp"
-#include "image/figure_scene.hpp"
-#include "image/figures.hpp"
+#include "figure/figure_scene.hpp"
+#include "figure/figures.hpp"
 
 namespace halfspace::tools {
 

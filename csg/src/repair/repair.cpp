@@ -193,12 +193,14 @@ Result<Done> Mender::close() {
 }
 
 Result<Done> Mender::make_shell() {
+  const Shell made = shell_of(soup_, *options_.thicken);
   report_.thickness = *options_.thicken;
-  std::vector<PolygonId> sources;
-  Result<io::Imported> shell =
-      io::import_scene(shell_of(soup_, *options_.thicken, sources), {});
+  report_.least_thickness = made.least;
+  report_.most_thickness = made.most;
+  Result<io::Imported> shell = io::import_scene(made.mesh, io::unlit());
   if (shell) {
-    for (PolygonId& p : shell->faces) p = sources[static_cast<std::size_t>(p)];
+    for (PolygonId& p : shell->faces)
+      p = made.sources[static_cast<std::size_t>(p)];
   }
   if (const auto done = import(std::move(shell)); !done) return done;
   split_lines();
@@ -247,8 +249,9 @@ Result<Done> Mender::mend() {
 }
 
 Result<Repaired> Mender::run(const io::Mesh& mesh) {
-  if (const auto done = import(io::import_scene(mesh, {})); !done)
+  if (const auto done = import(io::import_scene(mesh, io::unlit())); !done)
     return done.error();
+  std::vector<bool> has_color = imported_.has_color;
   Result<Source> made = source(false);
   const auto is_wrong = [&] {
     return !made && made.error().code != ErrorCode::kStopped;
@@ -270,6 +273,7 @@ Result<Repaired> Mender::run(const io::Mesh& mesh) {
   auto faces =
       std::make_shared<const io::AttributedFaces>(io::attributed_faces(mesh));
   if (!faces->attributes.empty()) made->attributed = std::move(faces);
+  made->has_color = std::move(has_color);
   // Corners that were welded are still those of the file.
   made->report.max_move = std::max(made->report.max_move, report_.weld_move);
   return Repaired{*std::move(made), std::move(report_)};
@@ -297,8 +301,16 @@ std::vector<std::string> RepairReport::sentences() const {
   }
   if (turned > 0)
     all.push_back(counted(turned, "polygon") + " turned to agree with others");
-  if (thickness > 0)
-    all.push_back("made a shell " + text_of(thickness) + " thick");
+  if (thickness > 0) {
+    constexpr double kSame = 1e-4;
+    const bool is_even = least_thickness >= (1 - kSame) * thickness &&
+                         most_thickness <= (1 + kSame) * thickness;
+    all.push_back("made a shell " + text_of(thickness) + " thick" +
+                  (is_even ? ""
+                           : ", at sharp or curved places " +
+                                 text_of(least_thickness) + " to " +
+                                 text_of(most_thickness)));
+  }
   if (planar_holes + other_holes > 0) {
     all.push_back(counted(planar_holes + other_holes, "hole") + " filled, " +
                   std::to_string(planar_holes) + " in a plane, with " +

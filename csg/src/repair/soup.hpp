@@ -103,10 +103,19 @@ struct Filled {
 /// half the size of their component, unless `all`.
 Filled fill_holes(Soup& soup, bool all);
 
-/// A shell round an open surface: it and its copy, moved along the directions
-/// of its vertices by half the thickness either way, and walls between their
-/// borders. In model units, not on the grid.
-io::Mesh shell_of(const Soup& soup, double thickness,
-                  std::vector<PolygonId>& sources);
+/// A shell round an open surface.
+struct Shell {
+  io::Mesh mesh;                   ///< in model units, not on the grid
+  std::vector<PolygonId> sources;  ///< by face of the mesh
+  /// How thick it is, measured along the normal of each polygon at each of its
+  /// corners.
+  double least = 0;
+  double most = 0;
+};
+/// The surface and its copy, each polygon moved along its normal by half the
+/// thickness either way, and walls between their borders. Vertices go to where
+/// the planes of their polygons have gone: where those are more than three, to
+/// where they nearly meet, and at an edge sharper than 29 degrees less far.
+Shell shell_of(const Soup& soup, double thickness);
 
 }  // namespace halfspace::csg

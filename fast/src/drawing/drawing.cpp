@@ -16,6 +16,21 @@
 namespace halfspace::fast {
 namespace {
 
+/// The scene with the ends of given lines and the given points as vertices of
+/// no polygon, in this order.
+Scene with_given(const Scene& scene, const DrawingOptions& options) {
+  SceneData data = scene.data();
+  for (const GivenLine& line : options.lines) {
+    data.vertices.push_back(line.from);
+    data.vertices.push_back(line.to);
+  }
+  data.vertices.insert(data.vertices.end(), options.points.begin(),
+                       options.points.end());
+  Result<Scene> extended = make_scene(std::move(data));
+  HALFSPACE_ASSERT(extended.has_value());
+  return std::move(*extended);
+}
+
 /// A drawing, edge by edge.
 class Drawer {
  public:
@@ -35,16 +50,13 @@ class Drawer {
     }
     const SceneEdges edges(scene, present);
     Hiding hiding(sight_, edges, std::move(eye_signs));
-    add_edges(edges, hiding);
-    for (Line& line : crossings(sight_, edges, present)) {
-      DrawingEdge edge;
-      edge.edge_class = EdgeClass::kIntersection;
-      edge.polygon = line.polygons[0];
-      edge.other = line.polygons[1];
-      drawing_.edges.push_back(edge);
-      lines_.push_back(std::move(line));
+    if (options_.edges) {
+      add_edges(edges, hiding);
+      add_crossings(edges, present);
     }
+    add_given(hiding);
     const ImagePoints points(sight_, hiding);
+    add_points(hiding, points);
     if (!divide(hiding, points)) {
       return Error{ErrorCode::kOutOfRange,
                    "the drawing has more than " +
@@ -72,6 +84,48 @@ class Drawer {
           {*edge_class, edge.from, edge.to, line.polygons[0],
            line.polygons.size() > 1 ? line.polygons[1] : PolygonId{-1}});
       lines_.push_back(std::move(line));
+    }
+  }
+
+  void add_crossings(const SceneEdges& edges,
+                     const std::vector<bool>& present) {
+    for (Line& line : crossings(sight_, edges, present)) {
+      DrawingEdge edge;
+      edge.edge_class = EdgeClass::kIntersection;
+      edge.polygon = line.polygons[0];
+      edge.other = line.polygons[1];
+      drawing_.edges.push_back(edge);
+      lines_.push_back(std::move(line));
+    }
+  }
+
+  /// Given vertices come after the scene's own.
+  VertexId given_vertex(std::size_t k) const {
+    const std::size_t given =
+        2 * options_.lines.size() + options_.points.size();
+    return static_cast<VertexId>(sight_.scene().data().vertices.size() - given +
+                                 k);
+  }
+
+  void add_given(const Hiding& hiding) {
+    for (std::size_t k = 0; k < options_.lines.size(); ++k) {
+      Line line;
+      line.from = hiding.point(given_vertex(2 * k));
+      line.to = hiding.point(given_vertex(2 * k + 1));
+      drawing_.edges.push_back({EdgeClass::kGiven, -1, -1, PolygonId{-1},
+                                static_cast<PolygonId>(k)});
+      lines_.push_back(std::move(line));
+    }
+  }
+
+  void add_points(Hiding& hiding, const ImagePoints& points) {
+    for (std::size_t k = 0; k < options_.points.size(); ++k) {
+      Line line;
+      line.from = hiding.point(given_vertex(2 * options_.lines.size() + k));
+      SeenPoint seen;
+      seen.visible = hiding.is_visible(line.from);
+      if (seen.visible) seen.at = points.point(line, {});
+      drawing_.points.push_back(seen);
     }
   }
 
@@ -113,7 +167,10 @@ Result<Drawing> draw(const Scene& scene, const Camera& camera,
                      const DrawingLimits& limits) {
   HALFSPACE_ASSERT(options.cuts.empty() ||
                    options.cuts.size() == scene.polygon_count());
-  return Drawer(scene, camera, options, limits).run();
+  if (options.lines.empty() && options.points.empty())
+    return Drawer(scene, camera, options, limits).run();
+  const Scene extended = with_given(scene, options);
+  return Drawer(extended, camera, options, limits).run();
 }
 
 }  // namespace halfspace::fast

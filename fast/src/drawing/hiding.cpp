@@ -206,25 +206,65 @@ int Hiding::side_of_parallel(const Line& line, VertexId u, VertexId v) const {
   return a != 0 ? a : b != 0 ? b : sign(f.c) * sign(g.c);
 }
 
-Hiding::Ends Hiding::side_ends(const Line& line, PolygonId polygon,
-                               std::size_t side) {
+int Hiding::side_sign(const SpacePoint& p, PolygonId polygon, std::size_t side,
+                      Bounded& value) {
   const auto corners = sight_.scene().corners(polygon);
   const VertexId u = corners[side];
   const VertexId v = corners[side + 1 == corners.size() ? 0 : side + 1];
   const SpacePoint& a = point(u);
   const SpacePoint& b = point(v);
-  const int eye = eye_sign(polygon);
-  const auto at = [&](const SpacePoint& p, Bounded& value) {
-    if (p.vertex >= 0 && (p.vertex == a.vertex || p.vertex == b.vertex))
-      return 0;
-    value = sight_.side_value(a, b, p);
-    return eye * decided(
-                     value, [&] { return sight_.side_form(u, v); }, p);
-  };
+  if (p.vertex >= 0 && (p.vertex == a.vertex || p.vertex == b.vertex)) return 0;
+  value = sight_.side_value(a, b, p);
+  return eye_sign(polygon) *
+         decided(
+             value, [&] { return sight_.side_form(u, v); }, p);
+}
+
+Hiding::Ends Hiding::side_ends(const Line& line, PolygonId polygon,
+                               std::size_t side) {
   Ends ends;
-  ends.from = at(line.from, ends.from_value);
-  ends.to = at(line.to, ends.to_value);
+  ends.from = side_sign(line.from, polygon, side, ends.from_value);
+  ends.to = side_sign(line.to, polygon, side, ends.to_value);
   return ends;
+}
+
+int Hiding::behind(const SpacePoint& p, PolygonId polygon, Bounded& value) {
+  for (const VertexId v : sight_.scene().corners(polygon)) {
+    if (p.vertex >= 0 && point(v).vertex == p.vertex) return 0;
+  }
+  value = sight_.plane_value(polygon, p);
+  return -eye_sign(polygon) *
+         decided(
+             value, [&] { return sight_.plane_form(polygon); }, p);
+}
+
+bool Hiding::is_hidden_by(const SpacePoint& p, PolygonId polygon) {
+  Bounded value;
+  if (behind(p, polygon, value) <= 0) return false;
+  const std::size_t sides = sight_.scene().corners(polygon).size();
+  for (std::size_t k = 0; k < sides; ++k) {
+    if (side_sign(p, polygon, k, value) < 0) return false;
+  }
+  return !sight_.camera().near ||
+         sign(value_at(sight_.near_form(polygon), p)) > 0;
+}
+
+bool Hiding::is_visible(const SpacePoint& p) {
+  for (int limit = 0; limit < Sight::kLimits; ++limit) {
+    if (!sight_.has_limit(limit)) continue;
+    const int side = decided(
+        sight_.limit_value(limit, p), [&] { return sight_.limit_form(limit); },
+        p);
+    // At the near limit itself nothing is seen.
+    if (side < 0 || (side == 0 && limit == 0)) return false;
+  }
+  Box box = box_of(p);
+  box.low[2] = std::numeric_limits<float>::lowest();
+  bool hidden = false;
+  tree_->find(box, [&](std::int32_t polygon) {
+    hidden = hidden || is_hidden_by(p, polygon);
+  });
+  return !hidden;
 }
 
 void Hiding::hide(const Line& line, const Cut& low, const Cut& high,
@@ -235,16 +275,8 @@ void Hiding::hide(const Line& line, const Cut& low, const Cut& high,
   // Step 1: where the polygon's plane is before the edge.
   const int eye = eye_sign(polygon);
   Ends ends;
-  const auto behind = [&](const SpacePoint& p, Bounded& value) {
-    for (const VertexId v : corners) {
-      if (p.vertex >= 0 && point(v).vertex == p.vertex) return 0;
-    }
-    value = sight_.plane_value(polygon, p);
-    return -eye * decided(
-                      value, [&] { return sight_.plane_form(polygon); }, p);
-  };
-  ends.from = behind(line.from, ends.from_value);
-  ends.to = behind(line.to, ends.to_value);
+  ends.from = behind(line.from, polygon, ends.from_value);
+  ends.to = behind(line.to, polygon, ends.to_value);
   if (ends.from <= 0 && ends.to <= 0) return;
   if (!narrow(line, ends, {0, 0, CutKind::kPlane, 0, polygon}, from, to))
     return;

@@ -52,6 +52,9 @@ class Hiding {
   /// Requires: its image is no single point.
   std::vector<Layered> parts_of(const Line& line);
 
+  /// Whether a point is visible (S9.7).
+  bool is_visible(const SpacePoint& p);
+
   /// The plane through the eye and an edge.
   Form plane_of(const Line& line) const;
 
@@ -99,6 +102,13 @@ class Hiding {
   /// 1 if the plane through the eye and a polygon's side from `u` to `v`, which
   /// holds the edge, faces as the edge's own does, else -1.
   int side_of_parallel(const Line& line, VertexId u, VertexId v) const;
+  /// The sign at a point of a polygon's side seen from the eye, positive
+  /// inside.
+  int side_sign(const SpacePoint& p, PolygonId polygon, std::size_t side,
+                Bounded& value);
+  /// The sign at a point of how far it is behind a polygon's plane.
+  int behind(const SpacePoint& p, PolygonId polygon, Bounded& value);
+  bool is_hidden_by(const SpacePoint& p, PolygonId polygon);
   Ends side_ends(const Line& line, PolygonId polygon, std::size_t side);
   Box box_of(const SpacePoint& p) const;
   Box box_of(PolygonId polygon) const;

@@ -68,7 +68,7 @@ struct StrokeEnd {
 };
 
 /// The ways a stroke can be drawn: visible before hidden, by class.
-constexpr std::size_t kClasses = 5;
+constexpr std::size_t kClasses = kEdgeClassCount;
 constexpr std::size_t kWays = 2 * kClasses;
 
 /// Joins the intervals on one line of the image after the other.

@@ -107,25 +107,28 @@ void CellTree::grid(std::int32_t width, std::int32_t height, int depth) {
   }
 }
 
-void CellTree::light(std::span<const HalfPlane> sides, PolygonId item) {
-  // Step 1: the fragment as a polygon: the rectangle, clipped.
+bool CellTree::clip(std::span<const HalfPlane> sides) {
   polygon_ = cutter_.rectangle();
   for (const HalfPlane& side : sides) {
-    if (!cutter_.clip(polygon_, side, kOwnEdge)) return;
+    if (!cutter_.clip(polygon_, side, kOwnEdge)) return false;
   }
-  // Step 2: down the tree, cut where it divides.
+  return true;
+}
+
+template <class Enter, class AtLeaf>
+void CellTree::spread(const Enter& enter, const AtLeaf& at_leaf) {
   work_.assign(polygon_.begin(), polygon_.end());
   steps_.assign(1, {0, 0, work_.size()});
   while (!steps_.empty()) {
     const Step step = steps_.back();
     steps_.pop_back();
     work_.resize(step.first + step.count);
-    if (nodes_[at(step.node)].full) continue;
+    if (!enter(nodes_[at(step.node)])) continue;
     polygon_.assign(work_.begin() + static_cast<std::ptrdiff_t>(step.first),
                     work_.end());
     const Node node = nodes_[at(step.node)];
     if (node.cell >= 0) {
-      light_leaf(step.node, polygon_, item);
+      at_leaf(step.node, polygon_);
       continue;
     }
     const int found = cutter_.classify(polygon_, node.line);
@@ -147,14 +150,31 @@ void CellTree::light(std::span<const HalfPlane> sides, PolygonId item) {
   }
 }
 
+void CellTree::light(std::span<const HalfPlane> sides, PolygonId item) {
+  if (!clip(sides)) return;
+  spread([](const Node& node) { return !node.full; },
+         [&](CellNodeId leaf, std::span<const CellEdge> part) {
+           mark_full(set_item(leaf, part, item));
+         });
+}
+
+void CellTree::cover(std::span<const HalfPlane> sides, const Change& change) {
+  if (!clip(sides)) return;
+  spread([](const Node&) { return true; },
+         [&](CellNodeId leaf, std::span<const CellEdge> part) {
+           set_item(leaf, part, change(cells_[at(nodes_[at(leaf)].cell)].item));
+         });
+}
+
 std::vector<CellEdge> CellTree::polygon_of(CellNodeId leaf) const {
   const Cell& cell = cells_[at(nodes_[at(leaf)].cell)];
   const CellEdge* first = edges_.data() + cell.first_edge;
   return {first, first + cell.edge_count};
 }
 
-void CellTree::light_leaf(CellNodeId leaf, std::span<const CellEdge> part,
-                          PolygonId item) {
+CellNodeId CellTree::set_item(CellNodeId leaf, std::span<const CellEdge> part,
+                              PolygonId item) {
+  const PolygonId before = cells_[at(nodes_[at(leaf)].cell)].item;
   std::vector<CellEdge> inside = polygon_of(leaf);
   CellNodeId node = leaf;
   for (const CellEdge& edge : part) {
@@ -171,7 +191,7 @@ void CellTree::light_leaf(CellNodeId leaf, std::span<const CellEdge> part,
     const CellNodeId outside =
         is_positive ? divided.negative : divided.positive;
     node = is_positive ? divided.positive : divided.negative;
-    add_cell(outside, is_positive ? negative_ : positive_, kBackground);
+    add_cell(outside, is_positive ? negative_ : positive_, before);
     inside.swap(is_positive ? positive_ : negative_);
   }
   if (node == leaf) {
@@ -179,7 +199,7 @@ void CellTree::light_leaf(CellNodeId leaf, std::span<const CellEdge> part,
   } else {
     add_cell(node, inside, item);
   }
-  mark_full(node);
+  return node;
 }
 
 void CellTree::mark_full(CellNodeId node) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,12 @@ class CellTree {
 
   /// Lights the unlit parts of the intersection of the half-planes.
   void light(std::span<const HalfPlane> sides, PolygonId item);
+
+  /// What becomes of a cell's item.
+  using Change = std::function<PolygonId(PolygonId)>;
+  /// Changes the items of the cells in the intersection of the half-planes,
+  /// lit or not, which it divides where it ends.
+  void cover(std::span<const HalfPlane> sides, const Change& change);
 
   /// Whether a cell that may meet the box is unlit.
   bool any_unlit(const CellBox& box);
@@ -84,10 +91,18 @@ class CellTree {
   void divide(CellNodeId node, LineId line);
   std::vector<CellEdge> polygon_of(CellNodeId leaf) const;
   void grid(std::int32_t width, std::int32_t height, int depth);
-  /// Lights a part of an unlit leaf's cell, which is bounded by the cell's own
-  /// lines and those of `part` that are marked as the fragment's.
-  void light_leaf(CellNodeId leaf, std::span<const CellEdge> part,
-                  PolygonId item);
+  /// The intersection of the half-planes with the rectangle, into `polygon_`;
+  /// false if there is none.
+  bool clip(std::span<const HalfPlane> sides);
+  /// Down the tree with what is in `polygon_`, cut where it divides: calls
+  /// at_leaf(leaf, part). Passes by what enter(node) says no to.
+  template <class Enter, class AtLeaf>
+  void spread(const Enter& enter, const AtLeaf& at_leaf);
+  /// Gives a part of a leaf's cell an item, which is bounded by the cell's own
+  /// lines and those of `part` that are marked as the fragment's. Returns the
+  /// part's leaf.
+  CellNodeId set_item(CellNodeId leaf, std::span<const CellEdge> part,
+                      PolygonId item);
   void mark_full(CellNodeId node);
 
   LineTable& lines_;

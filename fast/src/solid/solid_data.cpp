@@ -165,56 +165,6 @@ bool is_in_rows(const Solid& solid, const Face& face) {
   return first < 0;
 }
 
-/// Whether a loop begins at an edge that ends after the next one.
-bool is_slit(std::span<const SolidEdge> rows, std::size_t i) {
-  return i + 1 < rows.size() && rows[i].to == rows[i + 1].from &&
-         rows[i + 1].to == rows[i].from;
-}
-
-/// Leaves out loops of two edges, which stand in rows, and says whether there
-/// were any.
-///
-/// They are where the surface touches itself along an edge within a face, which
-/// is cut there as the others are. No area is between them, and a file has no
-/// such loops.
-bool leave_out_slits(Solid& solid) {
-  List<SolidEdge> kept;
-  for (Face& face : solid.faces) {
-    const std::span<const SolidEdge> rows(solid.edges.data() + face.first_edge,
-                                          face.edge_count);
-    face.first_edge = static_cast<std::uint32_t>(kept.size());
-    std::int32_t first = -1;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (first < 0 && is_slit(rows, i)) {
-        ++i;
-        continue;
-      }
-      if (first < 0) first = rows[i].from;
-      kept.push_back(rows[i]);
-      if (rows[i].to == first) first = -1;
-    }
-    face.edge_count = static_cast<std::uint32_t>(kept.size()) - face.first_edge;
-  }
-  if (kept.size() == solid.edges.size()) return false;
-  solid.edges = std::move(kept);
-  return true;
-}
-
-/// Whether a face whose loops stand in rows has one of two edges.
-bool has_slits(const Solid& solid) {
-  for (const Face& face : solid.faces) {
-    const std::span<const SolidEdge> rows(solid.edges.data() + face.first_edge,
-                                          face.edge_count);
-    std::int32_t first = -1;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (first < 0 && is_slit(rows, i)) return true;
-      if (first < 0) first = rows[i].from;
-      if (rows[i].to == first) first = -1;
-    }
-  }
-  return false;
-}
-
 /// Makes the solid of data.
 class DataReader {
  public:
@@ -369,14 +319,13 @@ SolidData data_of(const Solid& solid, const std::vector<std::string>& names) {
   const bool is_fine =
       std::all_of(solid.faces.begin(), solid.faces.end(),
                   [&](const Face& face) { return is_in_rows(solid, face); });
-  if (is_fine && !has_slits(solid)) return DataWriter(solid, names).data();
+  if (is_fine) return DataWriter(solid, names).data();
   Solid ordered = solid;
   for (const Face& face : ordered.faces) {
     const std::vector<SolidEdge> rows = in_rows(solid, face);
     std::copy(rows.begin(), rows.end(),
               ordered.edges.begin() + face.first_edge);
   }
-  if (leave_out_slits(ordered)) ordered.is_conforming = false;
   return DataWriter(ordered, names).data();
 }
 

@@ -48,7 +48,7 @@ std::string dxf_tables(const Figure& figure) {
 /// its kind.
 std::string dxf_of(const Figure& figure, const FigureOptions& options) {
   const double scale = figure.unit_mm > 0 ? figure.unit_mm : kPixelMm;
-  const Pen pen = {options.decimals, scale * figure.height, scale};
+  const Pen pen = {options.decimals, scale * figure.height, scale, nullptr};
   const auto point = [](const std::string& text, int code) {
     const std::size_t gap = text.find(' ');
     return group(code, text.substr(0, gap)) +
@@ -84,7 +84,7 @@ std::string hpgl_of(const Figure& figure, const FigureOptions&) {
   constexpr double kUnitsPerMm = 40;
   const double scale =
       kUnitsPerMm * (figure.unit_mm > 0 ? figure.unit_mm : kPixelMm);
-  const Pen pen = {0, std::round(scale * figure.height), scale};
+  const Pen pen = {0, std::round(scale * figure.height), scale, nullptr};
   const auto with_comma = [](std::string point) {
     std::replace(point.begin(), point.end(), ' ', ',');
     return point;

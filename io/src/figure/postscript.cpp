@@ -112,9 +112,8 @@ std::string texts_of(const Figure& figure, const Pen& pen, bool is_pdf) {
 
 /// The regions twice, first with strokes, and the strokes, as PDF and EPS have
 /// them: operands first.
-std::string operators_of(const Figure& figure, const FigureOptions& options,
+std::string operators_of(const Figure& figure, const Pen& pen,
                          const Words& words, bool is_pdf) {
-  const Pen pen = upright_pen(figure, options, kPointsPerMm);
   std::string text =
       is_pdf ? "1 j 1 J 1 w\n" : "1 setlinejoin 1 setlinecap 1 setlinewidth\n";
   text += regions_of(figure, words, pen, is_pdf);
@@ -193,8 +192,8 @@ std::string stream_of(std::string bytes, const std::string& entries = {}) {
 
 std::string pdf_of(const Figure& figure, const FigureOptions& options) {
   const Words words = {" m\n", " l\n", "h\n", "f*\n", "B*\n"};
-  const std::string stream =
-      stream_of(operators_of(figure, options, words, true));
+  const Pen pen = fitted(upright_pen(figure, options, kPointsPerMm), figure);
+  const std::string stream = stream_of(operators_of(figure, pen, words, true));
   const std::string mesh = mesh_bytes(figure, options.levels);
   std::string resources;
   if (!mesh.empty()) resources += "/Shading<</S 5 0 R>>";
@@ -209,7 +208,6 @@ std::string pdf_of(const Figure& figure, const FigureOptions& options) {
           "]/Contents 4 0 R/Resources<<" + resources + ">>>>",
       stream};
   if (!mesh.empty()) {
-    const Pen pen = upright_pen(figure, options, kPointsPerMm);
     const auto span = [&](double length) {
       return "0 " + decimal(pen.scale * length, 9) + " ";
     };
@@ -221,7 +219,7 @@ std::string pdf_of(const Figure& figure, const FigureOptions& options) {
   }
   std::string text = "%PDF-1.4\n%\xe2\xe3\xcf\xd3\n";
   if (!figure.regions.empty())
-    text += "% " + certificate_text(".pdf", figure, options) + "\n";
+    text += "% " + certificate_text(figure, pen) + "\n";
   const std::string count = std::to_string(objects.size() + 1);
   std::string table = "xref\n0 " + count + "\n0000000000 65535 f \n";
   for (std::size_t k = 0; k < std::size(objects); ++k) {
@@ -234,20 +232,19 @@ std::string pdf_of(const Figure& figure, const FigureOptions& options) {
          "/Root 1 0 R>>\nstartxref\n" + place + "\n%%EOF\n";
 }
 
-std::string eps_of(const Figure& figure, const FigureOptions& options) {
+std::string eps_of(const Figure& shaded, const FigureOptions& options) {
+  const Figure figure = in_flat_parts(shaded, options.levels);
+  const Pen pen = fitted(upright_pen(figure, options, kPointsPerMm), figure);
   const Words words = {" m\n", " l\n", "h\n", "eofill\n",
                        "gsave eofill grestore stroke\n"};
-  const std::string note =
-      figure.regions.empty()
-          ? std::string()
-          : "% " + certificate_text(".eps", figure, options) + "\n";
+  const std::string note = figure.regions.empty()
+                               ? std::string()
+                               : "% " + certificate_text(figure, pen) + "\n";
   return "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 " + size_of(figure, 0) +
          "\n%%EndComments\n" + note +
          "/m {moveto} def /l {lineto} def "
          "/h {closepath} def /c {setrgbcolor} def\n" +
-         operators_of(in_flat_parts(figure, options.levels), options, words,
-                      false) +
-         "showpage\n%%EOF\n";
+         operators_of(figure, pen, words, false) + "showpage\n%%EOF\n";
 }
 
 }  // namespace halfspace::io

@@ -160,7 +160,7 @@ std::string strokes_of(const FigureStrokes& strokes, const Pen& pen) {
 }  // namespace
 
 std::string svg_of(const Figure& figure, const FigureOptions& options) {
-  const Pen pen = {options.decimals, -1, 1};
+  const Pen pen = fitted({options.decimals, -1, 1, nullptr}, figure);
   const bool on_paper = figure.unit_mm > 0;
   const auto size = [&](double length) {
     return on_paper ? decimal(length * figure.unit_mm, 3) + "mm"
@@ -171,7 +171,7 @@ std::string svg_of(const Figure& figure, const FigureOptions& options) {
                      "\" viewBox=\"0 0 " + decimal(figure.width, 3) + " " +
                      decimal(figure.height, 3) + "\">\n";
   if (!figure.regions.empty())
-    text += "<!-- " + certificate_text(".svg", figure, options) + " -->\n";
+    text += "<!-- " + certificate_text(figure, pen) + " -->\n";
   if (!figure.regions.empty()) {
     RegionPaths paths(pen, options.levels);
     std::string groups;

@@ -36,7 +36,7 @@ std::string tex_letters(const std::string& letters) {
 /// PGF's basic layer: big points, as in PDF.
 std::string tex_of(const Figure& shaded, const FigureOptions& options) {
   const Figure figure = in_flat_parts(shaded, options.levels);
-  const Pen pen = upright_pen(figure, options, 72 / 25.4);
+  const Pen pen = fitted(upright_pen(figure, options, 72 / 25.4), figure);
   const auto point = [](const std::string& text) {
     const std::size_t gap = text.find(' ');
     return "\\pgfpoint{" + text.substr(0, gap) + "bp}{" + text.substr(gap + 1) +
@@ -50,9 +50,8 @@ std::string tex_of(const Figure& shaded, const FigureOptions& options) {
   };
   std::string text =
       "% \\usepackage{pgf}\n" +
-      (figure.regions.empty()
-           ? std::string()
-           : "% " + certificate_text(".tex", shaded, options) + "\n") +
+      (figure.regions.empty() ? std::string()
+                              : "% " + certificate_text(figure, pen) + "\n") +
       "\\begin{pgfpicture}\n\\pgfpathrectangle"
       "{\\pgfpointorigin}{\\pgfpoint{" +
       pen.length(figure.width) + "bp}{" + pen.length(figure.height) +

@@ -18,14 +18,16 @@ std::string decimal(double value, int decimals) {
 }
 
 std::string Pen::at(const FigurePoint& p) const {
-  const double y = scale * p[1];
-  return length(p[0]) + " " + decimal(height < 0 ? y : height - y, decimals);
+  const int digits = fine ? fine->decimals_at(p, decimals) : decimals;
+  const FigurePoint to = placed(p);
+  return decimal(to[0], digits) + " " + decimal(to[1], digits);
 }
 
 std::vector<std::vector<std::string>> loops_of(const FigureRegion& region,
                                                const Pen& pen) {
   std::vector<std::vector<std::string>> loops;
   for (const auto& loop : region.loops) {
+    if (pen.fine && pen.fine->left_out.count(&loop) > 0) continue;
     std::vector<std::string> points;
     for (const FigurePoint& p : loop) {
       std::string text = pen.at(p);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "figure/fine_points.hpp"
 #include "halfspace/io/figure.hpp"
 
 /// What the writers of figures share.
@@ -17,18 +19,30 @@ struct Pen {
   int decimals = 3;
   double height = -1;  ///< y is measured from there up; negative: downwards
   double scale = 1;    ///< the length of a unit of the figure
+  std::shared_ptr<const FinePoints> fine;  ///< null: there are none
 
   std::string length(double value) const {
     return decimal(scale * value, decimals);
   }
   std::string at(const FigurePoint& p) const;
+  /// The point as the format has it, not rounded.
+  FigurePoint placed(const FigurePoint& p) const {
+    const double y = scale * p[1];
+    return {scale * p[0], height < 0 ? y : height - y};
+  }
 };
+
+/// The pen with finer points where a loop of the figure would turn over.
+Pen fitted(Pen pen, const Figure& figure);
+
+/// The certificate of what a fitted pen writes.
+FigureCertificate certificate_of(const Figure& figure, const Pen& pen);
 
 /// The pen of a format with `per_mm` units on a millimetre of paper.
 inline Pen upright_pen(const Figure& figure, const FigureOptions& options,
                        double per_mm) {
   const double scale = figure.unit_mm > 0 ? figure.unit_mm * per_mm : 1;
-  return {options.decimals, scale * figure.height, scale};
+  return {options.decimals, scale * figure.height, scale, nullptr};
 }
 
 /// The loops of a region as texts of points. Points that fall together by
@@ -50,8 +64,7 @@ std::vector<const FigureRegion*> drawn_regions(const Figure& figure,
 Figure in_flat_parts(const Figure& figure, double levels);
 
 /// The certificate in words, without what comments end with.
-std::string certificate_text(std::string_view ending, const Figure& figure,
-                             const FigureOptions& options);
+std::string certificate_text(const Figure& figure, const Pen& pen);
 
 /// The width of letters in Helvetica. Units: their size.
 double width_of(std::string_view letters);

@@ -20,7 +20,7 @@ void append_face(std::string& text, const Faces& faces, std::size_t face) {
   const auto corners = faces.corners_of(face);
   text += std::to_string(corners.size());
   for (const VertexId corner : corners) text += ' ' + std::to_string(corner);
-  if (!faces.colors.empty()) append_color(text, faces.colors[face]);
+  if (faces.is_colored(face)) append_color(text, faces.colors[face]);
   text += '\n';
 }
 

@@ -18,8 +18,12 @@ namespace halfspace::io {
 struct Faces {
   std::span<const std::uint32_t> first_corner;
   std::span<const VertexId> corners;
-  std::span<const Rgb> colors;
+  std::span<const Rgb> colors;                   ///< empty: no face has one
+  const std::vector<bool>* has_color = nullptr;  ///< by face; null: all have
 
+  bool is_colored(std::size_t face) const {
+    return !colors.empty() && (has_color == nullptr || (*has_color)[face]);
+  }
   std::size_t count() const { return first_corner.size() - 1; }
   std::span<const VertexId> corners_of(std::size_t face) const {
     return corners.subspan(first_corner[face],

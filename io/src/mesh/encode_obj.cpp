@@ -212,10 +212,10 @@ void append_obj_points(std::span<const std::string> points,
     text += "v " + points[v];
     if (colors) {
       const std::span<const double> color(colors->data() + v * width, 3);
-      const bool is_there = rgb_of(color).has_value();
       for (const double share : color) {
+        if (!rgb_of(color)) break;
         char digits[32];
-        std::snprintf(digits, sizeof digits, " %.4g", is_there ? share : 1.0);
+        std::snprintf(digits, sizeof digits, " %.4g", share);
         text += digits;
       }
     }

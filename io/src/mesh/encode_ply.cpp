@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/binary.hpp"
+#include "halfspace/io/mesh.hpp"
 #include "mesh/encode.hpp"
 #include "mesh/ply_channels.hpp"
 
@@ -200,10 +201,17 @@ std::string ply_header(std::size_t points, const Faces& faces,
   return text + "end_header\n";
 }
 
-std::uint8_t byte_of(double share) {
-  return std::isnan(share) ? std::uint8_t{0}
-                           : static_cast<std::uint8_t>(std::floor(
-                                 std::clamp(share, 0.0, 1.0) * 255 + 0.5));
+/// A number of a colour, its red being the first; the usual colour's where
+/// there is none.
+std::uint8_t byte_of(double share, std::size_t which) {
+  if (std::isnan(share)) {
+    constexpr std::uint8_t kOpaque = 255;
+    const std::uint8_t usual[] = {kUsualSurface.r, kUsualSurface.g,
+                                  kUsualSurface.b, kOpaque};
+    return usual[std::min<std::size_t>(which, 3)];
+  }
+  return static_cast<std::uint8_t>(
+      std::floor(std::clamp(share, 0.0, 1.0) * 255 + 0.5));
 }
 
 /// A whole number, 0 where there is none.
@@ -273,7 +281,7 @@ template <class Sink>
 void put_value(const PlyColumn& column, std::size_t place, Sink& sink) {
   if (!column.of_face.empty()) return sink.integer(column.of_face[place]);
   const double value = column.values[place * column.stride + column.offset];
-  if (column.is_byte) return sink.byte(byte_of(value));
+  if (column.is_byte) return sink.byte(byte_of(value, column.offset));
   if (column.is_integer) return sink.integer(whole_of(value));
   sink.number(value);
 }
@@ -285,7 +293,8 @@ void put_face(const Faces& faces, std::size_t face, const PlyColumns& columns,
   sink.length(corners.size(), short_lists[0]);
   for (const VertexId corner : corners) sink.integer(corner);
   if (!faces.colors.empty()) {
-    const Rgb& color = faces.colors[face];
+    const Rgb& color =
+        faces.is_colored(face) ? faces.colors[face] : kUsualSurface;
     for (const std::uint8_t value : {color.r, color.g, color.b})
       sink.byte(value);
   }

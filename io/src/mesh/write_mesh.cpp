@@ -193,6 +193,17 @@ bool doubles_are_exact(const Unit& unit) {
   return unit.base == 2 && unit.exponent >= -1022 && unit.exponent <= 900;
 }
 
+/// The faces, and which have a colour: `has_color` is empty if all have.
+Faces faces_of(std::span<const std::uint32_t> first_corner,
+               std::span<const VertexId> corners, std::span<const Rgb> colors,
+               const std::vector<bool>& has_color) {
+  if (has_color.empty()) return {first_corner, corners, colors};
+  const bool any =
+      std::find(has_color.begin(), has_color.end(), true) != has_color.end();
+  return any ? Faces{first_corner, corners, colors, &has_color}
+             : Faces{first_corner, corners, {}};
+}
+
 /// Cuts the polygons of a scene into triangles.
 std::optional<Error> cut_scene(const Scene& scene, Writer& writer) {
   std::vector<GridPoint> points;
@@ -308,6 +319,11 @@ std::optional<Error> shape_fault(const OutputMesh& mesh) {
                                            std::to_string(mesh.colors.size()) +
                                            " colours"};
   }
+  if (!mesh.has_color.empty() && mesh.has_color.size() != faces) {
+    return Error{ErrorCode::kBadIndex,
+                 "has_color has " + std::to_string(mesh.has_color.size()) +
+                     " entries, for " + std::to_string(faces) + " faces"};
+  }
   for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
     const VertexId vertex = mesh.corners[c];
     if (vertex >= 0 && static_cast<std::size_t>(vertex) < mesh.vertices.size())
@@ -352,7 +368,8 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
     }
   }
   Writer writer;
-  writer.content.faces = {mesh.first_corner, mesh.corners, mesh.colors};
+  writer.content.faces =
+      faces_of(mesh.first_corner, mesh.corners, mesh.colors, mesh.has_color);
   writer.content.attributes = mesh.attributes.get();
   if (format.coordinates != Coordinates::kText) {
     writer.content.doubles = mesh.vertices;
@@ -379,19 +396,27 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
 
 Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene) {
-  return write_scene_mesh(path, scene, nullptr, true);
+  return write_scene_mesh(path, scene, nullptr, true, {});
 }
 
 Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene,
-                                      const Attributes* attributes,
-                                      bool beside) {
+                                      const Attributes* attributes, bool beside,
+                                      const std::vector<bool>& has_color) {
   const Result<const FormatEntry*> found = output_format(path);
   if (!found) return found.error();
   const FormatEntry& format = **found;
   const SceneData& data = scene.data();
   Writer writer;
-  writer.content.faces = {data.first_corner, data.corners, data.colors};
+  if (!has_color.empty() && has_color.size() != scene.polygon_count()) {
+    return error_at(
+        path, {ErrorCode::kBadIndex,
+               "has_color has " + std::to_string(has_color.size()) +
+                   " entries, for " + std::to_string(scene.polygon_count()) +
+                   " polygons"});
+  }
+  writer.content.faces =
+      faces_of(data.first_corner, data.corners, data.colors, has_color);
   writer.content.attributes = attributes;
   if (attributes != nullptr) {
     if (const auto fault = attribute_fault(*attributes, scene.polygon_count(),

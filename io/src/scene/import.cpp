@@ -37,10 +37,25 @@ Rgb mean(std::span<const Rgb> colors) {
   return {rounded(r), rounded(g), rounded(b)};
 }
 
+/// The channel of colours at the corners, but not one that says nothing: all
+/// white.
+const Channel* colors_of(const Mesh& mesh) {
+  for (const Channel& channel : mesh.attributes.corners) {
+    if (channel.kind != ChannelKind::kColor || channel.width < 3 ||
+        channel.values.size() != channel.width * mesh.corners.size())
+      continue;
+    const bool is_white =
+        std::all_of(channel.values.begin(), channel.values.end(),
+                    [](double value) { return !(value < 1); });
+    return is_white ? nullptr : &channel;
+  }
+  return nullptr;
+}
+
 class Importer {
  public:
   Importer(const Mesh& mesh, const ImportOptions& options)
-      : mesh_(mesh), options_(options) {}
+      : mesh_(mesh), options_(options), corner_channel_(colors_of(mesh)) {}
   Result<Imported> import();
 
  private:
@@ -66,11 +81,14 @@ class Importer {
   void color_corners(std::size_t face);
   std::optional<Rgb> color_in_file(std::size_t face) const;
   std::optional<Rgb> color_of_material(std::size_t face) const;
+  std::optional<Rgb> color_at_corner(std::size_t face,
+                                     std::size_t corner) const;
   Rgb color_of(const std::optional<Rgb>& in_file,
                const Direction& normal) const;
 
   const Mesh& mesh_;
   const ImportOptions& options_;
+  const Channel* corner_channel_;   // null: corners have no colours
   std::vector<bool> used_;          // by vertex of the mesh
   std::vector<VertexId> scene_id_;  // by vertex of the mesh
   std::vector<Direction> normals_;  // by vertex of the scene
@@ -79,11 +97,13 @@ class Importer {
   SceneData data_;
   std::vector<PolygonId> faces_;  // by polygon of the scene
   std::vector<VertexId> corner_vertices_;
+  std::vector<bool> has_color_;  // by face of the mesh
   ImportReport report_;
   std::optional<Error> error_;
 
   // The face being imported, without its repeated corners.
-  std::vector<VertexId> face_;  // vertices of the mesh
+  std::vector<VertexId> face_;            // vertices of the mesh
+  std::vector<std::size_t> face_places_;  // of them in mesh_.corners
   std::vector<GridPoint> points_;
   Rgb color_;
   std::vector<Rgb> corner_colors_;
@@ -143,16 +163,18 @@ bool Importer::take_face(std::size_t face) {
     return scene_id_[static_cast<std::size_t>(vertex)];
   };
   face_.clear();
+  face_places_.clear();
   points_.clear();
   const auto corners = corners_of(face);
   if (corners.size() < 3) return false;
-  for (const VertexId corner : corners) {
-    if (face_.empty() || id(face_.back()) != id(corner)) {
-      face_.push_back(corner);
-    }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!face_.empty() && id(face_.back()) == id(corners[i])) continue;
+    face_.push_back(corners[i]);
+    face_places_.push_back(mesh_.first_corner[face] + i);
   }
   while (face_.size() > 1 && id(face_.back()) == id(face_.front())) {
     face_.pop_back();
+    face_places_.pop_back();
   }
   for (const VertexId corner : face_) {
     points_.push_back(data_.vertices[static_cast<std::size_t>(id(corner))]);
@@ -215,7 +237,26 @@ std::optional<Rgb> Importer::color_in_file(std::size_t face) const {
     }
     if (colors.size() == face_.size()) return mean(colors);
   }
+  if (corner_channel_ != nullptr) {
+    std::vector<Rgb> colors;
+    for (std::size_t i = 0; i < face_.size(); ++i) {
+      const auto color = color_at_corner(face, i);
+      if (color) colors.push_back(*color);
+    }
+    if (colors.size() == face_.size() && !colors.empty()) return mean(colors);
+  }
   return color_of_material(face);
+}
+
+/// The colour at a corner of the face in `face_`. White leaves that of a
+/// material as it is.
+std::optional<Rgb> Importer::color_at_corner(std::size_t face,
+                                             std::size_t corner) const {
+  if (corner_channel_ == nullptr) return std::nullopt;
+  const std::optional<Rgb> color =
+      rgb_of(corner_channel_->at(face_places_[corner]));
+  return color == Rgb{255, 255, 255} && color_of_material(face) ? std::nullopt
+                                                                : color;
 }
 
 std::optional<Rgb> Importer::color_of_material(std::size_t face) const {
@@ -238,10 +279,11 @@ Rgb Importer::color_of(const std::optional<Rgb>& in_file,
 void Importer::color_corners(std::size_t face) {
   corner_colors_.clear();
   const Direction own = normal_of(points_);
-  for (const VertexId corner : face_) {
-    const auto vertex = static_cast<std::size_t>(corner);
+  for (std::size_t i = 0; i < face_.size(); ++i) {
+    const auto vertex = static_cast<std::size_t>(face_[i]);
     std::optional<Rgb> in_file;
     if (!mesh_.vertex_colors.empty()) in_file = mesh_.vertex_colors[vertex];
+    if (!in_file) in_file = color_at_corner(face, i);
     if (!in_file && !mesh_.face_colors.empty())
       in_file = mesh_.face_colors[face];
     if (!in_file) in_file = color_of_material(face);
@@ -272,7 +314,12 @@ bool Importer::add_face(std::size_t face) {
     ++report_.dropped;
     return true;
   }
-  color_ = color_of(color_in_file(face), normal_of(points_));
+  const std::optional<Rgb> in_file = color_in_file(face);
+  if (in_file) {
+    has_color_.resize(mesh_.face_count());
+    has_color_[face] = true;
+  }
+  color_ = color_of(in_file, normal_of(points_));
   if (options_.gouraud) color_corners(face);
   const bool only_triangles = options_.gouraud || options_.triangles;
   const bool whole =
@@ -313,7 +360,7 @@ Result<Imported> Importer::import() {
   Result<Scene> scene = make_scene(std::move(data_));
   if (!scene) return scene.error();
   return Imported{*std::move(scene), std::move(faces_), report_,
-                  std::move(corner_vertices_)};
+                  std::move(corner_vertices_), std::move(has_color_)};
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ Result<LoadedScene> scene_of_mesh(const std::string& path,
                      imported->report,
                      false,
                      std::move(imported->corner_vertices),
-                     nullptr};
+                     nullptr,
+                     std::move(imported->has_color)};
   if (!mesh->attributes.empty() || !mesh->face_colors.empty() ||
       !mesh->vertex_colors.empty()) {
     auto faces =

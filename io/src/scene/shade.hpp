@@ -14,9 +14,6 @@ using Direction = std::array<double, 3>;
 /// Twice the area of a polygon times its normal, in doubles.
 Direction normal_of(std::span<const GridPoint> corners);
 
-/// The colour of surfaces that have none.
-constexpr Rgb kUsualSurface = {236, 214, 184};
-
 /// The colour of a surface that faces this way, as the options light it. The
 /// same on every machine: IEEE operations only.
 Rgb lit(const Rgb& surface, const Direction& normal,

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "halfspace/polygon.hpp"
 
 namespace halfspace {
 
@@ -12,6 +15,14 @@ enum class EdgeClass : std::uint8_t {
   kSilhouette,    ///< all polygons at it are seen on one side of it
   kIntersection,  ///< two polygons pass through each other
   kCrease,        ///< two polygons meet at an angle, or more than two meet
+  kGiven,         ///< no edge: a line that the options give (S9.7)
+};
+constexpr std::size_t kEdgeClassCount = 6;
+
+/// A line that is drawn with a scene, in grid steps (S9.7).
+struct GivenLine {
+  GridPoint from;
+  GridPoint to;
 };
 
 /// The unit of DrawingOptions::crease_cosine.
@@ -26,6 +37,10 @@ struct DrawingOptions {
   std::int32_t crease_cosine = std::int32_t{1} << kCosineBits;
   /// Whether a polygon is a cut (S9.2), by id; empty: none is.
   std::vector<bool> cuts;
+  /// What is drawn with the scene and hidden by it (S9.7), in its grid.
+  std::vector<GivenLine> lines;
+  bool edges = true;  ///< false: the given lines alone
+  std::vector<GridPoint> points;
 };
 
 }  // namespace halfspace

@@ -33,9 +33,10 @@ struct SolidData {
   struct Face {
     std::uint32_t plane = 0;
     bool flipped = false;  ///< outwards is against the plane's normal
-    Rgb color;
+    Rgb color;             ///< without meaning where it has none
     std::uint32_t origin = 0;
     std::uint32_t loop_count = 0;
+    bool has_color = true;
     friend bool operator==(const Face&, const Face&) = default;
   };
   static constexpr std::uint32_t kNoPlane = 0xffffffff;

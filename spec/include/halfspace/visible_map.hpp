@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "halfspace/image.hpp"
+#include "halfspace/polygon.hpp"
+
 namespace halfspace {
 
 /// The key of the background, and of what is outside of the image (S7.3).
@@ -15,5 +18,32 @@ struct MapOptions {
   /// One key a polygon, not negative; empty: its id.
   std::vector<std::int32_t> keys;
 };
+
+/// What a transparent map depends on, beside scene and camera (S7.8).
+struct TransparentOptions {
+  bool cull = false;  ///< as ImageOptions::cull
+  std::uint8_t alpha = kOpaque;
+  Rgb background = {255, 255, 255};
+};
+
+/// The key of a colour in a transparent map (S7.8), and its inverse.
+constexpr std::int32_t color_key(Rgb color) {
+  return color.r << 16 | color.g << 8 | color.b;
+}
+constexpr Rgb color_of_key(std::int32_t key) {
+  return {static_cast<std::uint8_t>(key >> 16 & 255),
+          static_cast<std::uint8_t>(key >> 8 & 255),
+          static_cast<std::uint8_t>(key & 255)};
+}
+
+/// What a polygon of this colour makes of the colour behind it (S5.6).
+constexpr Rgb composed_color(Rgb over, Rgb behind, std::uint8_t alpha) {
+  const auto channel = [alpha](int c, int v) {
+    return static_cast<std::uint8_t>(
+        (2 * (alpha * c + (kOpaque - alpha) * v) + kOpaque) / (2 * kOpaque));
+  };
+  return {channel(over.r, behind.r), channel(over.g, behind.g),
+          channel(over.b, behind.b)};
+}
 
 }  // namespace halfspace

@@ -10,6 +10,7 @@
 #include "cli/outputs.hpp"
 #include "halfspace/csg/step_file.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/io/light_scene.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/scene_file.hpp"
 
@@ -33,20 +34,33 @@ Result<io::Imported> import_rounded(const io::OutputMesh& rounded) {
   return io::import_scene(mesh, {});
 }
 
+/// The scene of the result's polygons, lit as a picture of a mesh is; `faces`
+/// are those of the result that its polygons are parts of.
+Scene lit(const Scene& scene, const std::vector<PolygonId>& faces,
+          const csg::Outcome& result) {
+  std::vector<bool> is_lit(scene.polygon_count());
+  for (std::size_t p = 0; p < is_lit.size(); ++p) {
+    const std::size_t face =
+        faces.empty() ? p : static_cast<std::size_t>(faces[p]);
+    is_lit[p] = result.color_sources[face] == csg::ColorSource::kLit;
+  }
+  return io::lit_scene(scene, is_lit);
+}
+
 /// Writes the result as a scene, and counts what had to be rounded.
 Result<io::ExportReport> write_scene_file(const std::string& path,
                                           const csg::Outcome& result) {
   io::ExportReport report;
   SceneFile file;
   if (result.scene) {
-    file.scene = *result.scene;
+    file.scene = lit(*result.scene, {}, result);
   } else {
     Result<io::Imported> imported = import_rounded(result.mesh);
     if (!imported) return imported.error();
     report = {.moved = result.moved + imported->report.moved,
               .max_move = result.max_move + imported->report.max_move,
               .triangulated = imported->report.triangulated};
-    file.scene = std::move(imported->scene);
+    file.scene = lit(imported->scene, imported->faces, result);
   }
   const Result<Done> written = write_output(path, write_scene(file));
   if (!written) return written.error();
@@ -93,7 +107,7 @@ Result<io::ExportReport> write_result(const std::string& path,
   }
   if (result.scene) {
     return io::write_scene_mesh(path, *result.scene, result.attributes.get(),
-                                beside);
+                                beside, csg::has_color(result.color_sources));
   }
   Result<io::ExportReport> report = io::write_mesh(path, result.mesh, beside);
   if (!report) return report;

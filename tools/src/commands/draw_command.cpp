@@ -17,13 +17,15 @@
 #include "cli/long_work.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
+#include "figure/figure_scene.hpp"
+#include "figure/figures.hpp"
+#include "figure/notes.hpp"
+#include "figure/sheet.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/transparent_map.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/figure.hpp"
-#include "image/figure_scene.hpp"
-#include "image/figures.hpp"
-#include "image/sheet.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -38,10 +40,14 @@ struct DrawArguments {
   std::optional<Hidden> hidden;
   std::optional<double> crease_deg;
   std::optional<CutPlane> cut;
+  bool axes = false;
+  std::string notes;
+  std::optional<double> text_size;
   double line_width = 1;
   bool titles = false;
   int decimals = 3;
   double levels = 2;
+  std::optional<std::uint8_t> alpha;
   bool certificate = false;
   std::size_t most_cells = fast::MapLimits{}.most_cells;
   std::optional<int> grid_bits;
@@ -65,12 +71,24 @@ void complete(DrawArguments& arguments) {
       arguments.fill.empty() &&
       (plotter || speaks_of_edges || arguments.lines == "edges");
   if (arguments.fill.empty()) arguments.fill = only_lines ? "none" : "colour";
+  if (arguments.fill == "shaded") {
+    arguments.fill = "colour";
+    if (!arguments.view.shading) arguments.view.shading = Shading::kGouraud;
+  }
   if (arguments.lines.empty())
     arguments.lines = only_lines || speaks_of_edges ? "edges" : "none";
   if (arguments.by.empty()) {
     arguments.by = arguments.fill == "none" ? "face" : arguments.fill;
   }
 }
+
+/// Whether regions may have the colours of their polygon's corners.
+bool can_shade(const std::string& by) {
+  return by == "colour" || by == "polygon";
+}
+
+/// The height of lines of text in a figure of one view.
+constexpr double kUsualTextPx = 12;
 
 DrawingOptions drawing_options(const DrawArguments& arguments, bool cull) {
   constexpr double kUsualCrease = 20;
@@ -93,7 +111,7 @@ class Figures {
         cull_(image.cull),
         smooth_(image.shading == Shading::kGouraud &&
                 !scene.scene().data().corner_colors.empty() &&
-                (arguments.by == "colour" || arguments.by == "polygon")),
+                can_shade(arguments.by)),
         background_(image.background) {}
 
   /// Adds one view. Errors: those of the map and the drawing.
@@ -105,16 +123,16 @@ class Figures {
       if (const Result<Done> done = add_map(camera, placing, on_sheet); !done)
         return done;
     }
+    if (const Result<Done> done = add_notes_of(camera, placing, on_sheet);
+        !done)
+      return done;
     if (arguments_.lines != "edges") return Done{};
     DrawingOptions options = drawing_options(arguments_, cull_);
     if (arguments_.cut) options.cuts = cuts_of(scene_.scene(), *arguments_.cut);
     const Result<fast::Drawing> drawing =
         fast::draw(scene_.scene(), camera, options);
     if (!drawing) return drawing.error();
-    StrokeStyle style;
-    style.width = arguments_.line_width * (on_sheet ? kSheetLineMm : 1);
-    style.hidden = arguments_.hidden.value_or(Hidden::kGone);
-    style.titles = arguments_.titles;
+    const StrokeStyle style = stroke_style(on_sheet);
     add_strokes(figure_, *drawing, style, placing);
     strokes_ += drawing->strokes.size();
     if (arguments_.cut) {
@@ -131,6 +149,41 @@ class Figures {
   std::size_t strokes() const { return strokes_; }
 
  private:
+  StrokeStyle stroke_style(bool on_sheet) const {
+    StrokeStyle style;
+    style.width = arguments_.line_width * (on_sheet ? kSheetLineMm : 1);
+    style.hidden = arguments_.hidden.value_or(Hidden::kGone);
+    style.titles = arguments_.titles;
+    return style;
+  }
+
+  /// Axes, and what the file of notes says.
+  Result<Done> add_notes_of(const Camera& camera, const Placing& placing,
+                            bool on_sheet) {
+    Notes notes;
+    if (!arguments_.notes.empty()) {
+      Result<Notes> read = read_notes(arguments_.notes, scene_.scene());
+      if (!read) return io::error_about(arguments_.notes, read.error());
+      notes = std::move(*read);
+    }
+    if (arguments_.axes) add_axes(notes, scene_.scene(), camera);
+    if (notes.empty()) return Done{};
+    DrawingOptions options;
+    options.cull = cull_;
+    options.edges = false;
+    options.lines = notes.lines;
+    options.points = notes.points;
+    const Result<fast::Drawing> drawing =
+        fast::draw(scene_.scene(), camera, options);
+    if (!drawing) return drawing.error();
+    constexpr double kUsualTextMm = 3.5;
+    const double size =
+        arguments_.text_size.value_or(on_sheet ? kUsualTextMm : kUsualTextPx);
+    add_notes(figure_, *drawing, notes, size, stroke_style(on_sheet), placing);
+    strokes_ += drawing->strokes.size();
+    return Done{};
+  }
+
   /// The width of a line of 1 on a sheet.
   static constexpr double kSheetLineMm = 0.35;
 
@@ -165,18 +218,28 @@ class Figures {
     return Done{};
   }
 
+  /// Composed colours, where polygons let something through.
+  Result<fast::VisibleMap> filled_map(const Camera& camera) {
+    if (!arguments_.alpha)
+      return map_of(camera, keys_of(scene_, arguments_.by, smooth_));
+    const fast::BspTree* made = tree();
+    if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
+    return fast::transparent_map(scene_.scene(), *made, camera,
+                                 {cull_, *arguments_.alpha, background_},
+                                 {arguments_.most_cells});
+  }
+
   Result<Done> add_map(const Camera& camera, const Placing& placing,
                        bool on_sheet) {
-    const Result<fast::VisibleMap> map =
-        map_of(camera, keys_of(scene_, arguments_.by, smooth_));
+    const Result<fast::VisibleMap> map = filled_map(camera);
     if (!map) return map.error();
     regions_ += map->regions.size();
     arcs_ += map->arcs.size();
     if (arguments_.fill != "none") {
-      add_regions(
-          figure_, *map, scene_,
-          {arguments_.by, background_, !on_sheet, smooth_ ? &camera : nullptr},
-          placing);
+      add_regions(figure_, *map, scene_,
+                  {!arguments_.alpha ? arguments_.by : "composed", background_,
+                   !on_sheet, smooth_ ? &camera : nullptr},
+                  placing);
     }
     if (arguments_.lines == "regions")
       add_borders(figure_, *map, arguments_.line_width, placing);
@@ -195,12 +258,47 @@ class Figures {
   std::size_t strokes_ = 0;
 };
 
+/// The camera with so many pixels more on each side.
+Result<Camera> with_margin(const Camera& camera, std::int32_t margin,
+                           int grid_bits) {
+  CameraData data = camera.data();
+  const auto less = [margin](const LatticeVector& s0, const LatticeVector& sx,
+                             const LatticeVector& sy) {
+    return LatticeVector{s0.x - margin * (sx.x + sy.x),
+                         s0.y - margin * (sx.y + sy.y),
+                         s0.z - margin * (sx.z + sy.z)};
+  };
+  data.s0 = less(data.s0, data.sx, data.sy);
+  data.width_px += 2 * margin;
+  data.height_px += 2 * margin;
+  return make_camera(data, grid_bits);
+}
+
+/// The camera of the options; axes get a margin for their numbers.
+Result<ChosenCamera> choose_view(const DrawArguments& arguments,
+                                 const FigureScene& loaded, const Size& size) {
+  if (!arguments.axes || loaded.file.camera)
+    return choose_camera(loaded.file, arguments.view);
+  constexpr double kTextsWide = 5;
+  const auto margin = static_cast<std::int32_t>(
+      std::min(kTextsWide * arguments.text_size.value_or(kUsualTextPx),
+               0.2 * std::min(size.width_px, size.height_px)));
+  ViewArguments inner = arguments.view;
+  inner.size = Size{size.width_px - 2 * margin, size.height_px - 2 * margin};
+  Result<ChosenCamera> chosen = choose_camera(loaded.file, inner);
+  if (!chosen) return chosen;
+  const Result<Camera> camera =
+      with_margin(chosen->camera, margin, loaded.scene().grid_bits());
+  if (!camera) return camera.error();
+  chosen->camera = *camera;
+  return chosen;
+}
+
 /// The one view of the options.
 Result<Done> draw_view(const DrawArguments& arguments,
                        const FigureScene& loaded, Figures& figures) {
-  const Result<ChosenCamera> chosen =
-      choose_camera(loaded.file, arguments.view);
   const Size size = arguments.view.size.value_or(kUsualSize);
+  const Result<ChosenCamera> chosen = choose_view(arguments, loaded, size);
   io::Figure& figure = figures.figure();
   figure.width = size.width_px;
   figure.height = size.height_px;
@@ -242,9 +340,22 @@ std::string complaint_of(const DrawArguments& arguments) {
           std::filesystem::path(arguments.output).extension().string()) &&
       arguments.lines == "none")
     return arguments.output + ": the format holds lines alone; give --lines";
+  const bool asks_for_shade =
+      arguments.view.shading.value_or(
+          arguments.view.crease_deg ? Shading::kGouraud : Shading::kFlat) ==
+      Shading::kGouraud;
+  if (asks_for_shade && arguments.fill != "none" && !can_shade(arguments.by)) {
+    return "regions by " + arguments.by +
+           " have one colour each; for shaded ones give --by colour or polygon";
+  }
+  if (arguments.alpha && (arguments.by != "colour" || asks_for_shade)) {
+    return "--alpha composes the polygons' own colours; give no --shade "
+           "gouraud and no --by or --fill but colour";
+  }
   std::vector<NamedFile> inputs;
   for (const std::string& path : arguments.paths)
     inputs.push_back({"FILE", path});
+  if (!arguments.notes.empty()) inputs.push_back({"--notes", arguments.notes});
   return complaint(inputs, std::array{NamedFile{"-o", arguments.output}});
 }
 
@@ -273,15 +384,6 @@ Status run_draw(DrawArguments arguments) {
   if (!drawn) return fail(loaded->name, drawn.error());
   note_part(arguments.output);
   const io::FigureOptions options = {arguments.decimals, arguments.levels};
-  const std::string ending =
-      std::filesystem::path(arguments.output).extension().string();
-  const io::FigureCertificate certificate =
-      io::certify(ending, figures.figure(), options);
-  if (arguments.certificate && certificate.turned_over > 0) {
-    return fail(fmt::format(
-        "{}: rounding turns {} of {} loops over; give more --decimals",
-        arguments.output, certificate.turned_over, certificate.loops));
-  }
   const Result<Done> written =
       io::write_figure(arguments.output, figures.figure(), options);
   if (!written) return fail(arguments.output, written.error());
@@ -289,12 +391,36 @@ Status run_draw(DrawArguments arguments) {
       loaded->scene().polygon_count(), figures.regions(), figures.arcs(),
       figures.strokes());
   if (arguments.certificate) {
-    say("coordinates moved by at most {:.3g} of {:.3g}; {} loops, none turned "
-        "over, {} vanished\n",
+    const io::FigureCertificate certificate = io::certify(
+        std::filesystem::path(arguments.output).extension().string(),
+        figures.figure(), options);
+    say("coordinates moved by at most {:.3g} of {:.3g}; {} loops, {} turned "
+        "over, {} vanished; {} points with up to {} decimals\n",
         certificate.largest_move, certificate.bound, certificate.loops,
-        certificate.vanished);
+        certificate.turned_over, certificate.vanished, certificate.finer_points,
+        certificate.most_decimals);
   }
   return Status::kFine;
+}
+
+void add_note_options(CLI::App& app, DrawArguments& arguments) {
+  const std::string group = "Notes";
+  app.add_flag("--axes", arguments.axes,
+               "Draw axes along edges of the box round the model, with ticks, "
+               "numbers and names, hidden where the model hides them")
+      ->group(group);
+  app.add_option(
+         "--notes", arguments.notes,
+         "Draw what this file says where the model does not hide it, in "
+         "its units: line X Y Z X Y Z, point X Y Z [WORDS], text X Y Z "
+         "WORDS")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_option("--text-size", arguments.text_size,
+                 "Height of lines of text; 12 pixels, or 3.5 mm on a sheet, if "
+                 "not said")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->group(group);
 }
 
 void add_line_options(CLI::App& app, DrawArguments& arguments) {
@@ -352,30 +478,38 @@ void add_draw(CLI::App& program, Status& status) {
       ->required()
       ->type_name("OUT");
   app->add_option("--fill", arguments->fill,
-                  "What regions show: the colours of lit faces, or one colour "
-                  "a part or a file; colour if not said")
-      ->check(CLI::IsMember({"none", "face", "part", "file", "colour"}));
+                  "What regions show: the colours of lit faces, the same "
+                  "shaded between corners, or one colour a part or a file; "
+                  "colour if not said")
+      ->check(
+          CLI::IsMember({"none", "face", "part", "file", "colour", "shaded"}));
   app->add_option("--by", arguments->by,
                   "Which polygons make one region where they meet; if not "
                   "said, what --fill says")
       ->check(
           CLI::IsMember({"polygon", "face", "colour", "part", "file", "all"}));
-  app->add_option("--decimals", arguments->decimals,
-                  "Of coordinates, in the figure's units")
+  app->add_option(
+         "--decimals", arguments->decimals,
+         "Of coordinates, in the figure's units; where that would turn "
+         "a region over, its corners get more")
       ->check(CLI::Range(0, 12))
       ->capture_default_str();
   app->add_flag("--certificate", arguments->certificate,
-                "Say how far rounding moved coordinates; fail if it turned a "
-                "region over");
+                "Say how far rounding moved coordinates, and how many got more "
+                "decimals so that no region turns over");
   app->add_option("--levels", arguments->levels,
                   "With --shade gouraud: by how many of 255 levels a shaded "
                   "region's colour may be off")
       ->check(CLI::Range(1.0, 255.0))
       ->capture_default_str();
+  add_number(*app, "--alpha", "A", arguments->alpha, std::uint8_t{0}, kOpaque,
+             "Polygons that let what is behind them through: 0 is not seen, "
+             "255 hides it. A region is what has one composed colour");
   app->add_option("--most-cells", arguments->most_cells,
                   "Give up where the map needs more cells")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
       ->capture_default_str();
+  add_note_options(*app, *arguments);
   add_line_options(*app, *arguments);
   add_sheet_options(*app, arguments->sheet);
   add_grid_option(*app, arguments->grid_bits);

@@ -18,12 +18,12 @@
 #include "cli/long_work.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
+#include "figure/figure_scene.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/number.hpp"
 #include "halfspace/panorama.hpp"
-#include "image/figure_scene.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {

@@ -47,6 +47,13 @@ struct OperandOptions {
   fast::CheckOptions check = {};
 };
 
+/// Where the colour of a polygon is from.
+enum class ColorSource : std::uint8_t {
+  kNone,   ///< it has none, and so the usual one
+  kGiven,  ///< the file that it is of
+  kLit     ///< a scene, whose colours are those of a picture
+};
+
 /// A solid before it is moved: that of a file, or one made in memory.
 struct Source {
   std::string path;                 ///< for messages
@@ -77,6 +84,10 @@ struct Source {
   std::optional<std::array<io::Number, 3>> need;
   /// The file's faces with what it says of them; null where that is nothing.
   std::shared_ptr<const io::AttributedFaces> attributed = nullptr;
+  /// By polygon of the file, or by origin of an exact solid, whether it has a
+  /// colour; empty: none has.
+  std::vector<bool> has_color = {};
+  bool is_lit = false;  ///< of a scene: all have, and they are lit
 };
 
 /// The source whose surface is `scene`, from which corners may be missing where
@@ -165,6 +176,10 @@ class Operands {
     return polygons_[static_cast<std::size_t>(leaf)];
   }
 
+  /// Where the colour of a polygon of a leaf's file is from. Planes, which are
+  /// numbered after the leaves, have none.
+  ColorSource color_source(std::int32_t part, PolygonId polygon) const;
+
   /// Three points of a plane.
   /// Errors: kZeroArea (rounding put them on a line).
   Result<std::array<GridPoint, 3>> plane(std::int32_t id);
@@ -206,8 +221,8 @@ class Operands {
   /// A leaf in words: its name, or its file, and where it is.
   std::string name_of(std::int32_t leaf) const;
 
-  /// The name of a leaf in `.hsolid` files: that of its file as it was given,
-  /// without folders; or its own.
+  /// The name of a leaf in files: that of its file as it was given, without
+  /// folders; or that of the function that made it.
   std::string name_in_files(std::int32_t leaf) const;
 
   /// The file of a leaf.

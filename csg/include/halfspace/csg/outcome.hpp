@@ -90,6 +90,9 @@ struct RoundingReport {
   }
 };
 
+/// By polygon whether it has a colour, for writers.
+std::vector<bool> has_color(const std::vector<ColorSource>& sources);
+
 /// The result of a plan, ready to be written.
 struct Outcome {
   /// The result exactly, where all its vertices are points of a grid and it is
@@ -106,6 +109,8 @@ struct Outcome {
   std::size_t bad_edges = 0;    ///< 0: it is closed, as it must be (S6.5)
   double volume = 0;            ///< rounded; model units
   std::vector<Origin> origins;  ///< by polygon; empty: not known
+  /// By polygon; empty where all colours are their operands' own.
+  std::vector<ColorSource> color_sources;
   /// What rounding did besides, if there was any.
   std::optional<RoundingReport> rounding;
   std::vector<Repair> repairs;

@@ -33,8 +33,10 @@ struct RepairOptions {
   /// Close holes however wide they are. Otherwise one of half the size of its
   /// component or more is left, for it may be no hole.
   bool close_all = false;
-  /// Make an open surface a shell as thick as this, in place of closing holes.
-  /// Units: model units.
+  /// Make an open surface a shell as thick as this, in place of closing holes:
+  /// each polygon moved along its normal by half of it either way. Where planes
+  /// that were moved so do not meet in a point, it is nearly so thick; the
+  /// report says how thick it is. Units: model units.
   std::optional<double> thicken = std::nullopt;
   fast::CheckOptions check = {};
 };
@@ -52,6 +54,8 @@ struct RepairReport {
   std::size_t other_holes = 0;    ///< filled by triangles of the least area
   std::size_t filled = 0;         ///< polygons that fill holes
   double thickness = 0;           ///< of the shell made of an open surface
+  double least_thickness = 0;     ///< of that shell, at some polygon's corner
+  double most_thickness = 0;
   /// What was found where it passed through itself, if it did: that is left to
   /// be resolved (S6.7).
   std::string crossing;

@@ -16,11 +16,13 @@ namespace halfspace::fast {
 /// A line of a drawing in space (S9.1, S9.3).
 struct DrawingEdge {
   EdgeClass edge_class = EdgeClass::kCrease;
-  /// Its ends; -1 for an intersection, whose ends are no vertices.
+  /// Its ends; -1 for an intersection or a given line, whose ends are no
+  /// vertices.
   VertexId from = -1;
   VertexId to = -1;
   /// The lowest polygon at it, and the next one, or -1: of an intersection the
   /// two that pass through each other.
+  /// -1 at a given line, of which `other` is the number.
   PolygonId polygon = 0;
   PolygonId other = -1;
   friend bool operator==(const DrawingEdge&, const DrawingEdge&) = default;
@@ -46,6 +48,13 @@ struct EdgeInterval {
   friend bool operator==(const EdgeInterval&, const EdgeInterval&) = default;
 };
 
+/// What is seen of a given point (S9.7).
+struct SeenPoint {
+  bool visible = false;
+  DrawingPoint at;  ///< where, if it is
+  friend bool operator==(const SeenPoint&, const SeenPoint&) = default;
+};
+
 /// A straight stroke of the pen (S9.6).
 struct Stroke {
   EdgeClass edge_class = EdgeClass::kCrease;
@@ -68,6 +77,7 @@ struct Drawing {
   std::vector<EdgeInterval> intervals;
   std::vector<Stroke> strokes;
   std::vector<std::int32_t> pieces;  ///< numbers of intervals, by stroke
+  std::vector<SeenPoint> points;     ///< by given point
   FilterStats decisions;
 };
 
@@ -84,7 +94,8 @@ struct DrawingLimits {
 /// the polygons in the camera's coordinates. Along an edge a polygon's sides
 /// and plane are affine functions, so what it hides is an interval between
 /// quotients of their values at the edge's two ends.
-/// Requires: options.cuts has one entry a polygon, or none.
+/// Requires: options.cuts has one entry a polygon, or none; given points fit
+///           the scene's grid.
 /// Exact:    yes: filters in doubles, integers of fixed width behind them.
 /// Errors:   kOutOfRange: more intervals than the limit; says how many.
 /// Cost:     n log n, and for each edge the polygons that overlap it in the

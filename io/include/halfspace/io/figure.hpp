@@ -88,7 +88,8 @@ struct Figure {
 struct FigureOptions {
   /// Coordinates are written with this number of decimals, zeros at the end
   /// left out: none moves by more than half a unit of the last one, and there
-  /// is no shorter number that is as near.
+  /// is no shorter number that is as near. Where that would turn a loop of a
+  /// region over, the loop's corners get more, up to 12.
   int decimals = 3;
   /// How far a channel of a shaded region may be off, from 1 on. Units: levels,
   /// of which a channel has 255.
@@ -102,8 +103,11 @@ struct FigureCertificate {
   double largest_move = 0;
   double bound = 0;
   std::size_t loops = 0;
-  std::size_t turned_over = 0;  ///< loops that go round the other way
-  std::size_t vanished = 0;     ///< loops without area, which are left out
+  std::size_t turned_over = 0;  ///< loops that go round the other way: none
+  /// Loops without area, and those that would turn over even so.
+  std::size_t vanished = 0;
+  std::size_t finer_points = 0;  ///< with more than FigureOptions::decimals
+  int most_decimals = 0;         ///< of any point
 };
 
 /// The endings of the formats, ".svg .pdf .eps .tex .dxf .hpgl".
@@ -139,8 +143,7 @@ Result<std::string> figure_bytes(std::string_view ending, const Figure& figure,
 
 /// The certificate of the file that write_figure() writes, which SVG, PDF, EPS
 /// and PGF also hold as a comment.
-/// Exact: signs of areas before and after rounding, for up to 9 decimals; the
-///        moves are rounded up to doubles.
+/// Exact: signs of the loops' areas before and after rounding.
 FigureCertificate certify(std::string_view ending, const Figure& figure,
                           const FigureOptions& options = {});
 

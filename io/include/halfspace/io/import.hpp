@@ -45,6 +45,14 @@ struct ImportOptions {
   std::optional<double> crease_deg = std::nullopt;
 };
 
+/// Colours as they are, and the usual one unlit: for what is written again.
+inline ImportOptions unlit() {
+  ImportOptions options;
+  options.lights.clear();
+  options.ambient = 1;
+  return options;
+}
+
 /// What import did to a mesh (S1.7).
 struct ImportReport {
   std::size_t vertices = 0;      ///< of the mesh
@@ -67,6 +75,9 @@ struct Imported {
   /// For each corner of the scene, the vertex of the mesh; empty unless
   /// ImportOptions::keep_vertices.
   std::vector<VertexId> corner_vertices = {};
+  /// By face of the mesh whether it has a colour there: its own, its vertices'
+  /// or its material's. Empty: none has.
+  std::vector<bool> has_color = {};
 };
 
 /// The scene of a mesh (S1.7).

@@ -25,6 +25,7 @@ struct LoadedScene {
   /// The faces of the file with what it says of them; null where that is
   /// nothing.
   std::shared_ptr<const AttributedFaces> attributed = nullptr;
+  std::vector<bool> has_color = {};  ///< as Imported has it; of meshes only
 };
 
 /// The error with the file's name at the front of its message, unless the name

@@ -12,6 +12,9 @@
 
 namespace halfspace::io {
 
+/// The colour of surfaces that have none, before they are lit.
+inline constexpr Rgb kUsualSurface = {236, 214, 184};
+
 /// A mesh as its file holds it, before anything is rounded or judged (S1.7).
 ///
 /// The corners of face `f` are `corners[first_corner[f]]` up to but not

@@ -19,7 +19,7 @@ namespace halfspace::io {
 ///
 /// The corners of face `f` are `corners[first_corner[f]]` up to but not
 /// including `corners[first_corner[f + 1]]`.
-/// Shape: colors is empty or has one entry a face.
+/// Shape: colors is empty or has one entry a face, and so has has_color.
 struct OutputMesh {
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::uint32_t> first_corner = {0};
@@ -31,6 +31,8 @@ struct OutputMesh {
   bool exact_decimals = false;
   /// Null where there are none.
   std::shared_ptr<const Attributes> attributes = nullptr;
+  /// By face whether it has its colour; empty: all have.
+  std::vector<bool> has_color = {};
 };
 
 /// What writing did to a mesh (S1.8).
@@ -53,9 +55,10 @@ std::filesystem::path material_path(const std::filesystem::path& obj);
 /// read back, or of exact ones where that is asked for; PLY is binary, in
 /// doubles; STL is binary, in floats, and moves what those do not hold. STL has
 /// triangles only: a face of more corners is cut into a fan from its first.
-/// Colours go into PLY and OFF. Attributes go where the format has room, an
-/// OBJ's materials, and colours of faces as such, into material_path(path); the
-/// report says what is lost.
+/// Colours go into PLY and OFF: in a PLY, all of whose faces have colours if
+/// one has, faces without one have the usual one. Attributes go where the
+/// format has room, an OBJ's materials, and colours of faces as such, into
+/// material_path(path); the report says what is lost.
 ///
 /// Errors:   kBadIndex (a corner names no vertex, its index being that of the
 ///           corner; or a shape is not as above); kTooFewVertices (a face
@@ -82,10 +85,10 @@ Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene);
 
 /// The same with attributes of the scene's polygons and corners, which may be
-/// null.
+/// null, and by polygon whether it has its colour; empty: all have.
 Result<ExportReport> write_scene_mesh(const std::filesystem::path& path,
                                       const Scene& scene,
-                                      const Attributes* attributes,
-                                      bool beside);
+                                      const Attributes* attributes, bool beside,
+                                      const std::vector<bool>& has_color = {});
 
 }  // namespace halfspace::io

@@ -59,6 +59,10 @@ class GlbWriter {
     return {static_cast<float>(p[0]), static_cast<float>(p[2]),
             static_cast<float>(-p[1])};
   }
+  bool has_material(std::size_t triangle) const {
+    return !attributes_.face_materials.empty() &&
+           attributes_.face_materials[content_.triangle_faces[triangle]] >= 0;
+  }
   std::int64_t view(std::size_t bytes, std::optional<int> target,
                     std::size_t stride);
   std::int64_t accessor(std::int64_t view, std::size_t offset, int type,
@@ -161,10 +165,14 @@ void GlbWriter::append_channel(const VertexChannel& from, std::size_t corner,
   if (from.semantic == "TEXCOORD_0") values[1] = 1 - values[1];
   if (from.semantic == "COLOR_0") {
     // White leaves a material's colour as it is.
-    for (std::size_t k = 0; k < 3; ++k)
-      values[k] = std::isnan(values[k])
-                      ? 1
-                      : linear_of(std::clamp(values[k], 0.0, 1.0));
+    const Rgb none =
+        has_material(triangle) ? Rgb{255, 255, 255} : kUsualSurface;
+    const std::uint8_t usual[] = {none.r, none.g, none.b};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double share = std::isnan(values[k]) ? usual[k] / 255.0 : values[k];
+      values[k] = linear_of(std::clamp(share, 0.0, 1.0));
+    }
+    if (!std::isfinite(values[3])) values[3] = 1;
   }
   for (std::size_t k = 0; k < from.width; ++k)
     append_float(std::isfinite(values[k]) ? values[k] : 0, row);

@@ -36,6 +36,7 @@ struct DrawnStroke {
 struct Drawing {
   std::vector<DrawnInterval> intervals;
   std::vector<DrawnStroke> strokes;
+  std::vector<bool> points_visible;  ///< by given point (S9.7)
 };
 
 /// The drawing of a scene (S9).

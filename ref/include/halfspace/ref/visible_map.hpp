@@ -38,6 +38,11 @@ std::vector<MapArc> visible_map(const Scene& scene, const Camera& camera,
 std::vector<MapArc> section_map(const Scene& scene, const Camera& camera,
                                 const ImageOptions& options);
 
+/// The transparent map of the scene (S7.8), as its arcs: the same with composed
+/// colours as keys.
+std::vector<MapArc> transparent_map(const Scene& scene, const Camera& camera,
+                                    const TransparentOptions& options);
+
 /// The area of all regions with a key (S7.5). Units: square pixels.
 Rational area_of_key(const std::vector<MapArc>& map, std::int32_t key);
 

@@ -1,4 +1,4 @@
-#include "image/figures.hpp"
+#include "figure/figures.hpp"
 
 #include <fmt/format.h>
 
@@ -67,8 +67,8 @@ constexpr std::array<Rgb, 8> kPalette = {{{230, 159, 0},
                                           {204, 121, 167},
                                           {153, 153, 153}}};
 
-constexpr std::string_view kClassNames[] = {"section", "border", "silhouette",
-                                            "intersection", "crease"};
+constexpr std::string_view kClassNames[] = {
+    "section", "border", "silhouette", "intersection", "crease", "given"};
 
 io::FigureRegion region_of(const fast::VisibleMap& map,
                            const fast::MapRegion& region,
@@ -132,7 +132,9 @@ std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
     const fast::DrawingEdge& edge =
         drawing.edges[static_cast<std::size_t>(interval.edge)];
     if (!title.empty()) title += "; ";
-    title += edge.from >= 0
+    title += edge.edge_class == EdgeClass::kGiven
+                 ? fmt::format("line {}", edge.other)
+             : edge.from >= 0
                  ? fmt::format("polygon {} edge {}-{}", edge.polygon, edge.from,
                                edge.to)
                  : fmt::format("polygons {} and {}", edge.polygon, edge.other);
@@ -183,6 +185,8 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
     drawn.class_of = is_background ? "background" : style.by + "-" + key;
     if (is_background) {
       drawn.fill = style.background;
+    } else if (style.by == "composed") {
+      drawn.fill = color_of_key(region.key);
     } else if (has_palette) {
       drawn.fill =
           kPalette[static_cast<std::size_t>(region.key) % kPalette.size()];
@@ -253,7 +257,8 @@ void add_strokes(io::Figure& figure, const fast::Drawing& drawing,
       strokes.name = (hidden ? "hidden-" : "") + std::string(kClassNames[k]);
       const auto edge_class = static_cast<EdgeClass>(k);
       const bool is_inner = edge_class == EdgeClass::kCrease ||
-                            edge_class == EdgeClass::kIntersection;
+                            edge_class == EdgeClass::kIntersection ||
+                            edge_class == EdgeClass::kGiven;
       strokes.width = style.width * (hidden ? 0.5 : is_inner ? 0.7 : 1);
       if (hidden && style.hidden == Hidden::kDashed)
         strokes.dashes = {4 * style.width, 3 * style.width};

@@ -1,4 +1,4 @@
-#include "image/figure_scene.hpp"
+#include "figure/figure_scene.hpp"
 
 #include <algorithm>
 #include <optional>

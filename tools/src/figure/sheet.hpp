@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "figure/figures.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
-#include "image/figures.hpp"
 
 namespace CLI {
 class App;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/loading.hpp"
-#include "image/figures.hpp"
+#include "figure/figures.hpp"
 
 namespace halfspace::tools {
 

@@ -1,4 +1,4 @@
-#include "image/sheet.hpp"
+#include "figure/sheet.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,181 @@
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "adapters/both.hpp"
+#include "adapters/scenes.hpp"
+#include "halfspace/fast/image/transparent_map.hpp"
+#include "halfspace/fast/shade/color_forms.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
+#include "halfspace/ref/shade.hpp"
+#include "laws/law.hpp"
+#include "laws/map/map_arcs.hpp"
+
+/// Laws of the transparent map (S7.8) and of shaded regions (S7.9).
+namespace halfspace {
+namespace {
+
+using map_arcs::Arcs;
+
+constexpr int kTransparentMaps = 150;
+
+struct RefTransparent {
+  static Arcs arcs_of(const SceneFile& view,
+                      const TransparentOptions& options) {
+    return map_arcs::exact_arcs(
+        ref::transparent_map(view.scene, *view.camera, options));
+  }
+};
+
+struct FastTransparent {
+  static Arcs arcs_of(const SceneFile& view,
+                      const TransparentOptions& options) {
+    const auto map = fast::transparent_map(
+        view.scene, fast::build(view.scene, {}), *view.camera, options);
+    HALFSPACE_LAW(map.has_value());
+    return map_arcs::exact_arcs(*map);
+  }
+};
+
+/// An alpha that differs from view to view.
+TransparentOptions transparent_options(const SceneFile& view) {
+  std::uint32_t sum = 7;
+  for (const GridPoint& p : view.scene.data().vertices)
+    sum = 31 * sum + static_cast<std::uint32_t>(p.x + 3 * p.y);
+  return {view.options.cull, static_cast<std::uint8_t>(sum >> 7 & 255),
+          view.options.background};
+}
+
+template <class Impl>
+class S7Transparent : public ::testing::Test {};
+using TransparentImplementations =
+    ::testing::Types<RefTransparent, FastTransparent>;
+TYPED_TEST_SUITE(S7Transparent, TransparentImplementations);
+
+TYPED_TEST(S7Transparent, L10SamplesLieInTheRegionOfTheirColour) {
+  std::size_t composed = 0;
+  law::for_all_views(
+      [&](const SceneFile& view) {
+        const TransparentOptions options = transparent_options(view);
+        const Arcs arcs = TypeParam::arcs_of(view, options);
+        ImageOptions flat = view.options;
+        flat.shading = Shading::kFlat;
+        const ref::BspTree tree = ref::build(view.scene, {});
+        const ref::Rendering image =
+            ref::blend(view.scene, tree, *view.camera, flat, options.alpha);
+        for (std::int32_t j = 0; j < image.items.height_px; ++j) {
+          for (std::int32_t i = 0; i < image.items.width_px; ++i) {
+            const std::int32_t key = map_arcs::key_at(arcs, i, j);
+            const bool is_background = image.items.at(i, j) == kBackground;
+            HALFSPACE_LAW((key == kBackgroundKey) == is_background);
+            if (is_background) continue;
+            HALFSPACE_LAW(color_of_key(key) == image.colors.at(i, j));
+            if (color_of_key(key) != view.scene.color(image.items.at(i, j)))
+              ++composed;
+          }
+        }
+      },
+      kTransparentMaps);
+  EXPECT_GT(composed, 1000u);
+}
+
+TEST(S7TransparentAgree, RefAndFastGiveTheSameTransparentMap) {
+  law::for_all_views(
+      [](const SceneFile& view) {
+        const TransparentOptions options = transparent_options(view);
+        HALFSPACE_LAW(FastTransparent::arcs_of(view, options) ==
+                      RefTransparent::arcs_of(view, options));
+      },
+      kTransparentMaps);
+}
+
+/// The colour that functions of the image point give, which fast has in doubles
+/// and ref as rationals.
+struct RefShaded {
+  static std::array<double, 3> color_at(const SceneFile& view, PolygonId id,
+                                        double x, double y) {
+    const auto rational = [](double value) {
+      return ref::Rational(static_cast<std::int64_t>(2 * value)) /
+             ref::Rational(2);
+    };
+    const ref::ExactColor color =
+        ref::exact_color_at(view.scene, *view.camera, id,
+                            {rational(x), rational(y)}, Shading::kGouraud);
+    const auto channel = [&](std::size_t c) {
+      return static_cast<double>(color[c].big());
+    };
+    return {channel(0), channel(1), channel(2)};
+  }
+};
+struct FastShaded {
+  static std::array<double, 3> color_at(const SceneFile& view, PolygonId id,
+                                        double x, double y) {
+    const auto forms = fast::color_forms(view.scene, *view.camera, id);
+    if (!forms) {
+      const Rgb color = view.scene.corner_colors(id)[0];
+      return {double(color.r), double(color.g), double(color.b)};
+    }
+    const auto value = [&](std::size_t f) {
+      const auto& form = forms->forms[f];
+      return form[0] * x + form[1] * y + form[2];
+    };
+    HALFSPACE_LAW(value(3) > 0);
+    return {value(0) / value(3), value(1) / value(3), value(2) / value(3)};
+  }
+};
+
+template <class Impl>
+class S7Shaded : public ::testing::Test {};
+using ShadedImplementations = ::testing::Types<RefShaded, FastShaded>;
+TYPED_TEST_SUITE(S7Shaded, ShadedImplementations);
+
+/// The scene with colours at its corners, which differ in triangles.
+Scene with_corner_colors(const Scene& scene) {
+  SceneData data = scene.data();
+  data.corner_colors.clear();
+  for (PolygonId p = 0; p < static_cast<PolygonId>(scene.polygon_count());
+       ++p) {
+    const auto corners = scene.corners(p);
+    for (std::uint32_t k = 0; k < corners.size(); ++k) {
+      const std::uint32_t own = corners.size() == 3 ? 1 + k : 0;
+      const std::uint32_t mixed =
+          977u * static_cast<std::uint32_t>(p) + 2654435761u * own;
+      data.corner_colors.push_back({static_cast<std::uint8_t>(mixed >> 3),
+                                    static_cast<std::uint8_t>(mixed >> 11),
+                                    static_cast<std::uint8_t>(mixed >> 19)});
+    }
+  }
+  Result<Scene> made = make_scene(std::move(data));
+  HALFSPACE_LAW(made.has_value());
+  return std::move(*made);
+}
+
+TYPED_TEST(S7Shaded, L11FunctionsGiveThePixelsColours) {
+  std::size_t shaded = 0;
+  law::for_all_views(
+      [&](const SceneFile& plain) {
+        SceneFile view = plain;
+        view.scene = with_corner_colors(plain.scene);
+        ImageOptions smooth = view.options;
+        smooth.shading = Shading::kGouraud;
+        const Image image = oracle::zbuffer(view.scene, *view.camera, smooth);
+        for (std::int32_t j = 0; j < image.items.height_px; ++j) {
+          for (std::int32_t i = 0; i < image.items.width_px; ++i) {
+            const PolygonId id = image.items.at(i, j);
+            if (id == kBackground) continue;
+            const auto color = TypeParam::color_at(view, id, i + 0.5, j + 0.5);
+            const Rgb& pixel = image.colors.at(i, j);
+            const double off = 0.5 + 1e-3;
+            HALFSPACE_LAW(std::abs(color[0] - pixel.r) <= off);
+            HALFSPACE_LAW(std::abs(color[1] - pixel.g) <= off);
+            HALFSPACE_LAW(std::abs(color[2] - pixel.b) <= off);
+            if (view.scene.corners(id).size() == 3) ++shaded;
+          }
+        }
+      },
+      kTransparentMaps);
+  EXPECT_GT(shaded, 300u);
+}
+
+}  // namespace
+}  // namespace halfspace
