@@ -3,6 +3,7 @@
 # cannot be cut is one line with nothing written.
 . "$(dirname "$0")/expect.sh"
 
+"$make_model" cube -o cube.off || exit 1
 "$make_model" interlocking-cubes -o cubes.off || exit 1
 "$make_model" klein-bottle -o klein.off || exit 1
 cut=(--clip 0,1,0,-1.5 --clip 1,0.5,-2,40 --size 40x30)
