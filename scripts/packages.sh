@@ -117,6 +117,7 @@ need_test_packages() {
   need libgtest-dev "test framework"
   need librapidcheck-dev "random properties, shrunk when they fail"
   need lib3mf1 "judges the 3MF files that are written"
+  need parallel "runs a farm's jobs"
   need libbenchmark-dev "measures booleans"
   need python3 "scripts that check the tree of sources"
   need coq "checks the proofs of spec/coq"

@@ -6,14 +6,15 @@
 #
 # Needs clang: the preset `campaign` is optimised, with assertions and without
 # sanitizers. Begins with fuzz/corpus; what it finds of its own goes to
-# out/campaign/TARGET, a failure's input beside it.
+# out/campaign/TARGET, a failure's input beside it; two runs of one target at a
+# time need a folder each, HALFSPACE_CAMPAIGN_FOLDER.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 target=$1 executions=$2 seed=${3:-1}
 corpus=fuzz/corpus/${target#fuzz_}
 program=build/campaign/fuzz/$target
-found=out/campaign/$target
+found=${HALFSPACE_CAMPAIGN_FOLDER:-out/campaign}/$target
 
 [ -n "${HALFSPACE_CAMPAIGN_PROGRAM:-}" ] && program=$HALFSPACE_CAMPAIGN_PROGRAM
 if [ ! -x "$program" ]; then

@@ -5,8 +5,8 @@
 
 #include "halfspace/csg/hull.hpp"
 #include "halfspace/csg/matrix.hpp"
+#include "halfspace/csg/primitives.hpp"
 #include "numbers.hpp"
-#include "primitives.hpp"
 
 namespace halfspace::csg {
 namespace {

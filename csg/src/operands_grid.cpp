@@ -209,52 +209,57 @@ Result<Done> Operands::choose_grid() {
   return Done{};
 }
 
-/// Chooses a grid that holds everything exactly but for what is free; with
-/// `rounds_moved`, also for what is moved by a map that grids do not hold, and
-/// planes of numbers that were computed.
-/// Returns false where no grid will do.
+/// Chooses a grid that holds everything exactly but for what is free, unless
+/// that is decimals and they are kept; with `rounds_moved`, also for what is
+/// moved by a map that grids do not hold, and planes of numbers that were
+/// computed. Returns false where no grid will do.
 bool Operands::choose_exact_grid(bool rounds_moved) {
-  std::vector<io::Number> coordinates;
-  bool decimal = true, any_exact = false;
-  double least_size = std::numeric_limits<double>::infinity();
-  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
-    if (is_empty(leaf)) continue;
-    const Source& source = source_of(leaf);
-    const bool is_free = source.is_free && !is_exact(leaf);
-    if (!is_free && !(rounds_moved && is_rounded_by_move(leaf))) {
-      decimal = decimal && unit_of(leaf).base == 10;
-      any_exact = true;
-      add_need(leaf, coordinates);
-      continue;
+  const auto choose = [&](bool keeps_decimals) {
+    std::vector<io::Number> coordinates;
+    bool decimal = true, any_exact = false;
+    double least_size = std::numeric_limits<double>::infinity();
+    for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+      if (is_empty(leaf)) continue;
+      const Source& source = source_of(leaf);
+      const bool is_kept = keeps_decimals && unit_of(leaf).base == 10;
+      const bool is_free = source.is_free && !is_exact(leaf) && !is_kept;
+      if (!is_free && !(rounds_moved && is_rounded_by_move(leaf))) {
+        decimal = decimal && unit_of(leaf).base == 10;
+        any_exact = true;
+        add_need(leaf, coordinates);
+        continue;
+      }
+      StepMap map = step_map(matrix_of(leaf), source.scene.unit());
+      const auto& points = source.scene.data().vertices;
+      coordinates.push_back(bound_of(extent_of(map, points)));
+      for (auto& row : map.rows) row[3] = 0;
+      least_size = std::min(least_size, size_of(extent_of(map, points)));
     }
-    StepMap map = step_map(matrix_of(leaf), source.scene.unit());
-    const auto& points = source.scene.data().vertices;
-    coordinates.push_back(bound_of(extent_of(map, points)));
-    for (auto& row : map.rows) row[3] = 0;
-    least_size = std::min(least_size, size_of(extent_of(map, points)));
-  }
-  for (const Plane& plane : plan_->planes) {
-    if (rounds_moved && !is_short(plane)) {
-      least_size = std::min(least_size, size_of(plane));
-      continue;
+    for (const Plane& plane : plan_->planes) {
+      if (rounds_moved && !is_short(plane)) {
+        least_size = std::min(least_size, size_of(plane));
+        continue;
+      }
+      for (const Numbers3& point : plane.points)
+        coordinates.insert(coordinates.end(), point.begin(), point.end());
     }
-    for (const Numbers3& point : plane.points)
-      coordinates.insert(coordinates.end(), point.begin(), point.end());
-  }
-  io::Mesh mesh = mesh_of_points(coordinates);
-  mesh.decimal = decimal && any_exact;
-  const bool any_free = std::isfinite(least_size);
-  for (const GridTrial& trial : trials(any_free, options_.finest_grid)) {
-    const auto imported = io::import_scene(
-        mesh, {.grid_bits = trial.bits, .refine_bits = trial.refine_bits});
-    if (!imported || imported->report.moved > 0) continue;
-    const Unit unit = imported->report.unit;
-    const double step = std::pow(static_cast<double>(unit.base), unit.exponent);
-    if (any_free && step > least_size * trial.fineness) continue;
-    set_grid(unit, trial.bits);
-    return true;
-  }
-  return false;
+    io::Mesh mesh = mesh_of_points(coordinates);
+    mesh.decimal = decimal && any_exact;
+    const bool any_free = std::isfinite(least_size);
+    for (const GridTrial& trial : trials(any_free, options_.finest_grid)) {
+      const auto imported = io::import_scene(
+          mesh, {.grid_bits = trial.bits, .refine_bits = trial.refine_bits});
+      if (!imported || imported->report.moved > 0) continue;
+      const Unit unit = imported->report.unit;
+      const double step =
+          std::pow(static_cast<double>(unit.base), unit.exponent);
+      if (any_free && step > least_size * trial.fineness) continue;
+      set_grid(unit, trial.bits);
+      return true;
+    }
+    return false;
+  };
+  return choose(true) || choose(false);
 }
 
 Result<Done> Operands::choose_exact_grid() {

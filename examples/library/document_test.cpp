@@ -17,6 +17,8 @@ std::size_t holes_half_way_up(const halfspace::Solid& solid);
 std::size_t polygons_of(const halfspace::Solid& part, const char* operand);
 halfspace::Result<std::optional<halfspace::Pick>> picture_and_pick(
     const halfspace::Solid& solid, const char* png);
+std::size_t walls_on_the_way(const halfspace::Display& display);
+double share_that_is_seen(const halfspace::Display& display);
 std::string what_is_wrong(const halfspace::Solid& solid);
 
 namespace halfspace {
@@ -39,6 +41,10 @@ TEST(LibraryDocument, ItsTenJobsAreDone) {
   ASSERT_TRUE(pick);
   ASSERT_TRUE(pick->has_value());
   EXPECT_EQ((*pick)->solid, 0);
+  const Display display = *Display::of(box);
+  EXPECT_EQ(walls_on_the_way(display), 1u);
+  EXPECT_GT(share_that_is_seen(display), 0.1);
+  EXPECT_LT(share_that_is_seen(display), 0.9);
   EXPECT_EQ(what_is_wrong(part), "nothing");
   EXPECT_EQ(what_is_wrong(Solid::from_file("no.off")).substr(0, 15),
             "unreadable file");

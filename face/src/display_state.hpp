@@ -58,6 +58,9 @@ glm::dvec3 vector_of(const Point& p);
 /// The camera of a view. Errors: those of Display::render().
 Result<Camera> camera_of(const Scene& scene, const View& view);
 
+/// A step of a grid. Units: model units.
+double step_of(const Unit& unit);
+
 /// The errors of a view without pixels, and of work that was stopped.
 Error no_pixels();
 Error stopped();

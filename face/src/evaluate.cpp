@@ -83,6 +83,13 @@ Result<std::vector<std::shared_ptr<const csg::Source>>> sources_of(
   return sources;
 }
 
+/// The error of joining operands, and what to do where no grid holds them.
+Error advised(Error error) {
+  if (error.code == ErrorCode::kOutOfRange)
+    error.message += "; OperandOptions::may_round lets an operand be rounded";
+  return error;
+}
+
 Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
                                               const WorkOptions& options) {
   Result<Lowered> lowered = Lowering().lowered(root);
@@ -97,7 +104,7 @@ Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
   how.check.threads = options.threads;
   Result<csg::Operands> operands =
       csg::Operands::join(*std::move(sources), lowered->script, *plan, how);
-  if (!operands) return operands.error();
+  if (!operands) return advised(operands.error());
   csg::EvaluateOptions work;
   work.threads = options.threads;
   work.progress = options.progress;

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "halfspace/csg/hull.hpp"
+#include "halfspace/csg/primitives.hpp"
 #include "halfspace/csg/turned.hpp"
 #include "import.hpp"
 #include "node.hpp"
@@ -26,28 +26,6 @@ detail::ImportHow trusted() {
 
 bool is_size(double value) { return std::isfinite(value) && value > 0; }
 
-/// The point of the unit circle at `i` of `n` equal steps; exact at quarters,
-/// and the same in each quarter.
-Point2 on_circle(int i, int n) {
-  const int quarter = static_cast<int>(4LL * i / n) % 4;
-  const auto rest = static_cast<long double>(4LL * i % n) / n;
-  const long double angle = rest * std::numbers::pi_v<long double> / 2;
-  // Rounded to doubles from something longer, so that other machines make the
-  // same solid.
-  const auto c = static_cast<double>(rest == 0 ? 1 : std::cos(angle));
-  const auto s = static_cast<double>(rest == 0 ? 0 : std::sin(angle));
-  switch (quarter) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
-}
-
 /// Twice the area that the loop goes round, counterclockwise, about.
 double area2(const std::vector<Point2>& loop) {
   double sum = 0;
@@ -60,39 +38,25 @@ double area2(const std::vector<Point2>& loop) {
   return sum;
 }
 
-/// An outline turned about the z axis.
-Mesh turned_mesh(const std::vector<Point2>& outline, int segments) {
-  std::vector<csg::TurnedPoint> points;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point2& next = outline[(i + 1) % outline.size()];
-    points.push_back({outline[i].x == 0, outline[i].y == next.y});
-  }
-  csg::TurnedFaces turned =
-      csg::turned_faces(points, static_cast<std::uint32_t>(segments));
-  Mesh mesh;
-  for (const auto& [point, step] : turned.vertices) {
-    const Point2& p = outline[point];
-    const Point2 at = on_circle(static_cast<int>(step), segments);
-    mesh.vertices.push_back({p.x * at.x, p.x * at.y, p.y});
-  }
-  mesh.first_corner = std::move(turned.faces.first_corner);
-  mesh.corners = std::move(turned.faces.corners);
-  return mesh;
-}
+using NumberPair = std::array<io::Number, 2>;
 
-Solid revolved(const std::string& name, std::vector<Point2> outline,
-               int segments, bool is_trusted) {
+/// A round solid, that of scripts: decimals, where a grid holds them; `make`
+/// makes its mesh by the number of segments.
+template <class Make>
+Solid round_solid(const std::string& name, int segments, bool is_trusted,
+                  const Make& make) {
   if (segments < 3 || segments > kMostSegments) {
     return faulty_solid(name, ErrorCode::kOutOfRange,
                         "there are " + std::to_string(segments) +
                             " segments, not 3 to " +
                             std::to_string(kMostSegments));
   }
-  return leaf_solid(name, [=, outline = std::move(outline)] {
+  return leaf_solid(name, [=] {
     detail::ImportHow how;
     how.is_free = true;
     how.is_trusted = is_trusted;
-    return detail::mesh_leaf(name, turned_mesh(outline, segments), how);
+    return detail::imported_leaf(
+        name, make(static_cast<std::uint32_t>(segments)), nullptr, how);
   });
 }
 
@@ -153,31 +117,27 @@ Solid Solid::box(Point a, Point b) {
 
 Solid Solid::sphere(double radius, int segments) {
   if (!is_size(radius)) return bad_size("sphere");
-  const int bands = std::max(2, segments / 2);
-  std::vector<Point2> outline;
-  for (int i = 0; i <= bands; ++i) {
-    const Point2 at = on_circle(i, 2 * bands);
-    outline.push_back({i == bands ? 0 : radius * at.y, -radius * at.x});
-  }
-  return revolved("sphere", std::move(outline), segments, true);
+  return round_solid("sphere", segments, true, [radius](std::uint32_t n) {
+    return csg::sphere_mesh(detail::number_of(radius), n);
+  });
 }
 
 Solid Solid::cylinder(double radius, double height, int segments) {
   if (!is_size(radius) || !is_size(height)) return bad_size("cylinder");
-  return revolved("cylinder",
-                  {{0, 0}, {radius, 0}, {radius, height}, {0, height}},
-                  segments, true);
+  return round_solid("cylinder", segments, true, [=](std::uint32_t n) {
+    const io::Number r = detail::number_of(radius);
+    return csg::frustum_mesh(r, r, {}, detail::number_of(height), n);
+  });
 }
 
 Solid Solid::cone(double bottom, double top, double height, int segments) {
   if (!(is_size(bottom) || bottom == 0) || !(is_size(top) || top == 0) ||
       !is_size(height) || bottom + top == 0)
     return bad_size("cone");
-  std::vector<Point2> outline = {{0, 0}};
-  if (bottom > 0) outline.push_back({bottom, 0});
-  if (top > 0) outline.push_back({top, height});
-  outline.push_back({0, height});
-  return revolved("cone", std::move(outline), segments, true);
+  return round_solid("cone", segments, true, [=](std::uint32_t n) {
+    return csg::frustum_mesh(detail::number_of(bottom), detail::number_of(top),
+                             {}, detail::number_of(height), n);
+  });
 }
 
 Solid Solid::torus(double radius, double tube_radius, int segments,
@@ -189,12 +149,11 @@ Solid Solid::torus(double radius, double tube_radius, int segments,
                         "the tube's radius is not below the ring's, or it has "
                         "fewer than 3 segments");
   }
-  std::vector<Point2> outline;
-  for (int i = 0; i < tube_segments; ++i) {
-    const Point2 at = on_circle(i, tube_segments);
-    outline.push_back({radius + tube_radius * at.x, tube_radius * at.y});
-  }
-  return revolved("torus", std::move(outline), segments, true);
+  return round_solid("torus", segments, true, [=](std::uint32_t n) {
+    return csg::torus_mesh(detail::number_of(radius),
+                           detail::number_of(tube_radius), n,
+                           static_cast<std::uint32_t>(tube_segments));
+  });
 }
 
 Solid Solid::prism(const Outline& outline, double height) {
@@ -218,9 +177,14 @@ Solid Solid::revolution(const std::vector<Point2>& outline, int segments) {
                         "its outline has fewer than 3 points, or one with r "
                         "below 0 or not finite");
   }
-  std::vector<Point2> loop = outline;
-  if (area2(loop) < 0) std::reverse(loop.begin(), loop.end());
-  return revolved("revolution", std::move(loop), segments, false);
+  std::vector<NumberPair> loop;
+  for (const Point2& p : outline)
+    loop.push_back({detail::number_of(p.x), detail::number_of(p.y)});
+  if (area2(outline) < 0) std::reverse(loop.begin(), loop.end());
+  return round_solid("revolution", segments, false,
+                     [loop = std::move(loop)](std::uint32_t n) {
+                       return csg::revolved_mesh(loop, n);
+                     });
 }
 
 Solid Solid::hull(std::vector<Point> points) {

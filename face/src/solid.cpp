@@ -101,9 +101,11 @@ Solid leaf_of(const csg::File& file, const std::filesystem::path& path) {
   node->name = file.mesh ? file.name : path.string();
   node->leaf = std::make_shared<const detail::Leaf>(
       [file, path]() -> Result<detail::LeafData> {
+        // Numbers of a script are meant as they are: not free.
+        if (file.mesh)
+          return detail::imported_leaf(file.name, *file.mesh, nullptr, {});
         Result<csg::Source> source =
-            file.mesh ? csg::primitive_source(file.name, *file.mesh, {})
-                      : csg::read_source(path.string(), {}, file.is_flipped);
+            csg::read_source(path.string(), {}, file.is_flipped);
         if (!source) return source.error();
         detail::LeafData data;
         data.source = std::make_shared<const csg::Source>(*std::move(source));

@@ -67,10 +67,6 @@ class Projection {
   double scale_ = 1;
 };
 
-double step_of(const Unit& unit) {
-  return io::to_double({1, unit.exponent, unit.base == 10 ? unit.exponent : 0});
-}
-
 }  // namespace
 
 struct SeenPolygon::Source {
@@ -101,7 +97,7 @@ Result<Done> visit_all(const Scene& scene, const fast::BspTree* made,
   const fast::BspTree& tree = *made;
   const Result<Camera> camera = detail::camera_of(scene, view);
   if (!camera) return camera.error();
-  const double step = step_of(scene.unit());
+  const double step = detail::step_of(scene.unit());
   const Projection projection(*camera, step);
   const auto point_count = scene.data().vertices.size();
   const auto point_of = [&](std::int32_t vertex) -> Point {

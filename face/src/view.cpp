@@ -9,6 +9,7 @@
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/io/clip.hpp"
+#include "halfspace/io/number.hpp"
 #include "halfspace/io/picture.hpp"
 #include "halfspace/io/ray.hpp"
 #include "number.hpp"
@@ -48,6 +49,10 @@ Result<Camera> camera_of(const Scene& scene, const View& view) {
   auto viewed = io::look_at(scene, options);
   if (!viewed) return viewed.error();
   return viewed->camera;
+}
+
+double step_of(const Unit& unit) {
+  return io::to_double({1, unit.exponent, unit.base == 10 ? unit.exponent : 0});
 }
 
 Error stopped() { return {ErrorCode::kStopped, "the work was stopped"}; }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "halfspace/cut_display.hpp"
 #include "halfspace/halfspace.hpp"
 
 namespace halfspace {
@@ -201,6 +203,13 @@ TEST(FaceDisplay, ClipPlanesCutAndCapsFill) {
   EXPECT_EQ(picture.polygons.at(32, 32), count);
   EXPECT_EQ(picture.colors.at(32, 32), (Rgb{1, 2, 3}));
   EXPECT_EQ((*display.pick(view, 32, 32))->solid, -1);
+  // Each of 2 x 2 samples sees the cap, too, and so do exact areas.
+  view.anti_aliasing = AntiAliasing::k2;
+  EXPECT_EQ(display.render(view)->polygons.at(64, 64), count);
+  EXPECT_EQ(display.render(view)->colors.at(32, 32), (Rgb{1, 2, 3}));
+  view.anti_aliasing = AntiAliasing::kExactArea;
+  EXPECT_EQ(display.render(view)->colors.at(32, 32), (Rgb{1, 2, 3}));
+  view.anti_aliasing = AntiAliasing::kNone;
   for (int k = 0; k < 8; ++k) view.clips.push_back({{1, 0, 0}, -1.0 - k});
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
   view.clips = {{{0, 0, 0}, 1}};
@@ -210,6 +219,71 @@ TEST(FaceDisplay, ClipPlanesCutAndCapsFill) {
   open.add({0, 1, 2});
   view.clips = {{{1, 0, 0}, 0.5}};
   EXPECT_EQ(Display::of(open)->render(view).error().code, ErrorCode::kOpen);
+}
+
+TEST(FaceDisplay, SeenAreasAreThoseOfTheImage) {
+  // A face of a cube that fills a quarter of the image, and half of it hidden.
+  View view;
+  view.orthographic = true;
+  view.ortho_height = 4;
+  view.eye = Point{1, 1, 9};
+  view.target = Point{1, 1, 0};
+  view.width_px = view.height_px = 64;
+  const Solid cube = Solid::box({0, 0, 0}, {2, 2, 2});
+  const auto seen_of = [&](std::span<const Solid> solids) {
+    const Display display = *Display::of(solids);
+    const Picture picture = *display.render(view);
+    const CutDisplay cut = *CutDisplay::of(display);
+    const auto areas = *cut.seen_areas(view);
+    std::vector<double> sizes;
+    for (const SeenArea& area : areas) {
+      EXPECT_EQ(area.solid_angle, 0);
+      // Borders are between pixels, so pixels count exactly.
+      EXPECT_EQ(area.area_px,
+                std::count(picture.polygons.pixels.begin(),
+                           picture.polygons.pixels.end(), area.polygon));
+      sizes.push_back(area.area_px);
+    }
+    std::sort(sizes.begin(), sizes.end());
+    return sizes;
+  };
+  EXPECT_EQ(seen_of({{cube}}), (std::vector<double>{1024, 3072}));
+  const Solid lid = Solid::box({1, 0, 3}, {2, 2, 4});
+  EXPECT_EQ(seen_of({{cube, lid}}), (std::vector<double>{512, 512, 3072}));
+  view.clips = {{{0, 0, 1}, 1}};
+  const Display display = *Display::of(cube);
+  EXPECT_EQ(CutDisplay::of(display)->seen_areas(view).error().code,
+            ErrorCode::kOutOfRange);
+}
+
+TEST(FaceDisplay, FeedsTrianglesInTheOrderOfATraversal) {
+  const Solid parts[] = {Solid::box({0, 0, 0}, {2, 2, 2}),
+                         Solid::sphere(1.5, 12).translated({2, 2, 2})};
+  const Display display = *Display::of(parts);
+  const CutDisplay cut = *CutDisplay::of(display);
+  const VertexFeed feed = cut.vertex_feed();
+  ASSERT_EQ(feed.positions.size(), feed.polygons.size());
+  for (const Point& eye : {Point{9, 8, 7}, Point{-4, 9, 1}}) {
+    View view;
+    view.eye = eye;
+    const auto indices = *cut.feed_indices(view);
+    ASSERT_EQ(indices.size() % 3, 0u);
+    std::size_t next = 0;
+    const auto done = display.back_to_front(view, [&](const SeenPolygon& seen) {
+      for (std::size_t k = 0; k + 2 < seen.points.size(); ++k, next += 3) {
+        ASSERT_LE(next + 3, indices.size());
+        EXPECT_EQ(feed.polygons[indices[next]], seen.polygon);
+        EXPECT_EQ(feed.positions[indices[next]], seen.points[0]);
+        EXPECT_EQ(feed.positions[indices[next + 1]], seen.points[k + 1]);
+        EXPECT_EQ(feed.positions[indices[next + 2]], seen.points[k + 2]);
+      }
+    });
+    EXPECT_TRUE(done);
+    EXPECT_EQ(next, indices.size());
+    const auto front = *cut.feed_indices(view, FeedOrder::kFrontToBack);
+    EXPECT_EQ(front.size(), indices.size());
+    EXPECT_NE(front, indices);
+  }
 }
 
 TEST(FaceDisplay, DrawsVisibleAndHiddenEdges) {

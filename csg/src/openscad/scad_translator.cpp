@@ -8,9 +8,9 @@
 
 #include "../functions.hpp"
 #include "../numbers.hpp"
-#include "../primitives.hpp"
 #include "halfspace/csg/hull.hpp"
 #include "halfspace/csg/lexer.hpp"
+#include "halfspace/csg/primitives.hpp"
 
 namespace halfspace::csg {
 

@@ -8,9 +8,10 @@
 
 namespace halfspace::csg {
 
-/// Solids as meshes, faces outwards. Circles are regular polygons inscribed in
-/// them, with the first corner along x; coordinates that are no decimals are
-/// rounded to seven digits of the greatest radius.
+/// Solids as meshes, faces outwards: those of scripts and of the library.
+/// Circles are regular polygons inscribed in them, with the first corner along
+/// x; coordinates that are no decimals are rounded to seven digits of the
+/// greatest radius, to eleven where circles have more than 1,000 segments.
 
 /// The box between two corners. Exact: yes.
 /// Requires: the first has the lesser coordinates.
@@ -41,5 +42,16 @@ io::Mesh prism_mesh(std::vector<std::array<io::Number, 2>> points,
 io::Mesh frustum_mesh(const io::Number& bottom_radius,
                       const io::Number& top_radius, const io::Number& bottom,
                       const io::Number& top, std::uint32_t segments);
+
+/// The ring about the z axis whose tube has its middle on a circle.
+/// Requires: 0 < tube_radius < radius; both numbers of segments 3 or more.
+io::Mesh torus_mesh(const io::Number& radius, const io::Number& tube_radius,
+                    std::uint32_t segments, std::uint32_t tube_segments);
+
+/// The outline of points (r, z), counterclockwise with r to the right and z
+/// upwards, turned about the z axis.
+/// Requires: 3 points or more; each r >= 0, not all 0; 3 <= segments.
+io::Mesh revolved_mesh(const std::vector<std::array<io::Number, 2>>& outline,
+                       std::uint32_t segments);
 
 }  // namespace halfspace::csg
