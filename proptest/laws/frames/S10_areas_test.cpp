@@ -137,7 +137,7 @@ bool is_of_boxes(const Scene& scene) {
   return scene.polygon_count() != 0 && bad_edges(scene).empty();
 }
 
-std::uint64_t number_of(const SceneFile& view) {
+std::uint64_t section_number_of(const SceneFile& view) {
   std::uint64_t number = 0;
   for (const GridPoint& p : view.scene.data().vertices)
     number = mix(number + static_cast<std::uint64_t>(p.x + 3 * p.y + 7 * p.z));
@@ -146,7 +146,7 @@ std::uint64_t number_of(const SceneFile& view) {
 
 /// A cut across an axis at a coordinate of the scene, or next to one.
 AxisCut cut_of(const SceneFile& view) {
-  const std::uint64_t number = number_of(view);
+  const std::uint64_t number = section_number_of(view);
   const auto& vertices = view.scene.data().vertices;
   AxisCut cut;
   cut.axis = number % 3;
@@ -220,7 +220,7 @@ TYPED_TEST(S10Areas, L6AreasAreThoseOfTheSceneCutBeforehand) {
 
 /// One to three planes that pass corners, steep or along axes.
 std::vector<ClipPlane> planes_of_section(const SceneFile& view) {
-  const std::uint64_t number = number_of(view);
+  const std::uint64_t number = section_number_of(view);
   const auto& vertices = view.scene.data().vertices;
   std::vector<ClipPlane> planes;
   for (std::uint64_t k = 0; k < 1 + number % 3; ++k) {
@@ -251,7 +251,7 @@ TEST_F(S10AreasAgree, L6BothLibrariesGiveOneImage) {
     SceneFile view = whole;
     view.options.clips = planes_of_section(view);
     if (view.options.clips.empty()) return;
-    if (number_of(view) % 4 != 0)
+    if (section_number_of(view) % 4 != 0)
       view.options.caps = CapStyle{{9, 208, 77}, Rgb{200, 1, 100}};
     const ColorImage image = fast_areas(view);
     HALFSPACE_LAW(image ==
