@@ -11,6 +11,7 @@
 #include "base/hash_index.hpp"
 #include "exact/cell_hash.hpp"
 #include "exact/nearest_double.hpp"
+#include "halfspace/assert.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -87,6 +88,10 @@ class Joining {
       down = std::max(down, std::abs(interval.to.y - interval.from.y));
     }
     by_x_ = across >= down;
+    // All so short that doubles do not tell: a line that is upright has no
+    // order by x.
+    if (across == 0 && down == 0)
+      by_x_ = compare_ends(intervals[0], true, intervals[0], false) != 0;
     ends_.clear();
     exact_.clear();
     exact_of_.clear();
@@ -191,7 +196,10 @@ class Joining {
         if (end.begins) {
           active.push_back(end.interval);
         } else {
-          active.erase(std::find(active.begin(), active.end(), end.interval));
+          const auto open =
+              std::find(active.begin(), active.end(), end.interval);
+          HALFSPACE_ASSERT(open != active.end());
+          active.erase(open);
         }
         ++k;
       } while (k < ends_.size() && compare(ends_[k], ends_[first]) == 0);
