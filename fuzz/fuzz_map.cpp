@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "fuzz.hpp"
+#include "halfspace/boolean.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
@@ -51,6 +52,20 @@ void expect_same_areas(const std::vector<fast::SeenArea>& areas,
   }
 }
 
+/// A clip plane through a corner, by a number.
+ClipPlane plane_at_a_corner(const SceneFile& view, std::size_t number) {
+  GridPoint p{};
+  if (!view.scene.data().vertices.empty())
+    p = view.scene.data().vertices[number % view.scene.data().vertices.size()];
+  const auto normal = [&](std::size_t by) {
+    return static_cast<std::int64_t>(number / by % 5) - 2;
+  };
+  const std::int64_t a = 2 * normal(1) + 1;
+  const std::int64_t b = normal(5);
+  const std::int64_t c = normal(25);
+  return {a, b, c, -(Int128{a} * p.x + Int128{b} * p.y + Int128{c} * p.z)};
+}
+
 }  // namespace
 }  // namespace halfspace
 
@@ -90,6 +105,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
         areas->colors ==
             ref::render_area(view.scene, *view.camera, view.options),
         text);
+    SceneFile cut = view;
+    cut.options.clips =
+        *make_clips({plane_at_a_corner(view, size)}, view.scene.grid_bits());
+    if (bad_edges(cut.scene).empty()) {
+      cut.options.caps =
+          CapStyle{{200, 80, 40},
+                   size % 2 == 0 ? std::optional(Rgb{1, 2, 3}) : std::nullopt};
+    }
+    const auto left =
+        fast::render_area(cut.scene, divided, *cut.camera, cut.options);
+    HALFSPACE_FUZZ_EXPECT(left.has_value(), write_scene(cut));
+    HALFSPACE_FUZZ_EXPECT(
+        left->colors == ref::render_area(cut.scene, *cut.camera, cut.options),
+        write_scene(cut));
   }
   return 0;
 }

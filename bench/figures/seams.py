@@ -5,8 +5,8 @@ figure's regions.
   seams.py PROGRAM [SIZE ...]        PROGRAM: halfspace; sizes 500 1000 2000
 
 Each scene of docs/figures/models.py that has several regions is drawn on white
-and on green, one of them shaded smoothly. A pixel that is the same on both, with the eight round it, if everything
-is one region is inside: a viewer's rounding of an outline reaches no farther.
+and on green, one of them shaded smoothly. A pixel that is the same on both, with
+the eight round it, if everything is one region is inside: a viewer's rounding of an outline reaches no farther.
 One that is inside and differs if there are all regions is a seam.
 Viewers: rsvg-convert and Chromium for SVG, pdftoppm and mutool for PDF. Debian:
 librsvg2-bin chromium poppler-utils mupdf-tools qpdf libxml2-utils python3-numpy

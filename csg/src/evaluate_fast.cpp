@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/origin_parts.hpp"
 #include "halfspace/csg/carry.hpp"
 #include "halfspace/csg/components.hpp"
 #include "halfspace/csg/evaluate.hpp"
@@ -13,6 +14,7 @@
 #include "halfspace/fast/resolve.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/fast/solid/canonical_solid.hpp"
 #include "halfspace/fast/solid_data.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "halfspace/io/load_scene.hpp"
@@ -122,16 +124,12 @@ fast::Solid merged_by(fast::Solid solid, MergeRule rule) {
   return solid;
 }
 
-/// The data of the result of a plan.
-SolidData exact_data(fast::Solid solid, const Plan& plan,
-                     const Operands& operands) {
-  std::vector<OperandPart> parts;
-  for (std::size_t i = 0; i < plan.leaves.size(); ++i) {
-    const auto leaf = static_cast<std::int32_t>(i);
-    parts.push_back({operands.name_in_files(leaf), operands.parts_of(leaf)});
-  }
-  parts.resize(plan.leaves.size() + plan.planes.size(), {"half", nullptr});
-  return data_of(std::move(solid), parts);
+/// The solid in an order that decides which of several origins merged faces
+/// have, where there may be several.
+fast::Solid in_order_for(MergeRule rule, fast::Solid solid) {
+  return rule == MergeRule::kColor || rule == MergeRule::kPlane
+             ? fast::canonical(solid, false)
+             : std::move(solid);
 }
 
 /// The mesh as a scene, its vertices being in steps of the unit: exactly, or
@@ -283,7 +281,11 @@ Outcome exact_outcome(fast::Solid solid, const Plan& plan,
                       const EvaluateOptions& options) {
   Outcome result;
   if (!note_closed(solid, result)) return result;
-  solid = merged_by(std::move(solid), options.merge);
+  const OriginParts parts(plan, operands);
+  parts.expand(solid);
+  solid = fast::canonical(
+      merged_by(in_order_for(options.merge, std::move(solid)), options.merge),
+      true);
   if (!note_closed(solid, result)) return result;
   result.faces = solid.faces.size();
   const fast::ExportedMesh mesh =
@@ -293,9 +295,9 @@ Outcome exact_outcome(fast::Solid solid, const Plan& plan,
   result.bad_edges = 0;
   result.origins.clear();
   for (const fast::Face& face : solid.faces)
-    result.origins.push_back({face.part, face.polygon});
+    result.origins.push_back(parts.of_operand({face.part, face.polygon}));
   note_color_sources(operands, result);
-  result.data = exact_data(std::move(solid), plan, operands);
+  result.data = in_least_grid(fast::data_of(solid, parts.names()));
   for (std::size_t f = 0; f < result.data->faces.size(); ++f) {
     if (result.color_sources[f] != ColorSource::kNone) continue;
     result.data->faces[f].has_color = false;
@@ -310,7 +312,9 @@ Result<Outcome> outcome_of(fast::Solid solid, const EvaluateOptions& options) {
     return note_closed(made, result);
   };
   if (!is_closed(solid)) return result;
-  solid = merged_by(std::move(solid), options.merge);
+  solid = fast::canonical(
+      merged_by(in_order_for(options.merge, std::move(solid)), options.merge),
+      false);
   result.faces = solid.faces.size();
   if (!is_closed(solid)) return result;
   result.scene = exact_scene(solid, options, result);
@@ -338,6 +342,22 @@ Result<std::optional<fast::Solid>> evaluate_solid(
   return Evaluator<FastAlgebra>(plan, algebra, options.progress).result();
 }
 
+namespace {
+
+/// The outcome for a file of polygons.
+Result<Outcome> mesh_outcome(fast::Solid solid, const Plan& plan,
+                             const Operands& operands,
+                             const EvaluateOptions& options) {
+  const OriginParts parts(plan, operands);
+  parts.expand(solid);
+  Result<Outcome> result = outcome_of(std::move(solid), options);
+  if (!result) return result;
+  for (Origin& origin : result->origins) origin = parts.of_operand(origin);
+  return result;
+}
+
+}  // namespace
+
 Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
                                              Operands& operands,
                                              const EvaluateOptions& options) {
@@ -349,7 +369,7 @@ Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
   Result<Outcome> result =
       options.exact_data
           ? exact_outcome(**std::move(solid), plan, operands, options)
-          : outcome_of(**std::move(solid), options);
+          : mesh_outcome(**std::move(solid), plan, operands, options);
   if (!result) return result.error();
   result->repairs = algebra.repairs();
   note_color_sources(operands, *result);

@@ -276,6 +276,35 @@ SolidData placed(const SolidData& data, const Matrix& matrix, const Unit& unit,
   return result;
 }
 
+SolidData in_least_grid(SolidData data) {
+  Unit unit = data.unit;
+  std::vector<GridPoint> points = grid_points_of(data);
+  const std::int64_t base = unit.base;
+  const auto is_multiple = [base](const GridPoint& p) {
+    return p.x % base == 0 && p.y % base == 0 && p.z % base == 0;
+  };
+  while (unit.exponent < 0 &&
+         std::all_of(points.begin(), points.end(), is_multiple)) {
+    for (GridPoint& p : points) p = {p.x / base, p.y / base, p.z / base};
+    ++unit.exponent;
+  }
+  if (unit != data.unit)
+    data = placed(data, identity_matrix(), unit, data.grid_bits);
+  const std::vector<GridPoint> box = box_of_meets(data);
+  points.insert(points.end(), box.begin(), box.end());
+  const std::optional<ExactNeed> need = need_of(data, identity_matrix());
+  for (const int bits : kGridBits) {
+    if (!need || bits < need->grid_bits || bits >= data.grid_bits) continue;
+    const auto holds = [bits](const GridPoint& p) {
+      return fits(p.x, bits) && fits(p.y, bits) && fits(p.z, bits);
+    };
+    if (!std::all_of(points.begin(), points.end(), holds)) continue;
+    data.grid_bits = bits;
+    break;
+  }
+  return data;
+}
+
 SolidData flipped(SolidData data) {
   for (SolidData::Face& face : data.faces) face.flipped = !face.flipped;
   reverse_loops(data);

@@ -123,12 +123,6 @@ Result<fast::Rendering> Display::State::rendered(
   }
   const fast::BspTree* made = picture_tree(view);
   if (made == nullptr) return detail::stopped();
-  if (view.anti_aliasing == AntiAliasing::kExactArea &&
-      !options->clips.empty()) {
-    return Error{ErrorCode::kOutOfRange,
-                 "exact areas are not for clip planes; ask for samples, as "
-                 "AntiAliasing::k4"};
-  }
   fast::Rendering image =
       samples == 1
           ? fast::render(scene, *made, *camera, *options, how)

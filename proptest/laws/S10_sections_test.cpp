@@ -479,8 +479,21 @@ std::optional<SceneFile> magnified_section(const SceneFile& view,
   return large;
 }
 
+/// The colour of a cap at the point of sample (x, y) of so many a pixel.
+Rgb stripe_color(const CapStyle& style, std::size_t cap, std::int32_t x,
+                 std::int32_t y, std::int32_t samples) {
+  if (!style.hatch) return style.color;
+  const Fraction px = Fraction(2 * x + 1) / Fraction(2 * samples);
+  const Fraction py = Fraction(2 * y + 1) / Fraction(2 * samples);
+  const Fraction half = Fraction(1) / Fraction(2);
+  Fraction rest = cap % 2 == 0 ? Fraction(px + py - half) : px - py + half;
+  while (rest < 0) rest += 8;
+  while (rest >= 8) rest -= 8;
+  return rest < 2 ? *style.hatch : style.color;
+}
+
 /// The mean of the samples of pixel (i, j) of a flat image that is so many
-/// times as large; caps are hatched by pixels.
+/// times as large; stripes of caps are as many times as wide (S10.4).
 Rgb mean_of_samples(const SceneFile& view, const Image& large,
                     std::int32_t samples, std::int32_t i, std::int32_t j) {
   const auto count = static_cast<PolygonId>(view.scene.polygon_count());
@@ -489,10 +502,11 @@ Rgb mean_of_samples(const SceneFile& view, const Image& large,
     const std::int32_t x = i * samples + s % samples;
     const std::int32_t y = j * samples + s / samples;
     const PolygonId item = large.items.at(x, y);
-    const Rgb color =
-        item < count ? large.colors.at(x, y)
-                     : cap_color(*view.options.caps,
-                                 static_cast<std::size_t>(item - count), i, j);
+    const Rgb color = item < count
+                          ? large.colors.at(x, y)
+                          : stripe_color(*view.options.caps,
+                                         static_cast<std::size_t>(item - count),
+                                         x, y, samples);
     sum[0] += color.r;
     sum[1] += color.g;
     sum[2] += color.b;

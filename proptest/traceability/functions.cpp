@@ -3,6 +3,7 @@
 
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/camera.hpp"
+#include "halfspace/cap_stripes.hpp"
 #include "halfspace/clip.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/boolean.hpp"
@@ -334,6 +335,10 @@ void take_all() {
     take<Kind>(&fast::render);
   }
   take(&cap_color);  // S10.4
+  take(&cap_color_at_sample);  // S10.4
+  take(&ref::render_area);  // S10.5
+  take(&ref::section_map);  // S10.5
+  take(&fast::render_area);  // S10.5
   take(&make_scalars);  // S11.1
   take(&ref::scalar_at);  // S11.2
   {  // S11.2
@@ -375,5 +380,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 176 ? 0 : 1;
+  return halfspace::taken == 180 ? 0 : 1;
 }

@@ -78,8 +78,9 @@ Moments moments_of(const std::vector<MapArc>& map, std::int32_t key,
 
 ColorImage render_area(const Scene& scene, const Camera& camera,
                        const ImageOptions& options) {
-  const std::vector<MapArc> map =
-      visible_map(scene, camera, {options.cull, {}});
+  const std::vector<MapArc> map = section_map(scene, camera, options);
+  const auto polygons = static_cast<std::int32_t>(scene.polygon_count());
+  constexpr auto kMostCaps = static_cast<std::int32_t>(kMostClipPlanes);
   std::set<std::int32_t> keys;
   for (const MapArc& arc : map) keys.insert({arc.left, arc.right});
   keys.erase(kOutsideKey);
@@ -91,10 +92,13 @@ ColorImage render_area(const Scene& scene, const Camera& camera,
         const Moments seen = moments_of(map, key, i, j);
         if (sign(seen.area) == 0) continue;
         const ImagePoint centroid = {seen.x / seen.area, seen.y / seen.area};
-        const ExactColor color =
-            key == kBackgroundKey
-                ? exact(options.background)
-                : exact_color_at(scene, camera, key, centroid, options.shading);
+        ExactColor color = exact(options.background);
+        if (key >= polygons) {
+          const bool hatched = key - polygons >= kMostCaps;
+          color = exact(hatched ? *options.caps->hatch : options.caps->color);
+        } else if (key != kBackgroundKey) {
+          color = exact_color_at(scene, camera, key, centroid, options.shading);
+        }
         for (std::size_t c = 0; c < 3; ++c) sum[c] += seen.area * color[c];
       }
       image.at(i, j) = rounded_color(sum);

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "covering.hpp"
+#include "frames/caps.hpp"
+#include "halfspace/ref/clip.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -52,6 +54,25 @@ class Forms {
       polygons_.push_back(covering_of(whole(scene, id), camera, cull));
   }
 
+  /// Of what clip planes and caps leave.
+  Forms(const Scene& scene, const Camera& camera, const ImageOptions& options,
+        KeyOf key_of)
+      : width_(camera->width_px),
+        height_(camera->height_px),
+        key_of_(std::move(key_of)),
+        options_(options) {
+    for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
+         ++id) {
+      polygons_.emplace_back();
+      const Fragment polygon = whole(scene, id);
+      if (!is_there(plane_of(polygon.vertices), options)) continue;
+      if (const auto left = clipped(polygon, options))
+        polygons_.back() = covering_of(*left, camera, options.cull);
+    }
+    if (options.caps && !options.clips.empty())
+      caps_.emplace(scene, camera, options, 1);
+  }
+
   /// All lines that meet the image rectangle, each once.
   std::vector<Line> lines() const {
     std::vector<Line> lines = {
@@ -67,6 +88,15 @@ class Forms {
       for (std::size_t q = 0; q < p; ++q) {
         if (polygons_[q]) add(polygons_[p]->nearness - polygons_[q]->nearness);
       }
+    }
+    if (caps_) {
+      for (const Affine& form : caps_->forms()) add(form);
+      for (std::size_t k = 0; k < caps_->count(); ++k) {
+        for (const auto& polygon : polygons_) {
+          if (polygon) add(nearness_of(caps_->plane(k)) - polygon->nearness);
+        }
+      }
+      if (options_.caps->hatch) add_stripes(add);
     }
     return lines;
   }
@@ -101,7 +131,10 @@ class Forms {
         covering.begin(), covering.end(), [&](PolygonId f, PolygonId g) {
           return sign_beside(nearness(f) - nearness(g), p, dx, dy) > 0;
         });
-    return key_of_(covering);
+    if (!caps_) return key_of_(covering);
+    const Affine* nearest =
+        covering.empty() ? nullptr : &nearness(covering.front());
+    return key_of_caps(p, dx, dy, nearest, key_of_(covering));
   }
 
   bool holds(const ImagePoint& p) const {
@@ -110,9 +143,68 @@ class Forms {
   }
 
  private:
+  /// The greater, the nearer, as that of Covering.
+  static Affine nearness_of(const SeenPlane& plane) {
+    const Rational scale =
+        sign(plane.at_eye) == 0 ? Rational(0) : Rational(-1) / plane.at_eye;
+    return scale * plane.at_image;
+  }
+
+  /// The lines at which hatching begins and ends: of caps with even numbers
+  /// x + y, with odd ones x - y.
+  template <class Add>
+  void add_stripes(const Add& add) const {
+    const std::int32_t most = width_ + height_;
+    for (std::int32_t start = -8 * (most / 8 + 1); start <= most; start += 8) {
+      for (const std::int32_t at : {start, start + 2}) {
+        add({Rational(-1) / Rational(2) - Rational(at), 1, 1});
+        add({Rational(1) / Rational(2) - Rational(at), 1, -1});
+      }
+    }
+  }
+
+  /// Whether the point beside p is in a stripe of the cap's hatching.
+  static bool is_in_stripe(std::size_t k, const ImagePoint& p,
+                           const Rational& dx, const Rational& dy) {
+    const Rational half = Rational(1) / Rational(2);
+    const bool is_even = k % 2 == 0;
+    const Rational across = is_even ? p.x + p.y - half : p.x - p.y + half;
+    const Rational grows = is_even ? dx + dy : dx - dy;
+    // Between -8 and 8 by steps: exact, and no division with rest is needed.
+    Rational rest = across;
+    while (rest >= Rational(8)) rest = rest - Rational(8);
+    while (sign(rest) < 0) rest = rest + Rational(8);
+    if (sign(rest) == 0) return sign(grows) > 0;
+    if (rest == Rational(2)) return sign(grows) < 0;
+    return rest < Rational(2);
+  }
+
+  std::int32_t key_of_caps(const ImagePoint& p, const Rational& dx,
+                           const Rational& dy, const Affine* nearest,
+                           std::int32_t key) const {
+    const auto sign_of = [&](const Affine& f) {
+      return sign_beside(f, p, dx, dy);
+    };
+    std::optional<Affine> front;
+    if (nearest != nullptr) front = *nearest;
+    const auto count = static_cast<std::int32_t>(polygons_.size());
+    for (std::size_t k = 0; k < caps_->count(); ++k) {
+      if (!caps_->shows(k, sign_of)) continue;
+      const Affine own = nearness_of(caps_->plane(k));
+      if (front && sign_of(own - *front) <= 0) continue;
+      front = own;
+      key = count + static_cast<std::int32_t>(k);
+      if (options_.caps->hatch && is_in_stripe(k, p, dx, dy))
+        key += static_cast<std::int32_t>(kMostClipPlanes);
+    }
+    return key;
+  }
+
   std::int32_t width_, height_;
   KeyOf key_of_;
   std::vector<std::optional<Covering>> polygons_;
+  ImageOptions options_;
+  std::optional<Caps> caps_;
 };
 
 /// The parts of one line at which keys differ, neighbours with the same keys
@@ -201,6 +293,13 @@ std::vector<MapArc> transparent_map(const Scene& scene, const Camera& camera,
     for (auto id = covering.rbegin(); id != covering.rend(); ++id)
       color = composed_color(scene.color(*id), color, options.alpha);
     return color_key(color);
+  }));
+}
+
+std::vector<MapArc> section_map(const Scene& scene, const Camera& camera,
+                                const ImageOptions& options) {
+  return map_of(Forms(scene, camera, options, [](const auto& covering) {
+    return covering.empty() ? kBackgroundKey : covering.front();
   }));
 }
 

@@ -42,6 +42,7 @@ void add_commands(CLI::App& program, Status& status) {
   halfspace::tools::add_draw(program, status);
   halfspace::tools::add_order(program, status);
   halfspace::tools::add_seen(program, status);
+  halfspace::tools::add_map(program, status);
   halfspace::tools::add_pick(program, status);
   halfspace::tools::add_view(program, status);
   halfspace::tools::add_help(program, status);

@@ -112,7 +112,7 @@ expect 2 'x, y or z' draw half.off -o cut.svg --cut w=1
 for view in "" "--ortho --cull"; do
   # shellcheck disable=SC2086
   set -- $view --size 48x36 --alpha 120
-  expect 0 'painter' render cubes.off $view --size 48x36 --alpha 120 -o glass.png
+  expect 0 'painter' render cubes.off "$@" -o glass.png
   expect 0 ' regions' draw cubes.off "$@" -o glass.svg --decimals 6
   python3 "$colors" glass.svg glass.png 0 || wrong "glass has other colours"
 done

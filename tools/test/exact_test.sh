@@ -23,8 +23,7 @@ OFF
 END
 expect 0 closed csg 'translate(C, 0.1, 0.2, 0.3)' C=c.off -o d.off
 
-# These chains give the bytes of one script, for the script's booleans are done
-# in the same order; that is so for most chains, not for all.
+# Chains give the bytes of one script.
 for first in '|' '&' '-' '^'; do
   for second in '|' '-' '^'; do
     for third in '&' '-'; do
@@ -80,6 +79,15 @@ expect 0 'volume 19,' csg \
   "($wedge - translate(D, 2, 0, -7)) - translate(D, 0, 0, -3)" \
   C=c.off D=d.off -o whole.off
 same chained.off whole.off
+# Nor does an exact file tell what was written on the way.
+for format in off hsolid; do
+  expect 0 closed csg '(box(2) | sphere(2, 8)) - translate(box(1, 9, 1), 0, 1, 1)' \
+    -o whole.$format
+  expect 0 closed csg 'box(2) | sphere(2, 8)' -o part.hsolid
+  expect 0 closed csg 'P - translate(box(1, 9, 1), 0, 1, 1)' P=part.hsolid \
+    -o chained.$format
+  same chained.$format whole.$format
+done
 python3 "${0%/*}/../../examples/read_solid.py" slit.hsolid | grep -q ' 22$' ||
   wrong "read_solid.py: slit.hsolid"
 

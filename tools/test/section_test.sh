@@ -3,6 +3,7 @@
 # cannot be cut is one line with nothing written.
 . "$(dirname "$0")/expect.sh"
 
+"$make_model" cube -o cube.off || exit 1
 "$make_model" interlocking-cubes -o cubes.off || exit 1
 "$make_model" klein-bottle -o klein.off || exit 1
 cut=(--clip 0,1,0,-1.5 --clip 1,0.5,-2,40 --size 40x30)
@@ -26,8 +27,12 @@ expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
 expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
   --ids exact.npy --size 32x24 --impl ref
 same fine.npy exact.npy
-expect 2 'aa exact.*take --aa 8' render cubes.off --clip 0,1,0,-1 --aa exact \
-  -o no.png
+# Exact areas of what is left, too.
+for how in fast ref; do
+  expect 0 'by exact' render cube.off --clip 1,2,0,-1 --clip 0,0,1,-0.3 \
+    --cap hatch --aa exact --size 12x9 --impl "$how" -o "areas-$how.png"
+done
+same areas-fast.png areas-ref.png
 
 nine=()
 for k in 1 2 3 4 5 6 7 8 9; do nine+=(--clip "1,0,0,$k"); done

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace halfspace::fast {
 namespace {
@@ -122,6 +123,19 @@ bool Hiding::is_point(const Line& line) {
          parallel(sight_.x_form(), sight_.y_form());
 }
 
+bool Hiding::are_same_side(const Cut& f, const Cut& g) const {
+  if (f.kind != CutKind::kSide || g.kind != CutKind::kSide) return false;
+  const auto ends_of = [&](const Cut& cut) {
+    const auto corners = sight_.scene().corners(cut.polygon);
+    const auto k = static_cast<std::size_t>(cut.number);
+    const std::size_t next = k + 1 == corners.size() ? 0 : k + 1;
+    const VertexId u = point(corners[k]).vertex;
+    const VertexId v = point(corners[next]).vertex;
+    return std::pair{std::min(u, v), std::max(u, v)};
+  };
+  return ends_of(f) == ends_of(g);
+}
+
 /// A share is |F| / (|F| + |G|) for a form's values F and G at the ends, of
 /// different signs; for that of homogeneous points both are scaled by their
 /// weights, which drop out of the comparison.
@@ -142,14 +156,25 @@ int Hiding::compare(const Line& line, const Cut& f, const Cut& g) {
   }
   if (f.kind == g.kind && f.polygon == g.polygon && f.number == g.number)
     return 0;
+  if (are_same_side(f, g)) return 0;
   ++sight_.stats().exact;
-  const Form p = form_of(f);
-  const Form q = form_of(g);
-  const FormValue p0 = size_of(value_at(p, line.from));
-  const FormValue p1 = size_of(value_at(p, line.to));
-  const FormValue q0 = size_of(value_at(q, line.from));
-  const FormValue q1 = size_of(value_at(q, line.to));
-  return sign(multiply<20>(p0, q1) - multiply<20>(q0, p1));
+  const ExactCut p = exact_cut(line, f);
+  const ExactCut q = exact_cut(line, g);
+  return sign(multiply<20>(p.from, q.to) - multiply<20>(q.from, p.to));
+}
+
+Hiding::ExactCut Hiding::exact_cut(const Line& line, const Cut& cut) {
+  const std::uint64_t name =
+      std::uint64_t{static_cast<std::uint32_t>(cut.polygon)} << 32 |
+      std::uint64_t{static_cast<std::uint32_t>(cut.number)} << 3 |
+      static_cast<std::uint64_t>(cut.kind);
+  const auto found = exact_cuts_.find(name);
+  if (found != exact_cuts_.end()) return found->second;
+  const Form form = form_of(cut);
+  const ExactCut exact = {size_of(value_at(form, line.from)),
+                          size_of(value_at(form, line.to))};
+  exact_cuts_.emplace(name, exact);
+  return exact;
 }
 
 bool Hiding::narrow(const Line& line, const Ends& ends, Cut cut, Cut& low,
@@ -318,6 +343,7 @@ std::vector<Layered> Hiding::parts_of(const Line& line) {
   std::vector<Layered> parts;
   Cut low;
   Cut high;
+  exact_cuts_.clear();
   if (!in_view(line, low, high)) return parts;
   events_.clear();
   Box box = box_of(line.from);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "box/bvh.hpp"
@@ -61,9 +62,6 @@ class Hiding {
   /// Whether the image of an edge is a single point.
   bool is_point(const Line& line);
 
-  /// The order of two cuts along an edge: -1, 0 or 1.
-  int compare(const Line& line, const Cut& f, const Cut& g);
-
   /// A form that is 0 at the cut.
   Form form_of(const Cut& cut) const;
 
@@ -88,9 +86,17 @@ class Hiding {
     Bounded from_value;
     Bounded to_value;
   };
+  /// The sizes of a cut's form at an edge's ends.
+  struct ExactCut {
+    FormValue from;
+    FormValue to;
+  };
   static constexpr int kLeft = 1;
   static constexpr int kRight = 2;
 
+  /// The order of two cuts along the edge of parts_of(): -1, 0 or 1.
+  int compare(const Line& line, const Cut& f, const Cut& g);
+  ExactCut exact_cut(const Line& line, const Cut& cut);
   template <class MakeForm>
   int decided(const Bounded& value, MakeForm&& form, const SpacePoint& p);
   /// Narrows a range by the half-line on which a form is positive; false if
@@ -102,6 +108,8 @@ class Hiding {
   /// 1 if the plane through the eye and a polygon's side from `u` to `v`, which
   /// holds the edge, faces as the edge's own does, else -1.
   int side_of_parallel(const Line& line, VertexId u, VertexId v) const;
+  /// Whether two cuts are by sides between the same two points.
+  bool are_same_side(const Cut& f, const Cut& g) const;
   /// The sign at a point of a polygon's side seen from the eye, positive
   /// inside.
   int side_sign(const SpacePoint& p, PolygonId polygon, std::size_t side,
@@ -120,6 +128,8 @@ class Hiding {
   std::optional<BoxTree> tree_;
   // Scratch.
   std::vector<Event> events_;
+  /// What exact_cut() has worked out for the edge of parts_of(), by cut.
+  std::unordered_map<std::uint64_t, ExactCut> exact_cuts_;
 };
 
 }  // namespace halfspace::fast

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 #include "base/hash_index.hpp"
 #include "exact/cell_hash.hpp"
 #include "exact/nearest_double.hpp"
+#include "halfspace/assert.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -86,7 +88,13 @@ class Joining {
       down = std::max(down, std::abs(interval.to.y - interval.from.y));
     }
     by_x_ = across >= down;
+    // All so short that doubles do not tell: a line that is upright has no
+    // order by x.
+    if (across == 0 && down == 0)
+      by_x_ = compare_ends(intervals[0], true, intervals[0], false) != 0;
     ends_.clear();
+    exact_.clear();
+    exact_of_.clear();
     for (const std::int32_t i : intervals) {
       const EdgeInterval& interval = drawing_.intervals[at(i)];
       const double from = coordinate(interval.from);
@@ -122,16 +130,25 @@ class Joining {
   /// The order of two ends whose nearest doubles are the same.
   int compare_ends(std::int32_t f, bool f_from, std::int32_t g,
                    bool g_from) const {
-    const auto exact = [&](std::int32_t i, bool from) {
-      const Piece& piece = pieces_[at(i)];
-      return points_.exact(lines_[at(piece.line)],
-                           from ? piece.from : piece.to);
-    };
-    const ExactImagePoint p = exact(f, f_from);
-    const ExactImagePoint q = exact(g, g_from);
+    const std::size_t first = exact_end(f, f_from);
+    const std::size_t second = exact_end(g, g_from);
+    const ExactImagePoint& p = exact_[first];
+    const ExactImagePoint& q = exact_[second];
     const Wide<20>& a = by_x_ ? p.x : p.y;
     const Wide<20>& b = by_x_ ? q.x : q.y;
     return sign(multiply<40>(a, q.w) - multiply<40>(b, p.w));
+  }
+
+  /// The number of an end in `exact_`, worked out when it is first asked for.
+  std::size_t exact_end(std::int32_t i, bool from) const {
+    const auto [found, is_new] = exact_of_.try_emplace(
+        2 * std::int64_t{i} + (from ? 1 : 0), exact_.size());
+    if (is_new) {
+      const Piece& piece = pieces_[at(i)];
+      exact_.push_back(
+          points_.exact(lines_[at(piece.line)], from ? piece.from : piece.to));
+    }
+    return found->second;
   }
 
   bool is_from(const StrokeEnd& end) const {
@@ -179,7 +196,10 @@ class Joining {
         if (end.begins) {
           active.push_back(end.interval);
         } else {
-          active.erase(std::find(active.begin(), active.end(), end.interval));
+          const auto open =
+              std::find(active.begin(), active.end(), end.interval);
+          HALFSPACE_ASSERT(open != active.end());
+          active.erase(open);
         }
         ++k;
       } while (k < ends_.size() && compare(ends_[k], ends_[first]) == 0);
@@ -228,6 +248,9 @@ class Joining {
   const ImagePoints& points_;
   bool by_x_ = true;
   std::vector<StrokeEnd> ends_;
+  /// Ends on the present line whose doubles did not tell, by exact_end().
+  mutable std::vector<ExactImagePoint> exact_;
+  mutable std::unordered_map<std::int64_t, std::size_t> exact_of_;
   std::array<std::vector<std::int32_t>, kWays> active_;
 };
 

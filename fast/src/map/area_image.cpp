@@ -10,6 +10,7 @@
 #include "halfspace/assert.hpp"
 #include "map/arc_pieces.hpp"
 #include "map/exact_moments.hpp"
+#include "map/section_map.hpp"
 #include "raster/gouraud.hpp"
 #include "tree/eye_classifier.hpp"
 
@@ -30,6 +31,8 @@ struct Crossing {
   double rise = 0;
   double rise_y = 0;
 };
+
+Rgb hatch_of(const CapStyle& caps) { return caps.hatch.value_or(caps.color); }
 
 using Channels = std::array<double, 3>;
 
@@ -228,10 +231,19 @@ class AreaPainter {
   }
   PolygonId item_of(std::int32_t key) const { return item_of_.at(key); }
   bool is_smooth(PolygonId item) const {
-    return smooth_ && item != kBackground && has_gradient(scene_, item);
+    return smooth_ && item != kBackground && !is_cap(item) &&
+           has_gradient(scene_, item);
+  }
+  bool is_cap(PolygonId item) const {
+    return item >= static_cast<PolygonId>(scene_.polygon_count());
   }
   Rgb flat_color(PolygonId item) const {
     if (item == kBackground) return image_.background;
+    if (is_cap(item)) {
+      const auto cap = static_cast<std::size_t>(item) - scene_.polygon_count();
+      return cap < kMostClipPlanes ? image_.caps->color
+                                   : hatch_of(*image_.caps);
+    }
     return smooth_ ? scene_.corner_colors(item)[0] : scene_.color(item);
   }
 
@@ -262,6 +274,13 @@ MapOptions keys_of(const Scene& scene, const ImageOptions& image, bool smooth) {
     const auto next = static_cast<std::int32_t>(numbers.size());
     options.keys.push_back(numbers.try_emplace(color, next).first->second);
   }
+  if (!image.caps || image.clips.empty()) return options;
+  // Those of caps, then of their hatching.
+  for (const Rgb& color : {image.caps->color, hatch_of(*image.caps)}) {
+    const auto next = static_cast<std::int32_t>(numbers.size());
+    const auto key = numbers.try_emplace(color, next).first->second;
+    options.keys.insert(options.keys.end(), kMostClipPlanes, key);
+  }
   return options;
 }
 
@@ -270,11 +289,10 @@ MapOptions keys_of(const Scene& scene, const ImageOptions& image, bool smooth) {
 Result<AreaImage> render_area(const Scene& scene, const BspTree& tree,
                               const Camera& camera, const ImageOptions& image,
                               const MapLimits& limits) {
-  HALFSPACE_ASSERT(image.clips.empty());
   const bool smooth =
       image.shading == Shading::kGouraud && !scene.data().corner_colors.empty();
-  const Result<VisibleMap> map =
-      visible_map(scene, tree, camera, keys_of(scene, image, smooth), limits);
+  const Result<VisibleMap> map = section_map(
+      scene, tree, camera, keys_of(scene, image, smooth), image, limits);
   if (!map) return map.error();
   AreaImage result;
   result.cells = map->cells;

@@ -7,69 +7,11 @@
 
 namespace halfspace::fast {
 
-namespace {
-
-constexpr int kSomeNegative = 1;
-constexpr int kSomePositive = 2;
-
-}  // namespace
-
 CellTree::CellTree(LineTable& lines, std::int32_t width, std::int32_t height,
                    int depth)
-    : lines_(lines) {
-  // Positive turns, from x to y: the top side first.
-  const auto side = [&](LineId line, LineId before, std::int32_t inside,
-                        CellNodeId node) {
-    polygon_.push_back({line, inside, node, lines.point(before, line)});
-  };
-  side(kTopSide, kLeftSide, 1, -3);
-  side(kRightSide, kTopSide, -1, -2);
-  side(kBottomSide, kRightSide, -1, -1);
-  side(kLeftSide, kBottomSide, 1, -4);
-  add_cell(add_node(-1), polygon_, kBackground);
+    : lines_(lines), cutter_(lines) {
+  add_cell(add_node(-1), cutter_.rectangle(), kBackground);
   grid(width, height, depth);
-}
-
-int CellTree::classify(std::span<const CellEdge> polygon, LineId line) {
-  signs_.resize(polygon.size());
-  int found = 0;
-  LineId before = polygon.back().line;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const CellEdge& edge = polygon[k];
-    const int side = lines_.side_of(line, before, edge.line, edge.start);
-    signs_[k] = static_cast<std::int8_t>(side);
-    found |= side < 0 ? kSomeNegative : side > 0 ? kSomePositive : 0;
-    before = edge.line;
-  }
-  return found;
-}
-
-void CellTree::cut(std::span<const CellEdge> polygon, LineId line,
-                   CellNodeId node, std::vector<CellEdge>& positive,
-                   std::vector<CellEdge>& negative) {
-  const std::size_t n = polygon.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const CellEdge& edge = polygon[k];
-    const int here = signs_[k];
-    const int next = signs_[k + 1 == n ? 0 : k + 1];
-    auto& own = here > 0 || (here == 0 && next > 0) ? positive : negative;
-    if (here == 0) {
-      // The new edge of the side that is left begins here.
-      auto& other = next > 0 ? negative : positive;
-      other.push_back({line, next > 0 ? -1 : 1, node, edge.start});
-      own.push_back(edge);
-      continue;
-    }
-    own.push_back(edge);
-    if (here * next < 0) {
-      const MapPoint point = lines_.point(edge.line, line);
-      auto& other = here > 0 ? negative : positive;
-      own.push_back({line, here, node, point});
-      CellEdge rest = edge;
-      rest.start = point;
-      other.push_back(rest);
-    }
-  }
 }
 
 CellNodeId CellTree::add_node(CellNodeId parent) {
@@ -145,10 +87,10 @@ void CellTree::grid(std::int32_t width, std::int32_t height, int depth) {
     const LineId line =
         is_column ? lines_.upright(middle) : lines_.level(middle);
     polygon_ = polygon_of(block.leaf);
-    classify(polygon_, line);
+    cutter_.classify(polygon_, line);
     positive_.clear();
     negative_.clear();
-    cut(polygon_, line, block.leaf, positive_, negative_);
+    cutter_.cut(polygon_, line, block.leaf, positive_, negative_);
     drop_cell(block.leaf);
     divide(block.leaf, line);
     add_cell(nodes_[at(block.leaf)].positive, positive_, kBackground);
@@ -166,22 +108,9 @@ void CellTree::grid(std::int32_t width, std::int32_t height, int depth) {
 }
 
 bool CellTree::clip(std::span<const HalfPlane> sides) {
-  const auto side_edge = [&](LineId line, LineId before, std::int32_t inside) {
-    return CellEdge{line, inside, -1, lines_.point(before, line)};
-  };
-  polygon_ = {side_edge(kTopSide, kLeftSide, 1),
-              side_edge(kRightSide, kTopSide, -1),
-              side_edge(kBottomSide, kRightSide, -1),
-              side_edge(kLeftSide, kBottomSide, 1)};
+  polygon_ = cutter_.rectangle();
   for (const HalfPlane& side : sides) {
-    const int found = classify(polygon_, side.line);
-    const int inside = side.side > 0 ? kSomePositive : kSomeNegative;
-    if ((found & inside) == 0) return false;
-    if (found == inside) continue;
-    positive_.clear();
-    negative_.clear();
-    cut(polygon_, side.line, kOwnEdge, positive_, negative_);
-    polygon_.swap(side.side > 0 ? positive_ : negative_);
+    if (!cutter_.clip(polygon_, side, kOwnEdge)) return false;
   }
   return true;
 }
@@ -202,7 +131,7 @@ void CellTree::spread(const Enter& enter, const AtLeaf& at_leaf) {
       at_leaf(step.node, polygon_);
       continue;
     }
-    const int found = classify(polygon_, node.line);
+    const int found = cutter_.classify(polygon_, node.line);
     if (found == kSomePositive) {
       steps_.push_back({node.positive, step.first, step.count});
     } else if (found == kSomeNegative) {
@@ -210,7 +139,7 @@ void CellTree::spread(const Enter& enter, const AtLeaf& at_leaf) {
     } else {
       positive_.clear();
       negative_.clear();
-      cut(polygon_, node.line, -1, positive_, negative_);
+      cutter_.cut(polygon_, node.line, -1, positive_, negative_);
       work_.resize(step.first);
       work_.insert(work_.end(), positive_.begin(), positive_.end());
       work_.insert(work_.end(), negative_.begin(), negative_.end());
@@ -250,11 +179,11 @@ CellNodeId CellTree::set_item(CellNodeId leaf, std::span<const CellEdge> part,
   CellNodeId node = leaf;
   for (const CellEdge& edge : part) {
     if (edge.node != kOwnEdge) continue;
-    if (classify(inside, edge.line) != (kSomeNegative | kSomePositive))
+    if (cutter_.classify(inside, edge.line) != (kSomeNegative | kSomePositive))
       continue;
     positive_.clear();
     negative_.clear();
-    cut(inside, edge.line, node, positive_, negative_);
+    cutter_.cut(inside, edge.line, node, positive_, negative_);
     if (node == leaf) drop_cell(leaf);
     divide(node, edge.line);
     const Node& divided = nodes_[at(node)];

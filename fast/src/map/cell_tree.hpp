@@ -7,27 +7,10 @@
 #include <vector>
 
 #include "camera/view.hpp"
+#include "map/convex_cutter.hpp"
 #include "map/line_table.hpp"
 
 namespace halfspace::fast {
-
-/// A node of the cell tree; from -4 to -1 the sides of the image rectangle.
-using CellNodeId = std::int32_t;
-
-/// An edge of a convex polygon of the image. The polygon's edges go round it
-/// with the interior on the side of `side`.
-struct CellEdge {
-  LineId line = 0;
-  std::int32_t side = 1;  ///< the sign of the line inside
-  CellNodeId node = 0;    ///< the node whose line it is a part of
-  MapPoint start;         ///< where the edge before it meets this one
-};
-
-/// A side of a fragment in the image: where the line has the sign `side`.
-struct HalfPlane {
-  LineId line = 0;
-  std::int32_t side = 1;
-};
 
 /// A cell: `edges[first_edge]` and the `edge_count - 1` after it.
 struct Cell {
@@ -100,12 +83,6 @@ class CellTree {
   static std::size_t at(std::int32_t index) {
     return static_cast<std::size_t>(index);
   }
-  /// The signs of a line at the starts of the edges, into `signs_`. Returns
-  /// whether some are negative (1) and some positive (2), added up.
-  int classify(std::span<const CellEdge> polygon, LineId line);
-  /// The parts of a polygon on the two sides of a line, by `signs_`: appended.
-  void cut(std::span<const CellEdge> polygon, LineId line, CellNodeId node,
-           std::vector<CellEdge>& positive, std::vector<CellEdge>& negative);
   CellNodeId add_node(CellNodeId parent);
   void add_cell(CellNodeId node, std::span<const CellEdge> polygon,
                 PolygonId item);
@@ -129,6 +106,7 @@ class CellTree {
   void mark_full(CellNodeId node);
 
   LineTable& lines_;
+  ConvexCutter cutter_;
   std::vector<Node> nodes_;
   std::vector<Cell> cells_;
   std::vector<CellEdge> edges_;
@@ -137,7 +115,6 @@ class CellTree {
   std::vector<std::vector<std::size_t>> free_edges_;
   std::vector<std::int32_t> free_cells_;
   // Scratch.
-  std::vector<std::int8_t> signs_;
   std::vector<CellEdge> work_;
   std::vector<CellEdge> positive_;
   std::vector<CellEdge> negative_;

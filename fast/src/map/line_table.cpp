@@ -57,8 +57,12 @@ std::uint64_t pair_of(std::int32_t first, std::int32_t second) {
 
 }  // namespace
 
-LineTable::LineTable(const TreeReader& reader, const CameraData& camera)
-    : reader_(reader), camera_(camera), grid_bits_(reader.scene().grid_bits()) {
+LineTable::LineTable(const TreeReader& reader, const CameraData& camera,
+                     const std::vector<ClipPlane>& clips)
+    : reader_(reader),
+      camera_(camera),
+      clips_(clips),
+      grid_bits_(reader.scene().grid_bits()) {
   upright(0);
   level(0);
   upright(camera.width_px);
@@ -66,12 +70,17 @@ LineTable::LineTable(const TreeReader& reader, const CameraData& camera)
 }
 
 template <int kBits>
+ProjectedPlane<kBits> LineTable::seen(PlaneId plane) const {
+  if (plane < 0)
+    return projected<kBits>(clips_[static_cast<std::size_t>(-2 - plane)],
+                            camera_);
+  return projected(reader_.planes().exact<kBits>(plane), camera_);
+}
+
+template <int kBits>
 EdgeFunction<Grid<kBits>::kWords> LineTable::exact_line(
     const Line& line) const {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
-  const auto seen = [&](PlaneId plane) {
-    return projected(reader_.planes().exact<kBits>(plane), camera_);
-  };
   const Scene& scene = reader_.scene();
   switch (line.kind) {
     case Kind::kColumn:
@@ -82,12 +91,29 @@ EdgeFunction<Grid<kBits>::kWords> LineTable::exact_line(
       return widened<kWords>(edge_function(scene.point(line.first),
                                            scene.point(line.second), camera_));
     case Kind::kMeet:
-      return meet_function<kBits>(seen(line.first), seen(line.second));
+      return meet_function<kBits>(seen<kBits>(line.first),
+                                  seen<kBits>(line.second));
     case Kind::kNear:
+      return widened<kWords>(near_function<kBits>(
+          seen<kBits>(line.first), *camera_.near, camera_.perspective));
+    case Kind::kHorizon: {
+      // C(e) - C(s), twice.
+      const auto clip = seen<kBits>(line.first);
+      return {-Wide<kWords>(clip.a), -Wide<kWords>(clip.b),
+              multiply<kWords>(Wide<kWords>(clip.eye), Int128{2}) -
+                  Wide<kWords>(clip.c)};
+    }
+    case Kind::kSum:
+    case Kind::kDifference:
       break;
   }
-  return widened<kWords>(near_function<kBits>(seen(line.first), *camera_.near,
-                                              camera_.perspective));
+  return constant_slopes<kWords>(1, line.kind == Kind::kSum ? 1 : -1,
+                                 -std::int64_t{line.first});
+}
+
+int LineTable::side_of_eye(PlaneId plane) const {
+  return with_grid(grid_bits_,
+                   [&](auto bits) { return sign(seen<bits()>(plane).eye); });
 }
 
 LineId LineTable::named(Kind kind, std::int32_t first, std::int32_t second) {

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "camera/clip_function.hpp"
 #include "camera/edge_function.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "tree/tree_reader.hpp"
@@ -12,6 +13,11 @@
 namespace halfspace::fast {
 
 using LineId = std::int32_t;
+
+/// Clip plane k, where lines are named by planes.
+constexpr PlaneId plane_id_of_clip(std::size_t k) {
+  return -2 - static_cast<PlaneId>(k);
+}
 
 /// A point of the image where two lines meet, in twice the image's
 /// coordinates. Either coordinate is off by at most `error`; infinite if
@@ -37,7 +43,8 @@ constexpr LineId kBottomSide = 3;
 /// doubles cannot decide.
 class LineTable {
  public:
-  LineTable(const TreeReader& reader, const CameraData& camera);
+  LineTable(const TreeReader& reader, const CameraData& camera,
+            const std::vector<ClipPlane>& clips = {});
 
   /// The image of a source edge, positive on the side that edge_function()
   /// says.
@@ -46,6 +53,13 @@ class LineTable {
   LineId meet(PolygonId support, PlaneId splitter);
   /// Where a polygon passes the near distance, as near_function().
   LineId near(PolygonId polygon);
+  /// Where a clip plane is as far away as can be: positive where its function
+  /// grows towards the image point (S10.3).
+  LineId horizon(PlaneId clip) { return named(Kind::kHorizon, clip, 0); }
+  /// x + y, or x - y, less a number of half pixels: an edge of hatching.
+  LineId stripe(bool is_sum, std::int32_t halves) {
+    return named(is_sum ? Kind::kSum : Kind::kDifference, halves, 0);
+  }
   /// x or y less a coordinate in pixels: a line that only divides.
   LineId upright(std::int32_t x) { return axis(Kind::kColumn, x); }
   LineId level(std::int32_t y) { return axis(Kind::kRow, y); }
@@ -69,6 +83,15 @@ class LineTable {
     }
     return exact_side(line, a, b);
   }
+
+  /// Whether the function is 0 everywhere: that of a plane with itself.
+  bool is_zero(LineId line) const {
+    // No number of so few bits rounds to 0.
+    const Line& l = at(line);
+    return l.a == 0 && l.b == 0 && l.c == 0;
+  }
+  /// The side of a plane that the eye is on.
+  int side_of_eye(PlaneId plane) const;
 
   /// The sign of a1 b2 - b1 a2, 0 if they are parallel.
   int turn(LineId a, LineId b);
@@ -95,7 +118,16 @@ class LineTable {
   }
 
  private:
-  enum class Kind : std::uint8_t { kColumn, kRow, kEdge, kMeet, kNear };
+  enum class Kind : std::uint8_t {
+    kColumn,
+    kRow,
+    kEdge,
+    kMeet,
+    kNear,
+    kHorizon,
+    kSum,
+    kDifference
+  };
 
   /// The doubles are off by 2^-52 of themselves; the greater of `a` and `b` is
   /// at least 1 and less than 2 in size.
@@ -118,11 +150,14 @@ class LineTable {
   /// The line of this name, made if it is new.
   LineId named(Kind kind, std::int32_t first, std::int32_t second);
   template <int kBits>
+  ProjectedPlane<kBits> seen(PlaneId plane) const;
+  template <int kBits>
   EdgeFunction<Grid<kBits>::kWords> exact_line(const Line& line) const;
   int exact_side(LineId line, LineId a, LineId b);
 
   const TreeReader& reader_;
   const CameraData& camera_;
+  const std::vector<ClipPlane> clips_;
   int grid_bits_;
   std::vector<Line> lines_;
   std::unordered_map<std::uint64_t, LineId> edges_;

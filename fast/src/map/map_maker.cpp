@@ -9,6 +9,7 @@
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "map/assembly.hpp"
+#include "map/cap_pieces.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -77,13 +78,15 @@ bool is_empty(const CellBox& box) {
 }  // namespace
 
 MapMaker::MapMaker(const Scene& scene, const BspTree& tree,
-                   const Camera& camera)
+                   const Camera& camera, const ImageOptions& image)
     : tree_(tree),
       data_(camera.data()),
+      image_(image),
       reader_(scene, tree),
       view_(make_view(camera, scene.grid_bits())),
       eye_side_(reader_, view_, data_, stats_),
-      lines_(reader_, data_),
+      clips_(image_.clips, image_.caps.has_value(), scene.grid_bits()),
+      lines_(reader_, data_, image_.clips),
       cells_(lines_, data_.width_px, data_.height_px,
              grid_depth(tree.fragments.size())),
       sides_(reader_, data_, lines_) {
@@ -95,6 +98,34 @@ bool MapMaker::image_box(NodeId id, CellBox& image) const {
     return false;
   image = clamped(image, data_);
   return !is_empty(image);
+}
+
+bool MapMaker::clip(PolygonId source, int eye_sign, ClipMask mask) {
+  for (std::size_t k = 0; k < image_.clips.size(); ++k) {
+    if ((mask >> k & 1) == 0) continue;
+    const LineId line = lines_.meet(source, plane_id_of_clip(k));
+    if (!lines_.is_zero(line)) {
+      clipped_.push_back({line, eye_sign});
+    } else if (image_.caps) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void MapMaker::light_caps(int side, const MapLimits& limits) {
+  if (!image_.caps) return;
+  const auto count = reader_.scene().polygon_count();
+  for (std::size_t k = 0; k < image_.clips.size(); ++k) {
+    if (lines_.side_of_eye(plane_id_of_clip(k)) != side) continue;
+    for (const CapPiece& piece :
+         cap_pieces(reader_, view_, data_, image_, k, side, lines_)) {
+      const std::size_t hatching = piece.is_hatched ? kMostClipPlanes : 0;
+      cells_.light(piece.sides, static_cast<PolygonId>(count + k + hatching));
+      too_many_ = too_many_ || cells_.cell_count() > limits.most_cells;
+      if (too_many_) return;
+    }
+  }
 }
 
 Result<VisibleMap> MapMaker::finish(

@@ -1,7 +1,7 @@
 #include "halfspace/fast/visible_map.hpp"
 
 #include "halfspace/assert.hpp"
-#include "map/map_maker.hpp"
+#include "map/section_map.hpp"
 
 namespace halfspace::fast {
 
@@ -10,18 +10,7 @@ Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
                                const MapLimits& limits) {
   HALFSPACE_ASSERT(options.keys.empty() ||
                    options.keys.size() == scene.polygon_count());
-  MapMaker maker(scene, tree, camera);
-  CellTree& cells = maker.cells();
-  maker.run(options.cull, true, limits,
-            [&](std::span<const HalfPlane> sides, PolygonId source) {
-              cells.light(sides, source);
-              return !cells.full();
-            });
-  return maker.finish(limits, [&](PolygonId item) {
-    if (item == kBackground) return kBackgroundKey;
-    return options.keys.empty() ? item
-                                : options.keys[static_cast<std::size_t>(item)];
-  });
+  return section_map(scene, tree, camera, options, ImageOptions(), limits);
 }
 
 }  // namespace halfspace::fast

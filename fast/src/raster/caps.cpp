@@ -5,41 +5,10 @@
 #include <vector>
 
 #include "camera/clip_function.hpp"
-#include "tree/tree_access.hpp"
+#include "halfspace/cap_stripes.hpp"
 
 namespace halfspace::fast {
 namespace {
-
-/// The polygons that may cross the plane, each once.
-std::vector<PolygonId> crossing_polygons(const Frame& frame, std::size_t k) {
-  const BspTree& tree = frame.reader.tree();
-  const std::vector<ClipPlane> one = {frame.clips.plane(k)};
-  const ClipSet clip(one, false, frame.reader.scene().grid_bits());
-  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
-  std::vector<PolygonId> found;
-  std::vector<NodeId> ahead;
-  if (!tree.nodes.empty()) ahead.push_back(0);
-  while (!ahead.empty()) {
-    const NodeId id = ahead.back();
-    ahead.pop_back();
-    if (has_boxes) {
-      const ClipState state =
-          clip.classify(tree.boxes[static_cast<std::size_t>(id)]);
-      if (state.is_gone || state.mask == 0) continue;
-    }
-    const Node& node = node_at(tree, id);
-    for_fragments(tree, node, [&](const TreeFragment& fragment) {
-      found.push_back(fragment.source);
-      return true;
-    });
-    for (const NodeId child : {node.positive, node.negative}) {
-      if (child != kNoNode) ahead.push_back(child);
-    }
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
 
 /// A change of the winding number in a row, from a column on.
 struct Change {
@@ -337,8 +306,8 @@ class CapFiller {
       item = id_;
       if (result_.colors.pixels.empty()) continue;
       result_.colors.at(i - rectangle_.left, j - rectangle_.top) =
-          cap_color(*frame_.image.caps, k_, i / frame_.view.samples,
-                    j / frame_.view.samples);
+          cap_color_at_sample(*frame_.image.caps, k_, i, j,
+                              frame_.view.samples);
     }
   }
 
@@ -412,7 +381,8 @@ void add_cap(const Frame& frame, const Rectangle& rectangle, std::size_t k,
   CapRows<kBits> rows(frame, rectangle, k);
   // Seen edge-on; or from behind, for it faces what is removed.
   if (rows.side() == 0 || (frame.image.cull && rows.side() > 0)) return;
-  const std::vector<Change> changes = rows.changes(crossing_polygons(frame, k));
+  const std::vector<Change> changes =
+      rows.changes(crossing_polygons(frame.reader, frame.clips.plane(k)));
   CapFiller<kBits> filler(frame, rectangle, k, rows.seen(), result);
   for (std::size_t c = 0; c < changes.size();) {
     const std::int32_t j = changes[c].row;

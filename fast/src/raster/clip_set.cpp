@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "camera/clip_function.hpp"
+#include "tree/tree_access.hpp"
 
 namespace halfspace::fast {
 
@@ -43,6 +44,37 @@ ClipState ClipSet::classify(const Box& box) const {
     if (filtered_sign({least, 2 * error}) <= 0) state.mask |= ClipMask{1} << k;
   }
   return state;
+}
+
+std::vector<PolygonId> crossing_polygons(const TreeReader& reader,
+                                         const ClipPlane& plane) {
+  const BspTree& tree = reader.tree();
+  const std::vector<ClipPlane> one = {plane};
+  const ClipSet clip(one, false, reader.scene().grid_bits());
+  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
+  std::vector<PolygonId> found;
+  std::vector<NodeId> ahead;
+  if (!tree.nodes.empty()) ahead.push_back(0);
+  while (!ahead.empty()) {
+    const NodeId id = ahead.back();
+    ahead.pop_back();
+    if (has_boxes) {
+      const ClipState state =
+          clip.classify(tree.boxes[static_cast<std::size_t>(id)]);
+      if (state.is_gone || state.mask == 0) continue;
+    }
+    const Node& node = node_at(tree, id);
+    for_fragments(tree, node, [&](const TreeFragment& fragment) {
+      found.push_back(fragment.source);
+      return true;
+    });
+    for (const NodeId child : {node.positive, node.negative}) {
+      if (child != kNoNode) ahead.push_back(child);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 int FragmentClipper::sign_at_corner(std::size_t plane, const At& at,

@@ -56,6 +56,10 @@ class ClipSet {
   double rounding_;
 };
 
+/// The polygons of a tree that may cross a plane, each once, in order.
+std::vector<PolygonId> crossing_polygons(const TreeReader& reader,
+                                         const ClipPlane& plane);
+
 /// Cuts fragments by clip planes: in doubles with bounds, corners of the scene
 /// exactly.
 class FragmentClipper {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "halfspace/cap_stripes.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -62,12 +64,13 @@ bool SampleMeans::is_smooth(PolygonId polygon) const {
          has_gradient(reader_.scene(), polygon);
 }
 
-Rgb SampleMeans::flat_color(PolygonId polygon) const {
+Rgb SampleMeans::flat_color(PolygonId polygon, std::int32_t i,
+                            std::int32_t j) const {
   if (polygon == kBackground) return image_.background;
   if (is_cap(polygon)) {
-    return cap_color(*image_.caps,
-                     static_cast<std::size_t>(polygon - first_cap_), column_,
-                     row_);
+    return cap_color_at_sample(*image_.caps,
+                               static_cast<std::size_t>(polygon - first_cap_),
+                               i, j, samples_);
   }
   const Scene& scene = reader_.scene();
   return gouraud_ ? scene.corner_colors(polygon)[0] : scene.color(polygon);
@@ -87,33 +90,28 @@ Rgb SampleMeans::mean(const PolygonId* items, std::int64_t stride,
                       std::int32_t i, std::int32_t j) {
   if (are_equal(items, stride, samples_)) {
     if (items[0] == last_) return last_color_;
-    if (is_cap(items[0])) {
-      column_ = i / samples_;
-      row_ = j / samples_;
-      return flat_color(items[0]);
-    }
-    if (!is_smooth(items[0])) {
+    const bool is_hatched = is_cap(items[0]) && image_.caps->hatch;
+    if (!is_hatched && !is_smooth(items[0])) {
       last_ = items[0];
-      last_color_ = flat_color(last_);
+      last_color_ = flat_color(last_, i, j);
       return last_color_;
     }
   }
-  column_ = i / samples_;
-  row_ = j / samples_;
-  if (!gouraud_) return flat_mean(items, stride);
+  if (!gouraud_) return flat_mean(items, stride, i, j);
   return smooth_mean(items, stride, i, j);
 }
 
-Rgb SampleMeans::flat_mean(const PolygonId* items, std::int64_t stride) const {
+Rgb SampleMeans::flat_mean(const PolygonId* items, std::int64_t stride,
+                           std::int32_t i, std::int32_t j) const {
   std::array<std::uint32_t, 3> sum = {};
   PolygonId polygon = items[0];
-  Rgb color = flat_color(polygon);
+  Rgb color = flat_color(polygon, i, j);
   for (std::int32_t b = 0; b < samples_; ++b) {
     for (std::int32_t a = 0; a < samples_; ++a) {
       const PolygonId item = items[b * stride + a];
-      if (item != polygon) {
+      if (item != polygon || is_cap(item)) {
         polygon = item;
-        color = flat_color(polygon);
+        color = flat_color(polygon, i + a, j + b);
       }
       sum[0] += color.r;
       sum[1] += color.g;
@@ -138,7 +136,7 @@ Rgb SampleMeans::smooth_mean(const PolygonId* items, std::int64_t stride,
     for (std::int32_t a = 0; a < samples_; ++a) {
       const PolygonId item = items[b * stride + a];
       if (!is_smooth(item)) {
-        const Rgb color = flat_color(item);
+        const Rgb color = flat_color(item, i + a, j + b);
         sum[0] += color.r;
         sum[1] += color.g;
         sum[2] += color.b;
@@ -183,7 +181,7 @@ double SampleMeans::close_sum(std::size_t channel, const PolygonId* items,
       const PolygonId item = items[b * stride + a];
       sum += is_smooth(item)
                  ? shader_of(item).close_value(channel, i + a, j + b)
-                 : channel_of(flat_color(item), channel);
+                 : channel_of(flat_color(item, i + a, j + b), channel);
     }
   }
   return sum;
@@ -210,7 +208,7 @@ std::uint8_t SampleMeans::exact_mean(std::size_t channel,
         sum += shader_of(item).exact_value(channel, i + a, j + b);
         continue;
       }
-      sum += channel_of(flat_color(item), channel);
+      sum += channel_of(flat_color(item, i + a, j + b), channel);
     }
   }
   return rounded_channel(sum / (samples_ * samples_));

@@ -33,9 +33,11 @@ class SampleMeans {
 
   bool is_cap(PolygonId item) const { return item >= first_cap_; }
   bool is_smooth(PolygonId polygon) const;
-  Rgb flat_color(PolygonId polygon) const;
+  /// The colour at sample (i, j), which only caps depend on.
+  Rgb flat_color(PolygonId polygon, std::int32_t i, std::int32_t j) const;
   GouraudShader& shader_of(PolygonId polygon);
-  Rgb flat_mean(const PolygonId* items, std::int64_t stride) const;
+  Rgb flat_mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
+                std::int32_t j) const;
   Rgb smooth_mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
                   std::int32_t j);
   double close_sum(std::size_t channel, const PolygonId* items,
@@ -51,8 +53,6 @@ class SampleMeans {
   EyeClassifier eye_side_;
   std::vector<Shaded> shaders_;
   PolygonId first_cap_;
-  std::int32_t column_ = 0;  ///< of the pixel, which caps are coloured by
-  std::int32_t row_ = 0;
   PolygonId last_ = kBackground;  ///< of one colour, which is:
   Rgb last_color_;
 };

@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "halfspace/assert.hpp"
+#include "halfspace/cap_stripes.hpp"
 #include "halfspace/threads.hpp"
 #include "shade/corner_blend.hpp"
 #include "shade/exact_double.hpp"
@@ -33,6 +34,7 @@ class ScalarShader {
       : scene_(scene),
         options_(options),
         scalars_(scalars),
+        samples_(view.samples),
         classes_(scalars.scale),
         is_smooth_(options.shading == Shading::kGouraud &&
                    !scene.data().corner_colors.empty()) {
@@ -41,14 +43,14 @@ class ScalarShader {
       shaded_.push_back({kBackground, false, CornerBlend(scene, camera, view)});
   }
 
-  /// The colour of sample (i, j), which is in pixel (x, y).
-  Rgb color(PolygonId seen, std::int32_t i, std::int32_t j, std::int32_t x,
-            std::int32_t y) {
+  /// The colour of sample (i, j).
+  Rgb color(PolygonId seen, std::int32_t i, std::int32_t j) {
     if (seen == last_) return last_color_;
     if (seen == kBackground) return options_.background;
     const auto p = static_cast<std::size_t>(seen);
     if (p >= scene_.polygon_count()) {
-      return cap_color(*options_.caps, p - scene_.polygon_count(), x, y);
+      return cap_color_at_sample(*options_.caps, p - scene_.polygon_count(), i,
+                                 j, samples_);
     }
     const std::int32_t known = scalars_.classes[p];
     const auto lights = scene_.corner_colors(seen);
@@ -153,6 +155,7 @@ class ScalarShader {
   const Scene& scene_;
   const ImageOptions& options_;
   const ScalarColors& scalars_;
+  std::int32_t samples_;
   ScalarClasses classes_;
   bool is_smooth_;
   FilterStats stats_;
@@ -224,7 +227,7 @@ FilterStats color_scalars(const Scene& scene, const Camera& camera,
             const std::int32_t x = how.left + i;
             const std::int32_t y = how.top + j;
             if (n == 1) {
-              colors.at(i, j) = shader.color(items.at(i, j), x, y, x, y);
+              colors.at(i, j) = shader.color(items.at(i, j), x, y);
               continue;
             }
             std::array<unsigned, 3> sum = {count / 2, count / 2, count / 2};
@@ -232,7 +235,7 @@ FilterStats color_scalars(const Scene& scene, const Camera& camera,
               const std::int32_t a = s % n;
               const std::int32_t b = s / n;
               const Rgb own = shader.color(items.at(i * n + a, j * n + b),
-                                           x * n + a, y * n + b, x, y);
+                                           x * n + a, y * n + b);
               sum[0] += own.r;
               sum[1] += own.g;
               sum[2] += own.b;

@@ -69,6 +69,7 @@ void add_scene(CLI::App& program, Status& status);
 void add_draw(CLI::App& program, Status& status);
 void add_order(CLI::App& program, Status& status);
 void add_seen(CLI::App& program, Status& status);
+void add_map(CLI::App& program, Status& status);
 void add_view(CLI::App& program, Status& status);
 void add_help(CLI::App& program, Status& status);
 

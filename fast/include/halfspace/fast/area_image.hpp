@@ -18,10 +18,11 @@ struct AreaImage {
 };
 
 /// The image in which a pixel's colour is the integral over what is seen in it
-/// (S7.6): from the visible map, whose arcs are cut along pixels and added up
-/// from left to right (signed trapezoids and prefix sums).
+/// (S7.6, S10.5): from the visible map, whose arcs are cut along pixels and
+/// added up from left to right (signed trapezoids and prefix sums).
 ///
-/// Requires: a tree of this scene without leaves (divide_leaves()).
+/// Requires: a tree of this scene without leaves (divide_leaves()); a closed
+///           scene where there are caps.
 /// Exact:    yes: sums in doubles with a bound, rationals where that touches a
 ///           step of rounding.
 /// Errors:   kOutOfRange: more cells than the limit; says how many.

@@ -25,8 +25,9 @@ struct Moments {
 Moments moments_of(const std::vector<MapArc>& map, std::int32_t key,
                    std::int32_t i, std::int32_t j);
 
-/// The image of exact areas (S7.6).
+/// The image of exact areas (S7.6, S10.5).
 ///
+/// Requires: a closed scene where the options have caps.
 /// Exact: yes.
 /// Cost:  that of the reference's map: small scenes.
 ColorImage render_area(const Scene& scene, const Camera& camera,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "halfspace/camera.hpp"
+#include "halfspace/image.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/visible_map.hpp"
@@ -27,6 +28,15 @@ struct MapArc {
 /// Cost:  the cube of the number of polygon pairs, and worse: small scenes.
 std::vector<MapArc> visible_map(const Scene& scene, const Camera& camera,
                                 const MapOptions& options = {});
+
+/// The map of what clip planes and caps leave (S10.5), with the keys of
+/// S10.5.
+///
+/// Requires: a closed scene where the options have caps.
+/// Exact:    yes.
+/// Cost:     as visible_map().
+std::vector<MapArc> section_map(const Scene& scene, const Camera& camera,
+                                const ImageOptions& options);
 
 /// The transparent map of the scene (S7.8), as its arcs: the same with composed
 /// colours as keys.

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "halfspace/csg/operands.hpp"
+#include "halfspace/csg/outcome.hpp"
+#include "halfspace/csg/plan.hpp"
+#include "halfspace/fast/solid.hpp"
+
+namespace halfspace::csg {
+
+/// The solids that a result was made of in the first place: operands, those
+/// that exact operands were made of, and after them planes.
+///
+/// What is decided by where faces come from is decided by these, so that it
+/// does not matter which of them a file has put together on the way.
+class OriginParts {
+ public:
+  OriginParts(const Plan& plan, const Operands& operands);
+
+  const std::vector<std::string>& names() const { return names_; }
+  /// Makes the parts of the faces these ones.
+  void expand(fast::Solid& solid) const;
+  /// The operand, or plane, and its polygon, that an origin among these is.
+  Origin of_operand(const Origin& origin) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::int32_t> operands_;  // by part
+  std::vector<std::int32_t> first_;     // part, by operand
+  std::vector<const SolidData*> data_;  // by operand; null: it is one part
+  /// By operand the place of each of its origins.
+  std::vector<std::map<std::pair<std::uint32_t, std::uint32_t>, PolygonId>>
+      places_;
+};
+
+}  // namespace halfspace::csg

@@ -1,0 +1,170 @@
+#include "caps.hpp"
+
+#include <algorithm>
+
+#include "../vector.hpp"
+#include "halfspace/ref/clip.hpp"
+
+namespace halfspace::ref {
+namespace {
+
+Wall wall_of(const Fragment& polygon, const Camera& camera,
+             std::int32_t samples) {
+  const Plane plane = plane_of(polygon.vertices);
+  Wall wall{0, SeenPlane(plane, camera, samples), {}};
+  wall.side = sign(wall.plane.at_eye);
+  const std::size_t count = polygon.vertices.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point& p = polygon.vertices[k];
+    const Point edge = difference(polygon.vertices[(k + 1) % count], p);
+    const Plane inwards = plane_through(cross(normal_of(plane), edge), p);
+    wall.edges.push_back(
+        Rational(wall.side) *
+        crossed(wall.plane, SeenPlane(inwards, camera, samples)));
+  }
+  return wall;
+}
+
+}  // namespace
+
+SeenPlane::SeenPlane(const Plane& plane, const Camera& camera,
+                     std::int32_t samples) {
+  const Rational step = 1 << kLatticeBits;
+  const auto along = [&](const LatticeVector& v) {
+    return dot(normal_of(plane), to_point(v));
+  };
+  const auto at = [&](const LatticeVector& v) {
+    return along(v) + step * plane.d;
+  };
+  at_eye = camera->perspective ? at(camera->eye) : along(camera->eye);
+  const Rational share = Rational(1) / Rational(samples);
+  at_image = {at(camera->s0), share * along(camera->sx),
+              share * along(camera->sy)};
+}
+
+Affine crossed(const SeenPlane& p, const SeenPlane& q) {
+  return p.at_eye * q.at_image - q.at_eye * p.at_image;
+}
+
+Caps::Caps(const Scene& scene, const Camera& camera,
+           const ImageOptions& options, std::int32_t samples)
+    : camera_(camera), cull_(options.cull) {
+  const auto polygons = static_cast<PolygonId>(scene.polygon_count());
+  for (PolygonId id = 0; id < polygons; ++id)
+    walls_.push_back(wall_of(whole(scene, id), camera, samples));
+  for (const ClipPlane& clip : options.clips)
+    planes_.emplace_back(function_of(clip), camera, samples);
+}
+
+/// Positive where the sample's ray meets the plane where it can be seen, on the
+/// positive side of the other planes.
+std::vector<Affine> Caps::limits(std::size_t k) const {
+  const SeenPlane& cap = planes_[k];
+  const Rational side = sign(cap.at_eye);
+  const Affine eye{cap.at_eye, 0, 0};
+  std::vector<Affine> limits;
+  if (camera_->perspective) limits.push_back(side * (eye - cap.at_image));
+  if (camera_->near) {
+    const Rational unit = 1 << kNearBits;
+    const Rational near = *camera_->near;
+    limits.push_back(side * (camera_->perspective
+                                 ? (unit - near) * eye + near * cap.at_image
+                                 : unit * cap.at_image - near * eye));
+  }
+  for (std::size_t other = 0; other < planes_.size(); ++other) {
+    if (other != k) limits.push_back(side * crossed(cap, planes_[other]));
+  }
+  return limits;
+}
+
+bool Caps::shows(std::size_t k, const SignOf& sign_of) const {
+  const int side = sign(planes_[k].at_eye);
+  if (side == 0 || (cull_ && side > 0)) return false;
+  const std::vector<Affine> all = limits(k);
+  return std::all_of(all.begin(), all.end(),
+                     [&](const Affine& f) { return sign_of(f) > 0; }) &&
+         winding_behind(k, sign_of) > 0;
+}
+
+/// The winding number at the point of the plane that is seen, on the kept side:
+/// what is behind it adds up to it, for at the end of the ray it is 0. A
+/// polygon is behind it where it is on the other side than the eye.
+int Caps::winding_behind(std::size_t k, const SignOf& sign_of) const {
+  const SeenPlane& cap = planes_[k];
+  const int side = sign(cap.at_eye);
+  int winding = 0;
+  for (const Wall& wall : walls_) {
+    if (wall.side == 0) continue;
+    if (!std::all_of(wall.edges.begin(), wall.edges.end(),
+                     [&](const Affine& f) { return sign_of(f) > 0; }))
+      continue;
+    const int beside = wall.side * sign_of(crossed(wall.plane, cap));
+    // A polygon in the plane is behind it for an eye on the kept side, where
+    // what is kept comes before it.
+    const bool is_behind = beside == 0 ? side > 0 : beside == -side;
+    if (is_behind) winding -= wall.side;
+  }
+  return winding;
+}
+
+std::vector<Affine> Caps::forms() const {
+  std::vector<Affine> forms;
+  for (std::size_t k = 0; k < planes_.size(); ++k) {
+    for (Affine& limit : limits(k)) forms.push_back(std::move(limit));
+    for (const Wall& wall : walls_) {
+      if (wall.side == 0) continue;
+      forms.insert(forms.end(), wall.edges.begin(), wall.edges.end());
+      forms.push_back(crossed(wall.plane, planes_[k]));
+    }
+  }
+  return forms;
+}
+
+namespace {
+
+/// The sign at the sample of pixel (i, j) (S4.4).
+int cap_sign_at_sample(const Affine& f, std::int32_t i, std::int32_t j) {
+  const Rational twice =
+      2 * f.value + Rational(2 * i + 1) * f.dx + Rational(2 * j + 1) * f.dy;
+  if (const int s = sign(twice)) return s;
+  if (const int s = sign(f.dx)) return s;
+  return sign(f.dy);
+}
+
+}  // namespace
+
+void add_caps(const Scene& scene, const Camera& camera,
+              const ImageOptions& options, ItemImage& items,
+              std::int32_t samples) {
+  if (!options.caps || options.clips.empty()) return;
+  const Caps caps(scene, camera, options, samples);
+  std::vector<SeenPlane> planes;
+  const auto count = static_cast<PolygonId>(scene.polygon_count());
+  for (PolygonId id = 0; id < count; ++id) {
+    planes.emplace_back(plane_of(whole(scene, id).vertices), camera, samples);
+  }
+  for (std::size_t k = 0; k < caps.count(); ++k)
+    planes.push_back(caps.plane(k));
+
+  const auto is_in_front = [&](PolygonId cap, PolygonId seen,
+                               const Caps::SignOf& sign_of) {
+    if (seen == kBackground) return true;
+    const SeenPlane& p = planes[static_cast<std::size_t>(cap)];
+    const SeenPlane& q = planes[static_cast<std::size_t>(seen)];
+    return sign(p.at_eye) * sign(q.at_eye) * sign_of(crossed(p, q)) > 0;
+  };
+  for (std::int32_t j = 0; j < items.height_px; ++j) {
+    for (std::int32_t i = 0; i < items.width_px; ++i) {
+      const auto sign_of = [&](const Affine& f) {
+        return cap_sign_at_sample(f, i, j);
+      };
+      for (std::size_t k = 0; k < caps.count(); ++k) {
+        const PolygonId id = count + static_cast<PolygonId>(k);
+        if (caps.shows(k, sign_of) && is_in_front(id, items.at(i, j), sign_of))
+          items.at(i, j) = id;
+      }
+    }
+  }
+}
+
+}  // namespace halfspace::ref

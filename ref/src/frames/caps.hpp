@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "../covering.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/ref/predicate.hpp"
+#include "halfspace/scene.hpp"
+
+/// The caps of clip planes (S10.3) as a camera sees them: what decides about
+/// them at points of the image.
+namespace halfspace::ref {
+
+/// A plane as the camera sees it: P(e), and P(s) (S4.5), x and y counting
+/// samples, so many a pixel.
+struct SeenPlane {
+  Rational at_eye;
+  Affine at_image;
+
+  SeenPlane(const Plane& plane, const Camera& camera, std::int32_t samples);
+};
+
+/// P(e) Q(s) - Q(e) P(s).
+Affine crossed(const SeenPlane& p, const SeenPlane& q);
+
+/// A polygon of the solid, and the planes through its edges that hold the eye.
+struct Wall {
+  int side;  ///< of the eye
+  SeenPlane plane;
+  std::vector<Affine> edges;  ///< positive within
+};
+
+class Caps {
+ public:
+  /// The sign of a form at the point that is asked about.
+  using SignOf = std::function<int(const Affine&)>;
+
+  /// Requires: a closed scene; options.caps.
+  Caps(const Scene& scene, const Camera& camera, const ImageOptions& options,
+       std::int32_t samples);
+
+  std::size_t count() const { return planes_.size(); }
+  const SeenPlane& plane(std::size_t k) const { return planes_[k]; }
+  /// Whether the cap of plane k is there, all else left out.
+  bool shows(std::size_t k, const SignOf& sign_of) const;
+  /// All forms that shows() asks about the sign of.
+  std::vector<Affine> forms() const;
+
+ private:
+  std::vector<Affine> limits(std::size_t k) const;
+  int winding_behind(std::size_t k, const SignOf& sign_of) const;
+
+  const Camera& camera_;
+  bool cull_;
+  std::vector<Wall> walls_;
+  std::vector<SeenPlane> planes_;
+};
+
+}  // namespace halfspace::ref
