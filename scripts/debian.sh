@@ -48,4 +48,6 @@ if [ "${1:-}" = --check ]; then
   rm -r "$out/again"
   echo "A second build gives the same bytes."
 fi
+# What they consist of.
+scripts/sbom.py "$out"
 ls "$out"/*.deb
