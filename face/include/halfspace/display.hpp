@@ -192,9 +192,9 @@ class HALFSPACE_API Display {
   std::size_t polygon_count() const;
 
   /// The picture. Exact, whatever the number of threads: at each pixel the
-  /// nearest polygon (S5.1), an exact mean (View::anti_aliasing, not with clip
-  /// planes: kOutOfRange), or as polygon_count() + k the cap of the k-th
-  /// different clip plane (S10.3). Cost: what is seen. Errors, here and below:
+  /// nearest polygon (S5.1), an exact mean (View::anti_aliasing), or as
+  /// polygon_count() + k the cap of the k-th different clip plane (S10.3).
+  /// Cost: what is seen. Errors, here and below:
   /// kBadCamera, kNotFinite, kStopped (by view.progress); kOutOfRange (also for
   /// a ninth clip plane); kZeroArea (a clip plane's normal is 0); kOpen (caps
   /// for what is not closed).

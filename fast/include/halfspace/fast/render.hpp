@@ -72,8 +72,7 @@ void render(const Scene& scene, const BspTree& tree, const Camera& camera,
 /// Shape:    items are those of the samples, `samples` times as many each way
 ///           as colours; options.rectangle is in pixels of `camera`.
 /// Requires: samples is 1, 2, 4 or 8; an image of that many times the size has
-///           at most 65,536 columns and rows; options as of render(); no clip
-///           planes.
+///           at most 65,536 columns and rows; options as of render().
 /// Exact:    yes: a pixel's colours are added up before they are rounded, in
 ///           doubles with a bound, and in rationals where that touches a step.
 /// Cost:     samples are decided strip by strip, while they stay in the cache.
