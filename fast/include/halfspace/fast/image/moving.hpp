@@ -50,10 +50,10 @@ Result<MovingTrees> build_moving_trees(const Assembly& assembly,
 /// The world's tree is displayed front to back (S3.7). Where the walk comes to
 /// a region, the object in it is displayed from its own tree, by the camera in
 /// the object's frame: a map keeps ray parameters and sides, so that nothing of
-/// the object is computed but what is seen. Requires: the assembly's trees;
-/// options as of render(); no clip planes. Exact:    yes: doubles with bounds,
-/// and integers of 896 bits where they
-///           touch.
+/// the object is computed but what is seen.
+///
+/// Requires: the assembly's trees; options as of render(); no clip planes.
+/// Exact:    yes: doubles with bounds, integers of 896 bits where they touch.
 /// Cost:     that of the world's image, and for each region that is seen a
 ///           walk of its object's tree.
 Rendering render_moving(const Assembly& assembly, const MovingTrees& trees,
