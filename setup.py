@@ -24,7 +24,7 @@ class CMakeBuild(build_ext):
         subprocess.run(
             ["cmake", "-S", ROOT, "-B", build, *generator,
              "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON",
-             "-DCMAKE_UNITY_BUILD_BATCH_SIZE=5", "-DBUILD_TESTING=OFF",
+             "-DCMAKE_UNITY_BUILD_BATCH_SIZE=10", "-DBUILD_TESTING=OFF",
              "-DHALFSPACE_BENCH=OFF", "-DHALFSPACE_PYTHON=ON",
              "-DHALFSPACE_WARNINGS_AS_ERRORS=OFF",
              f"-DHALFSPACE_PYTHON_EXECUTABLE={sys.executable}"], check=True)
