@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs a farm's work on a Slurm of four nodes, and loses a node on the way.
 
-  scripts/farm/test/slurm_test.py PROGRAM [--times 5] [--parts 5000]
+  scripts/cluster/test/slurm_test.py PROGRAM [--times 5] [--parts 5000]
 
 A film and a union of many parts, each by an array of jobs. At a random time a
 node is killed with all that runs on it; it comes back when its jobs have been

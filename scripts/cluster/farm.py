@@ -13,8 +13,8 @@
   farm.py manifest DIR
 
 The first six write a plan into the folder DIR, which all machines must see.
-scripts/farm/slurm.sh, parallel.sh or the Snakefile then run its jobs; `run` runs
-some of them here. A job may be killed, lost or run twice: its files appear when
+scripts/cluster/slurm.sh, parallel.sh or the Snakefile then run its jobs; `run`
+runs some of them here. A job may be killed, lost or run twice: its files appear when
 they are whole, its record last, and what is done is not run again. `manifest`
 checks all there is and writes DIR/results/MANIFEST.sha256.
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Tests of scripts/farm without a cluster: plans, jobs, what is done twice.
+"""Tests of scripts/cluster without a cluster: plans, jobs, what is done twice.
 
-  scripts/farm/test/farm_test.py PROGRAM LAWS
+  scripts/cluster/test/farm_test.py PROGRAM LAWS
 
 PROGRAM is build/release/tools/halfspace, LAWS
 build/release/proptest/proptest. It takes GNU parallel.

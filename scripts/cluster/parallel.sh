@@ -2,7 +2,7 @@
 # Runs a plan's jobs by GNU parallel, here or on other machines that see the
 # plan's folder:
 #
-#   scripts/farm/parallel.sh DIR [OPTIONS of parallel, such as -j 4 or
+#   scripts/cluster/parallel.sh DIR [OPTIONS of parallel, such as -j 4 or
 #                                 --sshloginfile machines.txt]
 #
 # A phase begins when that before it is done. Begun again after a failure or an

@@ -14,6 +14,6 @@ install_needed
 
 cmake --preset release
 cmake --build --preset release --target halfspace proptest
-scripts/farm/test/farm_test.py build/release/tools/halfspace \
+scripts/cluster/test/farm_test.py build/release/tools/halfspace \
   build/release/proptest/proptest
-scripts/farm/test/slurm_test.py build/release/tools/halfspace "$@"
+scripts/cluster/test/slurm_test.py build/release/tools/halfspace "$@"

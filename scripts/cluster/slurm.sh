@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Submits a plan's jobs to Slurm, as an array for each phase:
 #
-#   scripts/farm/slurm.sh DIR [OPTIONS of sbatch, such as --partition=night]
+#   scripts/cluster/slurm.sh DIR [OPTIONS of sbatch, such as --partition=night]
 #
 # A phase waits for that before it; the last job writes the manifest. Prints the
 # numbers of the arrays. A job whose node fails is run again by Slurm; after
