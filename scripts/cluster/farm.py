@@ -14,9 +14,9 @@
 
 The first six write a plan into the folder DIR, which all machines must see.
 scripts/cluster/slurm.sh, parallel.sh or the Snakefile then run its jobs; `run`
-runs some of them here. A job may be killed, lost or run twice: its files appear when
-they are whole, its record last, and what is done is not run again. `manifest`
-checks all there is and writes DIR/results/MANIFEST.sha256.
+runs some of them here. A job may be killed, lost or run twice: its files appear
+when they are whole, its record last, and what is done is not run again.
+`manifest` checks all there is and writes DIR/results/MANIFEST.sha256.
 
 Exit status: 0 all is done, 1 a job failed or is not done, 2 bad usage. `run` of
 one job has the status of its command.
