@@ -14,7 +14,9 @@ well as ten: a job reads its own thousand of lines.
 import dataclasses
 import hashlib
 import json
+import os
 import pathlib
+import socket
 
 FORM = 1
 IN_A_FILE = 1000
@@ -64,8 +66,6 @@ def replace(path, text):
 
 def unique():
     """A name that no other process on any machine of the farm has."""
-    import os
-    import socket
     return f"{socket.gethostname()}-{os.getpid()}"
 
 

@@ -10,6 +10,7 @@ file of its has.
 import hashlib
 import json
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -117,7 +118,7 @@ def run(plan, phase, number):
     if is_done(plan, phase, number, job, made_of):
         return
     (plan.folder / "work").mkdir(exist_ok=True)
-    scratch = plans.pathlib.Path(tempfile.mkdtemp(
+    scratch = pathlib.Path(tempfile.mkdtemp(
         prefix=f"{phase}-{number}-", dir=plan.folder / "work"))
     for name in job.outputs:
         (scratch / name).parent.mkdir(parents=True, exist_ok=True)
@@ -159,7 +160,7 @@ def manifest(plan):
     """
     lines = []
     for source, there in plan.sources.items():
-        path = plans.pathlib.Path(plan.place) / source
+        path = pathlib.Path(plan.place) / source
         if not path.exists() or plans.checksum(path) != there:
             raise plans.Error(f"{source}: has changed since the plan was made")
     for phase in plan.phases:
