@@ -21,12 +21,15 @@ namespace {
 /// numbers.
 class Resolver {
  public:
-  Resolver(const Solid& solid, TableLease& lease)
+  Resolver(const Solid& solid, TableLease& lease,
+           const RestOfSurface* rest = nullptr)
       : solid_(solid),
+        rest_(rest),
         table_(lease.table()),
         half_faces_(solid, lease),
         contacts_(half_faces_.contacts()),
         operand_(contacts_.operand) {
+    if (rest != nullptr) half_faces_.set_rest(rest->winding);
     std::sort(operand_.cuts.begin(), operand_.cuts.end(),
               [](const EdgeFaceIntersection& x, const EdgeFaceIntersection& y) {
                 return x.edge < y.edge;
@@ -50,6 +53,9 @@ class Resolver {
   bool is_cut(std::int32_t f) const {
     return is_cut_[static_cast<std::size_t>(f)] != 0;
   }
+  bool is_known(std::int32_t f) const {
+    return rest_ != nullptr && rest_->stays[static_cast<std::size_t>(f)] >= 0;
+  }
 
   void mark_cut_faces();
   void emit_edge(std::size_t e);
@@ -59,9 +65,11 @@ class Resolver {
   void add_points(const Segment& line);
   void add_points_of(std::int32_t f, const Segment& line);
   bool is_in_extent(std::int32_t f, std::int32_t v) const;
+  std::vector<std::uint8_t> faces_that_stay();
   Solid result(Resolved& resolved);
 
   const Solid& solid_;
+  const RestOfSurface* rest_;  ///< null: the solid is all of the surface
   GeometryTable& table_;
   SelfRadialOrder half_faces_;
   SelfContacts& contacts_;
@@ -106,6 +114,11 @@ void Resolver::mark_cut_faces() {
   for (const SelfIntersection& crossing : self_intersections_of(contacts_)) {
     mark(crossing.first);
     mark(crossing.second);
+  }
+  // The surface may pass through itself along their edges; all of such a face
+  // stays or goes, then.
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(is_cut_.size()); ++f) {
+    if (is_known(f)) is_cut_[static_cast<std::size_t>(f)] = 0;
   }
 }
 
@@ -239,11 +252,28 @@ void Resolver::emit(const Segment& segment) {
     pieces_.resize(before_any);
 }
 
+/// Of the faces that nothing cuts, those with winding number 0 in front: all of
+/// a part has the same.
+std::vector<std::uint8_t> Resolver::faces_that_stay() {
+  const std::vector<std::int32_t> part = parts_of_surface(operand_, is_cut_);
+  std::vector<std::uint8_t> stay(solid_.faces.size());
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(part.size()); ++f) {
+    if (is_cut(f)) continue;
+    const auto at = static_cast<std::size_t>(f);
+    if (is_known(f)) {
+      stay[at] = rest_->stays[at] != 0;
+    } else {
+      stay[at] = part[at] == f ? half_faces_.winding_outside(f) == 0
+                               : stay[static_cast<std::size_t>(part[at])] != 0;
+    }
+  }
+  return stay;
+}
+
 Solid Resolver::result(Resolved& resolved) {
   Solid result{{}, {}, false, solid_.unit, solid_.table, true};
   // Step 1: the faces that nothing cuts, as they are.
-  const std::vector<std::int32_t> part = parts_of_surface(operand_, is_cut_);
-  std::vector<std::uint8_t> stay(solid_.faces.size());
+  const std::vector<std::uint8_t> stay = faces_that_stay();
   std::set<std::int32_t> pinned;
   const auto begin = [&](std::int32_t f) {
     result.faces.push_back(face(f));
@@ -253,12 +283,8 @@ Solid Resolver::result(Resolved& resolved) {
     last.first_edge = static_cast<std::uint32_t>(result.edges.size());
     last.edge_count = 0;
   };
-  for (std::int32_t f = 0; f < static_cast<std::int32_t>(part.size()); ++f) {
-    if (is_cut(f)) continue;
-    const auto at = static_cast<std::size_t>(f);
-    stay[at] = part[at] == f ? half_faces_.winding_outside(f) == 0
-                             : stay[static_cast<std::size_t>(part[at])] != 0;
-    if (stay[at] == 0) continue;
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(stay.size()); ++f) {
+    if (stay[static_cast<std::size_t>(f)] == 0) continue;
     begin(f);
     result.faces.back().edge_count = face(f).edge_count;
     for (std::uint32_t i = 0; i < face(f).edge_count; ++i) {
@@ -290,6 +316,11 @@ Solid Resolver::result(Resolved& resolved) {
 
 Resolved resolved(const Solid& solid, TableLease& lease) {
   return Resolver(solid, lease).run();
+}
+
+Resolved resolved_patch(const Solid& patch, TableLease& lease,
+                        const RestOfSurface& rest) {
+  return Resolver(patch, lease, &rest).run();
 }
 
 Resolved resolve(const Solid& solid) { return with_lease(solid, resolved); }

@@ -97,6 +97,7 @@ int SelfRadialOrder::winding_before_first(const Segment& segment) const {
     return 0;
   };
   int winding = locator_.winding(segment.low, segment.high);
+  if (winding_of_rest_) winding += winding_of_rest_(segment.low, segment.high);
   // Faces that are no region of their plane may have no half_face at their
   // edge.
   if (half_faces_.empty()) return winding;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "intersect/point_location.hpp"
@@ -20,6 +22,12 @@ class SelfRadialOrder {
                   DynamicBvh index);
   SelfRadialOrder(const SelfRadialOrder&) = delete;
   SelfRadialOrder& operator=(const SelfRadialOrder&) = delete;
+
+  /// `winding`: what faces that are not the solid's, but of one surface with
+  /// them, add to the winding number that a PointLocator finds.
+  void set_rest(std::function<int(std::int32_t, std::int32_t)> winding) {
+    winding_of_rest_ = std::move(winding);
+  }
 
   SelfContacts& contacts() { return contacts_; }
   const DynamicBvh& index() const { return index_; }
@@ -41,6 +49,7 @@ class SelfRadialOrder {
   SelfContacts contacts_;
   DynamicBvh index_;
   PointLocator locator_;
+  std::function<int(std::int32_t, std::int32_t)> winding_of_rest_;
   std::vector<HalfFace> half_faces_;
 };
 

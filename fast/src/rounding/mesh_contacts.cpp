@@ -2,93 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <numeric>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "box/bvh.hpp"
-#include "exact/exact_plane.hpp"
-#include "exact/wide.hpp"
 #include "rounding/grid_predicates.hpp"
+#include "rounding/mesh_edges.hpp"
+#include "rounding/mesh_winding.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-Box box_of(const GridMesh& mesh, const GridTriangle& t) {
-  Bounds bounds;
-  for (const std::int32_t c : t.corners) {
-    const GridPoint& p = mesh.at(c);
-    bounds.add({static_cast<double>(p.x), static_cast<double>(p.y),
-                static_cast<double>(p.z), 0});
-  }
-  return bounds.box();
-}
-
-/// A triangle at one of its edges.
-struct EdgeUse {
-  std::int32_t high = 0;  ///< the greater end
-  std::int32_t triangle = 0;
-  bool forward = false;  ///< it goes there
-};
-
-/// All uses of edges, those of one edge in a row.
-class EdgeUses {
- public:
-  explicit EdgeUses(const GridMesh& mesh) {
-    first_.resize(mesh.points.size() + 1);
-    for_each(mesh, [&](std::int32_t low, const EdgeUse&) {
-      ++first_[static_cast<std::size_t>(low) + 1];
-    });
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    uses_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for_each(mesh, [&](std::int32_t low, const EdgeUse& use) {
-      uses_[next[static_cast<std::size_t>(low)]++] = use;
-    });
-    for (std::size_t p = 0; p + 1 < first_.size(); ++p) {
-      std::sort(uses_.begin() + first_[p], uses_.begin() + first_[p + 1],
-                [](const EdgeUse& x, const EdgeUse& y) {
-                  return x.high != y.high ? x.high < y.high
-                                          : x.triangle < y.triangle;
-                });
-    }
-  }
-
-  /// Calls `found(low, first use, use after the last)` for each edge.
-  template <class Found>
-  void for_edges(Found&& found) const {
-    for (std::size_t p = 0; p + 1 < first_.size(); ++p) {
-      for (std::size_t i = first_[p]; i < first_[p + 1];) {
-        std::size_t end = i + 1;
-        while (end < first_[p + 1] && uses_[end].high == uses_[i].high) ++end;
-        found(static_cast<std::int32_t>(p), uses_.data() + i,
-              uses_.data() + end);
-        i = end;
-      }
-    }
-  }
-
- private:
-  template <class Found>
-  static void for_each(const GridMesh& mesh, Found&& found) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& c = mesh.triangles[t].corners;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::int32_t from = c[i], to = c[(i + 1) % 3];
-        found(std::min(from, to),
-              EdgeUse{std::max(from, to), static_cast<std::int32_t>(t),
-                      from < to});
-      }
-    }
-  }
-
-  std::vector<std::uint32_t> first_;
-  std::vector<EdgeUse> uses_;
-};
-
 /// The parts of a surface that hang together along edges.
-std::vector<std::int32_t> parts_of(const GridMesh& mesh, const EdgeUses& uses) {
+std::vector<std::int32_t> parts_of(const GridMesh& mesh,
+                                   const MeshEdges& uses) {
   std::vector<std::int32_t> parent(mesh.triangles.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](std::int32_t t) {
@@ -99,20 +27,21 @@ std::vector<std::int32_t> parts_of(const GridMesh& mesh, const EdgeUses& uses) {
     }
     return t;
   };
-  uses.for_edges([&](std::int32_t, const EdgeUse* first, const EdgeUse* last) {
-    for (const EdgeUse* use = first + 1; use < last; ++use) {
-      const std::int32_t a = root(first->triangle), b = root(use->triangle);
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-  });
+  uses.for_edges(
+      [&](std::int32_t, const MeshEdgeUse* first, const MeshEdgeUse* last) {
+        for (const MeshEdgeUse* use = first + 1; use < last; ++use) {
+          const std::int32_t a = root(first->triangle), b = root(use->triangle);
+          parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        }
+      });
   for (std::size_t t = 0; t < parent.size(); ++t)
     parent[t] = root(static_cast<std::int32_t>(t));
   return parent;
 }
 
 /// Whether entries and exits alternate round an edge.
-bool alternates(const GridMesh& mesh, std::int32_t low, const EdgeUse* first,
-                const EdgeUse* last) {
+bool alternates(const GridMesh& mesh, std::int32_t low,
+                const MeshEdgeUse* first, const MeshEdgeUse* last) {
   const std::int32_t high = first->high;
   struct Half {
     std::int32_t apex;
@@ -120,7 +49,7 @@ bool alternates(const GridMesh& mesh, std::int32_t low, const EdgeUse* first,
     int half;  ///< 0: the first one's direction; 2: the opposite one
   };
   std::vector<Half> halves;
-  for (const EdgeUse* use = first; use < last; ++use) {
+  for (const MeshEdgeUse* use = first; use < last; ++use) {
     for (const std::int32_t c :
          mesh.triangles[static_cast<std::size_t>(use->triangle)].corners) {
       if (c != low && c != high) halves.push_back({c, use->forward, 0});
@@ -145,129 +74,17 @@ bool alternates(const GridMesh& mesh, std::int32_t low, const EdgeUse* first,
   return true;
 }
 
-/// Counts how often the surface winds round points in front of its triangles.
-class WindingCounter {
- public:
-  explicit WindingCounter(const GridMesh& mesh) : mesh_(mesh) {}
-
-  /// Whether the winding number in front of the triangle is surely 0, with the
-  /// triangles that `for_near(box, call)` finds.
-  /// Requires: it is not upright.
-  template <class ForNear>
-  bool is_zero_in_front(std::int32_t t, ForNear&& for_near) {
-    const GridTriangle& own = mesh_.triangles[static_cast<std::size_t>(t)];
-    middle_ = {};
-    for (const std::int32_t c : own.corners) {
-      middle_.x += mesh_.at(c).x;
-      middle_.y += mesh_.at(c).y;
-      middle_.z += mesh_.at(c).z;
-    }
-    Box box = box_of(mesh_, own);
-    box.high[2] = std::numeric_limits<float>::max();
-    int above = 0;
-    bool sure = true;
-    for_near(box, [&](std::int32_t other) {
-      if (other == t) return;
-      const auto winds =
-          winding_above(mesh_.triangles[static_cast<std::size_t>(other)], sure);
-      above += winds;
-    });
-    return sure && above == (upward(own) > 0 ? 0 : 1);
-  }
-
-  /// The sign of the upward component of a triangle's normal.
-  int upward(const GridTriangle& t) const {
-    return turn_along(2, mesh_.at(t.corners[0]), mesh_.at(t.corners[1]),
-                      mesh_.at(t.corners[2]));
-  }
-
- private:
-  /// p, three times as large, from three times the middle: up to 57 bits.
-  Vector3<std::int64_t> from_middle(std::int32_t p) const {
-    const GridPoint& at = mesh_.at(p);
-    return {3 * at.x - middle_.x, 3 * at.y - middle_.y, 3 * at.z - middle_.z};
-  }
-
-  /// What a triangle adds to the winding number below it, if it is above the
-  /// middle, moved by (e, e^2) for an infinitely small e > 0.
-  int winding_above(const GridTriangle& t, bool& sure) const {
-    std::array<Vector3<std::int64_t>, 3> v;
-    for (std::size_t i = 0; i < 3; ++i) v[i] = from_middle(t.corners[i]);
-    int first = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& a = v[i];
-      const auto& b = v[(i + 1) % 3];
-      int turn = sign(Int128{a.x} * b.y - Int128{a.y} * b.x);
-      if (turn == 0) turn = a.y > b.y ? 1 : a.y < b.y ? -1 : 0;
-      if (turn == 0) turn = b.x > a.x ? 1 : b.x < a.x ? -1 : 0;
-      if (turn == 0 || (i > 0 && turn != first)) return 0;
-      first = turn;
-    }
-    // The determinant is the normal's product with a corner.
-    const auto minor = [](std::int64_t a, std::int64_t b, std::int64_t c,
-                          std::int64_t d) {
-      return Int128{a} * d - Int128{b} * c;
-    };
-    const auto &a = v[0], &b = v[1], &c = v[2];
-    const int side = sign(multiply<3>(minor(b.y, b.z, c.y, c.z), Int128{a.x}) +
-                          multiply<3>(minor(b.z, b.x, c.z, c.x), Int128{a.y}) +
-                          multiply<3>(minor(b.x, b.y, c.x, c.y), Int128{a.z}));
-    if (side == 0) sure = false;
-    return side == first ? first : 0;
-  }
-
-  const GridMesh& mesh_;
-  GridPoint middle_;  ///< three times as large
-};
-
-/// A triangle of each part that is as level as any: where it begins, none.
-std::vector<std::int32_t> level_triangles(
-    const GridMesh& mesh, const std::vector<std::int32_t>& part) {
-  std::vector<std::int32_t> best(mesh.triangles.size(), -1);
-  std::vector<double> area(mesh.triangles.size(), -1);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& c = mesh.triangles[t].corners;
-    const GridPoint &p = mesh.at(c[0]), &q = mesh.at(c[1]), &r = mesh.at(c[2]);
-    const auto d = [](std::int64_t value) {
-      return static_cast<double>(value);
-    };
-    const double size =
-        std::abs(d(q.x - p.x) * d(r.y - p.y) - d(q.y - p.y) * d(r.x - p.x));
-    const auto of = static_cast<std::size_t>(part[t]);
-    if (size <= area[of]) continue;
-    area[of] = size;
-    best[of] = static_cast<std::int32_t>(t);
-  }
-  std::erase(best, -1);
-  return best;
-}
-
 void check_parts(const GridMesh& mesh, const std::vector<std::int32_t>& part,
                  MeshContacts& found) {
   // A tree costs about as much as looking at all triangles so many times.
   constexpr std::size_t kFew = 4;
-  const std::vector<std::int32_t> level = level_triangles(mesh, part);
-  const auto box = [&](std::int32_t t) {
-    return box_of(mesh, mesh.triangles[static_cast<std::size_t>(t)]);
-  };
-  std::vector<std::int32_t> all(mesh.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  WindingCounter counter(mesh);
-  const auto check = [&](auto&& for_near) {
-    for (const std::int32_t t : level) {
-      if (counter.upward(mesh.triangles[static_cast<std::size_t>(t)]) == 0 ||
-          !counter.is_zero_in_front(t, for_near))
-        found.in_parts.push_back(t);
-    }
-  };
-  if (level.size() <= kFew) {
-    check([&](const Box&, auto&& call) {
-      for (const std::int32_t t : all) call(t);
-    });
-    return;
-  }
-  const BoxTree tree(box, all);
-  check([&](const Box& near, auto&& call) { tree.find(near, call); });
+  const std::vector<FacingTriangle> facing = facing_triangles(mesh, part);
+  std::optional<BoxTree> tree;
+  if (facing.size() > kFew) tree = tree_of(mesh);
+  for_windings(mesh, tree ? &*tree : nullptr, facing,
+               [&](std::size_t i, const std::optional<int>& winding) {
+                 if (winding != 0) found.in_parts.push_back(facing[i].triangle);
+               });
 }
 
 void find_pairs(const GridMesh& mesh, int threads, MeshContacts& found) {
@@ -362,34 +179,34 @@ MeshContacts contacts_of(const GridMesh& mesh, int threads) {
   if (!any_moved) return found;
   find_pairs(mesh, threads, found);
   if (!found.empty()) return found;
-  const EdgeUses uses(mesh);
-  uses.for_edges(
-      [&](std::int32_t low, const EdgeUse* first, const EdgeUse* last) {
-        if (last - first == 2) return;
-        const bool moved = std::any_of(first, last, [&](const EdgeUse& use) {
-          return mesh.is_moved(
-              mesh.triangles[static_cast<std::size_t>(use.triangle)]);
-        });
-        if (moved && !alternates(mesh, low, first, last))
-          found.at_edges.push_back(first->triangle);
-      });
+  const MeshEdges uses(mesh);
+  uses.for_edges([&](std::int32_t low, const MeshEdgeUse* first,
+                     const MeshEdgeUse* last) {
+    if (last - first == 2) return;
+    const bool moved = std::any_of(first, last, [&](const MeshEdgeUse& use) {
+      return mesh.is_moved(
+          mesh.triangles[static_cast<std::size_t>(use.triangle)]);
+    });
+    if (moved && !alternates(mesh, low, first, last))
+      found.at_edges.push_back(first->triangle);
+  });
   if (found.empty()) check_parts(mesh, parts_of(mesh, uses), found);
   return found;
 }
 
 bool is_closed(const GridMesh& mesh) {
   bool closed = true;
-  EdgeUses(mesh).for_edges(
-      [&](std::int32_t, const EdgeUse* first, const EdgeUse* last) {
+  MeshEdges(mesh).for_edges(
+      [&](std::int32_t, const MeshEdgeUse* first, const MeshEdgeUse* last) {
         const auto forward = std::count_if(
-            first, last, [](const EdgeUse& use) { return use.forward; });
+            first, last, [](const MeshEdgeUse& use) { return use.forward; });
         closed = closed && 2 * forward == last - first;
       });
   return closed;
 }
 
 std::size_t part_count(const GridMesh& mesh) {
-  const std::vector<std::int32_t> part = parts_of(mesh, EdgeUses(mesh));
+  const std::vector<std::int32_t> part = parts_of(mesh, MeshEdges(mesh));
   std::size_t count = 0;
   for (std::size_t t = 0; t < part.size(); ++t)
     count += part[t] == static_cast<std::int32_t>(t) ? 1u : 0u;

@@ -41,9 +41,8 @@ class Settler {
 
  private:
   void note_move(const LargestMove& move);
-  bool coarsen(const MeshContacts& contacts, std::int64_t first,
-               std::int64_t last);
-  bool go_on(Way way, const MeshContacts& contacts, std::size_t in_vain);
+  bool coarsen(MeshContacts& contacts, std::int64_t first, std::int64_t last);
+  bool go_on(Way way, MeshContacts& contacts, std::size_t in_vain);
   void note_contacts(const MeshContacts& contacts);
   bool round(Way way);
 
@@ -66,9 +65,11 @@ void Settler::note_move(const LargestMove& move) {
 /// triangles meet, or else by that which leaves the fewest. Sheets that nearly
 /// coincide fall together where the width is more than their distance, and
 /// cross the more where it is less. False: too many are left even so.
-bool Settler::coarsen(const MeshContacts& contacts, std::int64_t first,
+/// `contacts` become those of the coarser surface.
+bool Settler::coarsen(MeshContacts& contacts, std::int64_t first,
                       std::int64_t last) {
   GridMesh best;
+  MeshContacts best_contacts;
   LargestMove best_move;
   std::size_t fewest = static_cast<std::size_t>(-1);
   for (std::int64_t width = first; width <= last; width *= 4) {
@@ -76,23 +77,25 @@ bool Settler::coarsen(const MeshContacts& contacts, std::int64_t first,
     const LargestMove move =
         coarsened(mesh, contacts, grid_, width * grid_.spacing());
     clean(mesh);
-    const std::size_t count = contacts_of(mesh, threads_).size();
+    MeshContacts left = contacts_of(mesh, threads_);
+    const std::size_t count = left.size();
     if (count >= fewest) continue;
     best = std::move(mesh);
+    best_contacts = std::move(left);
     best_move = move;
     fewest = count;
     if (kFewer * count <= contacts.size()) break;
   }
   if (fewest > kMany && fewest > 2 * contacts.size()) return false;
   result_.mesh = std::move(best);
+  contacts = std::move(best_contacts);
   note_move(best_move);
   return true;
 }
 
 /// Does something against contacts that do not become fewer for the `in_vain`th
 /// time. False: nothing is left to be done.
-bool Settler::go_on(Way way, const MeshContacts& contacts,
-                    std::size_t in_vain) {
+bool Settler::go_on(Way way, MeshContacts& contacts, std::size_t in_vain) {
   if (way == Way::kNear) {
     const std::int64_t width = kFirstWidth << (in_vain - 1);
     return width <= kLastNear && coarsen(contacts, width, width);
@@ -129,17 +132,17 @@ bool Settler::round(Way way) {
     note_move(snap(mesh, loose, grid_));
     const Collapse collapse = clean(mesh);
     if (collapse.points + collapse.triangles > 0) result_.collapsed = true;
-    const MeshContacts contacts = contacts_of(mesh, threads_);
+    MeshContacts contacts = contacts_of(mesh, threads_);
     if (contacts.empty()) return true;
     note_contacts(contacts);
     if (result_.end == Settling::kOpen) return false;
-    const bool too_many =
-        contacts.size() > std::max(kMany, 2 * mesh.triangles.size());
-    if ((too_many || fewest < kFewer * contacts.size()) &&
+    const std::size_t count = contacts.size();
+    const bool too_many = count > std::max(kMany, 2 * mesh.triangles.size());
+    if ((too_many || fewest < kFewer * count) &&
         !go_on(way, contacts, ++in_vain))
       return false;
-    fewest = std::min(fewest, contacts.size());
-    loose = resolve_mesh(mesh, grid_, threads_);
+    fewest = std::min(fewest, count);
+    loose = resolve_mesh(mesh, contacts, grid_, threads_);
     if (loose.empty()) return true;
   }
 }
