@@ -1,6 +1,7 @@
 #include "rounding/grid_mesh.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -29,9 +30,16 @@ std::size_t weld(GridMesh& mesh) {
     ++welded;
   }
   if (moved.empty()) return 0;
+  // Nearly all points that did not move are alone: most are known by a bit.
+  const std::size_t bits = std::bit_ceil(16 * moved.size());
+  std::vector<bool> may_be(bits);
+  const auto bit_of = [&](const GridPoint& p) {
+    return GridPointHash()(p) & (bits - 1);
+  };
+  for (const auto& [at, p] : moved) may_be[bit_of(at)] = true;
   std::vector<std::int32_t> now(mesh.points.size(), -1);
   for (std::int32_t p = 0; p < count; ++p) {
-    if (mesh.is_moved(p)) continue;
+    if (mesh.is_moved(p) || !may_be[bit_of(mesh.at(p))]) continue;
     const auto at = moved.find(mesh.at(p));
     if (at == moved.end()) continue;
     now[static_cast<std::size_t>(at->second)] = p;

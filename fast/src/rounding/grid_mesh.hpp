@@ -13,6 +13,7 @@ namespace halfspace::fast {
 struct GridTriangle {
   std::array<std::int32_t, 3> corners{};
   std::int32_t source = 0;
+  std::int32_t number = -1;  ///< in a MeshIndex; -1: it has none yet
 };
 
 /// An oriented surface of triangles between grid points. As a chain, it counts

@@ -75,48 +75,77 @@ bool alternates(const GridMesh& mesh, std::int32_t low,
 }
 
 void check_parts(const GridMesh& mesh, const std::vector<std::int32_t>& part,
-                 MeshContacts& found) {
+                 const MeshIndex& index, MeshContacts& found) {
+  const auto check = [&](const MeshIndex& by_box, const auto& facing) {
+    for_windings(mesh, by_box, facing,
+                 [&](std::size_t i, const std::optional<int>& winding) {
+                   if (winding != 0)
+                     found.in_parts.push_back(facing[i].triangle);
+                 });
+  };
   // A tree costs about as much as looking at all triangles so many times.
   constexpr std::size_t kFew = 4;
   const std::vector<FacingTriangle> facing = facing_triangles(mesh, part);
-  std::optional<BoxTree> tree;
-  if (facing.size() > kFew) tree = tree_of(mesh);
-  for_windings(mesh, tree ? &*tree : nullptr, facing,
-               [&](std::size_t i, const std::optional<int>& winding) {
-                 if (winding != 0) found.in_parts.push_back(facing[i].triangle);
-               });
+  if (index.is_empty() && facing.size() > kFew)
+    check(MeshIndex(mesh), facing);
+  else
+    check(index, facing);
 }
 
-void find_pairs(const GridMesh& mesh, int threads, MeshContacts& found) {
+using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+/// Each of `triangles` against those that `for_near(t, call)` finds for it.
+template <class ForNear>
+Pairs pairs_of(const GridMesh& mesh, const std::vector<std::int32_t>& triangles,
+               int threads, ForNear&& for_near) {
+  constexpr std::size_t kBlock = 256;
+  std::vector<Pairs> blocks((triangles.size() + kBlock - 1) / kBlock);
+  for_blocks(threads, triangles.size(), kBlock,
+             [&](std::size_t number, std::size_t first, std::size_t last) {
+               for (std::size_t i = first; i < last; ++i) {
+                 const std::int32_t t = triangles[i];
+                 for_near(t, [&](std::int32_t other) {
+                   if (triangles_meet(
+                           mesh, mesh.triangles[static_cast<std::size_t>(t)],
+                           mesh.triangles[static_cast<std::size_t>(other)]))
+                     blocks[number].push_back(std::minmax(t, other));
+                 });
+               }
+             });
+  Pairs pairs;
+  for (const Pairs& block : blocks)
+    pairs.insert(pairs.end(), block.begin(), block.end());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// If both moved, the first finds the other.
+Pairs find_pairs(const GridMesh& mesh, int threads, const MeshIndex& index) {
+  const auto triangle = [&](std::int32_t t) -> const GridTriangle& {
+    return mesh.triangles[static_cast<std::size_t>(t)];
+  };
   std::vector<std::int32_t> moved;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.is_moved(mesh.triangles[t]))
       moved.push_back(static_cast<std::int32_t>(t));
   }
-  const auto triangle = [&](std::int32_t t) -> const GridTriangle& {
-    return mesh.triangles[static_cast<std::size_t>(t)];
-  };
+  if (!index.is_empty()) {
+    return pairs_of(mesh, moved, threads, [&](std::int32_t t, auto&& call) {
+      index.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
+        if (other > t || !mesh.is_moved(triangle(other))) call(other);
+      });
+    });
+  }
   const BoxTree tree([&](std::int32_t t) { return box_of(mesh, triangle(t)); },
                      moved);
-  constexpr std::size_t kBlock = 1024;
-  std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>> blocks(
-      (mesh.triangles.size() + kBlock - 1) / kBlock);
-  for_blocks(threads, mesh.triangles.size(), kBlock,
-             [&](std::size_t number, std::size_t first, std::size_t last) {
-               for (std::size_t i = first; i < last; ++i) {
-                 const auto t = static_cast<std::int32_t>(i);
-                 const bool is_moved = mesh.is_moved(triangle(t));
-                 tree.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
-                   // If both moved, the first finds the other.
-                   if (is_moved && other <= t) return;
-                   if (triangles_meet(mesh, triangle(t), triangle(other)))
-                     blocks[number].push_back(std::minmax(t, other));
-                 });
-               }
-             });
-  for (const auto& block : blocks)
-    found.pairs.insert(found.pairs.end(), block.begin(), block.end());
-  std::sort(found.pairs.begin(), found.pairs.end());
+  std::vector<std::int32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return pairs_of(mesh, all, threads, [&](std::int32_t t, auto&& call) {
+    const bool is_moved = mesh.is_moved(triangle(t));
+    tree.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
+      if (!is_moved || other > t) call(other);
+    });
+  });
 }
 
 }  // namespace
@@ -171,13 +200,14 @@ bool triangles_meet(const GridMesh& mesh, const GridTriangle& a,
   return false;
 }
 
-MeshContacts contacts_of(const GridMesh& mesh, int threads) {
+MeshContacts contacts_of(const GridMesh& mesh, int threads,
+                         const MeshIndex& index) {
   MeshContacts found;
   const bool any_moved =
       std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                   [&](const GridTriangle& t) { return mesh.is_moved(t); });
   if (!any_moved) return found;
-  find_pairs(mesh, threads, found);
+  found.pairs = find_pairs(mesh, threads, index);
   if (!found.empty()) return found;
   const MeshEdges uses(mesh);
   uses.for_edges([&](std::int32_t low, const MeshEdgeUse* first,
@@ -190,7 +220,7 @@ MeshContacts contacts_of(const GridMesh& mesh, int threads) {
     if (moved && !alternates(mesh, low, first, last))
       found.at_edges.push_back(first->triangle);
   });
-  if (found.empty()) check_parts(mesh, parts_of(mesh, uses), found);
+  if (found.empty()) check_parts(mesh, parts_of(mesh, uses), index, found);
   return found;
 }
 

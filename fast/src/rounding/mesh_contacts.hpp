@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rounding/grid_mesh.hpp"
+#include "rounding/mesh_index.hpp"
 
 namespace halfspace::fast {
 
@@ -46,9 +47,13 @@ struct MeshContacts {
 /// surface of a solid (S6.6). Something found: it may be one yet, as one that
 /// touches itself is.
 ///
+/// `index`: of the mesh, or empty; then boxes are looked up in a tree of those
+///          that moved.
+///
 /// Requires: closed, edge by edge, of triangles with areas; those without moved
 ///           corners have no such contacts with each other.
-MeshContacts contacts_of(const GridMesh& mesh, int threads);
+MeshContacts contacts_of(const GridMesh& mesh, int threads,
+                         const MeshIndex& index = {});
 
 /// Whether every edge is used as often in one direction as in the other.
 bool is_closed(const GridMesh& mesh);

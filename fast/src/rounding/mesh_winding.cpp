@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "exact/wide.hpp"
 #include "halfspace/assert.hpp"
@@ -17,26 +16,6 @@ std::int64_t coordinate(const GridPoint& p, std::size_t axis) {
 }
 
 }  // namespace
-
-Box box_of(const GridMesh& mesh, const GridTriangle& triangle) {
-  Bounds bounds;
-  for (const std::int32_t c : triangle.corners) {
-    const GridPoint& p = mesh.at(c);
-    bounds.add({static_cast<double>(p.x), static_cast<double>(p.y),
-                static_cast<double>(p.z), 0});
-  }
-  return bounds.box();
-}
-
-BoxTree tree_of(const GridMesh& mesh) {
-  std::vector<std::int32_t> all(mesh.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  return BoxTree(
-      [&](std::int32_t t) {
-        return box_of(mesh, mesh.triangles[static_cast<std::size_t>(t)]);
-      },
-      all);
-}
 
 TriangleRay::TriangleRay(const GridMesh& mesh, std::int32_t triangle,
                          std::size_t axis)

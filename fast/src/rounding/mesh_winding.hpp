@@ -6,13 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "box/bvh.hpp"
+#include "box/box.hpp"
 #include "exact/exact_plane.hpp"
 #include "rounding/grid_mesh.hpp"
+#include "rounding/mesh_index.hpp"
 
 namespace halfspace::fast {
-
-Box box_of(const GridMesh& mesh, const GridTriangle& triangle);
 
 /// A ray from the middle of a triangle, along an axis.
 class TriangleRay {
@@ -58,23 +57,20 @@ std::vector<FacingTriangle> facing_triangles(
     const GridMesh& mesh, const std::vector<std::int32_t>& part);
 
 /// The winding numbers in front of some triangles; `found(i, winding)` gets
-/// them.
+/// them. An empty index: each ray looks at all triangles.
 template <class Found>
-void for_windings(const GridMesh& mesh, const BoxTree* tree,
+void for_windings(const GridMesh& mesh, const MeshIndex& index,
                   const std::vector<FacingTriangle>& triangles, Found&& found) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     TriangleRay ray(mesh, triangles[i].triangle, triangles[i].axis);
-    if (tree != nullptr) {
-      tree->find(ray.box(), [&](std::int32_t other) { ray.pass(other); });
-    } else {
+    if (index.is_empty()) {
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         ray.pass(static_cast<std::int32_t>(t));
+    } else {
+      index.find(ray.box(), [&](std::int32_t other) { ray.pass(other); });
     }
     found(i, ray.winding_in_front());
   }
 }
-
-/// All triangles' boxes.
-BoxTree tree_of(const GridMesh& mesh);
 
 }  // namespace halfspace::fast

@@ -9,7 +9,6 @@
 
 #include "base/disjoint_sets.hpp"
 #include "boolean/resolve.hpp"
-#include "box/bvh.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/to_mesh.hpp"
@@ -72,9 +71,10 @@ class FaceMaker {
 /// The triangles that are not in the patch, as far as rays pass them.
 class RestOfMesh {
  public:
-  RestOfMesh(const BoxTree& tree, const std::vector<std::uint8_t>& is_in_patch,
-             FaceMaker& maker, const GeometryTable& table)
-      : tree_(tree),
+  RestOfMesh(const MeshIndex& index,
+             const std::vector<std::uint8_t>& is_in_patch, FaceMaker& maker,
+             const GeometryTable& table)
+      : index_(index),
         is_in_patch_(is_in_patch),
         maker_(maker),
         table_(table),
@@ -87,7 +87,7 @@ class RestOfMesh {
     extend(ray, table_.vertex(vertex).approximate);
     ray.high[0] = std::numeric_limits<float>::max();
     int winding = 0;
-    tree_.find(ray, [&](std::int32_t t) {
+    index_.find(ray, [&](std::int32_t t) {
       if (is_in_patch_[static_cast<std::size_t>(t)] != 0) return;
       const auto next = static_cast<std::int32_t>(seen_.faces.size());
       const auto [at, is_new] = faces_.try_emplace(t, next);
@@ -98,7 +98,7 @@ class RestOfMesh {
   }
 
  private:
-  const BoxTree& tree_;
+  const MeshIndex& index_;
   const std::vector<std::uint8_t>& is_in_patch_;
   FaceMaker& maker_;
   const GeometryTable& table_;
@@ -121,9 +121,9 @@ class RestOfMesh {
 /// as well. So every fragment is decided upon as it would be without the patch.
 class MeshResolver {
  public:
-  MeshResolver(GridMesh& mesh, const MeshContacts& contacts,
+  MeshResolver(GridMesh& mesh, const MeshContacts& contacts, MeshIndex& index,
                const FileGrid& grid, int threads)
-      : mesh_(mesh), grid_(grid), threads_(threads) {
+      : mesh_(mesh), index_(index), grid_(grid), threads_(threads) {
     const std::size_t count = mesh.triangles.size();
     is_clean_.assign(count, 1);
     for (const auto& [first, second] : contacts.pairs) {
@@ -163,13 +163,13 @@ class MeshResolver {
                 std::vector<LoosePoint>& loose);
 
   GridMesh& mesh_;
+  MeshIndex& index_;
   const FileGrid& grid_;
   int threads_;
   bool any_meet_ = false;
   std::vector<std::uint8_t> is_clean_;  ///< by triangle
   std::vector<std::uint8_t> stays_;     ///< by triangle: as it is
   std::vector<std::uint8_t> is_in_patch_;
-  std::optional<BoxTree> tree_;
 };
 
 /// By triangle: the least one of its part, or -1 if it is not clean.
@@ -196,10 +196,10 @@ void MeshResolver::find_what_stays() {
   const std::vector<std::int32_t> part = clean_parts();
   const std::vector<FacingTriangle> facing = facing_triangles(mesh_, part);
   if (facing.empty()) return;
-  tree_ = tree_of(mesh_);
+  index_.keep_up(mesh_);
   std::vector<std::uint8_t> part_stays(part.size());
   bool all_sure = true;
-  for_windings(mesh_, &*tree_, facing,
+  for_windings(mesh_, index_, facing,
                [&](std::size_t i, const std::optional<int>& winding) {
                  all_sure = all_sure && winding.has_value();
                  const auto t = static_cast<std::size_t>(facing[i].triangle);
@@ -254,7 +254,7 @@ std::vector<LoosePoint> MeshResolver::resolve_patch(
   }
   std::optional<RestOfMesh> rest_of_mesh;
   if (patch.faces.size() < mesh_.triangles.size()) {
-    rest_of_mesh.emplace(*tree_, is_in_patch_, maker, lease.table());
+    rest_of_mesh.emplace(index_, is_in_patch_, maker, lease.table());
     rest.winding = [&](std::int32_t vertex, std::int32_t target) {
       return rest_of_mesh->winding(vertex, target);
     };
@@ -329,9 +329,10 @@ void MeshResolver::assemble(const GridMesh& pieces,
 
 std::vector<LoosePoint> resolve_mesh(GridMesh& mesh,
                                      const MeshContacts& contacts,
-                                     const FileGrid& grid, int threads) {
+                                     MeshIndex& index, const FileGrid& grid,
+                                     int threads) {
   if (mesh.triangles.empty()) return {};
-  return MeshResolver(mesh, contacts, grid, threads).run();
+  return MeshResolver(mesh, contacts, index, grid, threads).run();
 }
 
 }  // namespace halfspace::fast

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "rounding/mesh_index.hpp"
 #include "rounding/resolve_mesh.hpp"
 
 namespace halfspace::fast {
@@ -50,6 +51,7 @@ class Settler {
   const FileGrid& grid_;
   int threads_;
   Settled result_;
+  MeshIndex index_;
   double farthest_move_ = 0;
 };
 
@@ -77,7 +79,8 @@ bool Settler::coarsen(MeshContacts& contacts, std::int64_t first,
     const LargestMove move =
         coarsened(mesh, contacts, grid_, width * grid_.spacing());
     clean(mesh);
-    MeshContacts left = contacts_of(mesh, threads_);
+    index_.follow(mesh);
+    MeshContacts left = contacts_of(mesh, threads_, index_);
     const std::size_t count = left.size();
     if (count >= fewest) continue;
     best = std::move(mesh);
@@ -122,6 +125,7 @@ void Settler::note_contacts(const MeshContacts& contacts) {
 bool Settler::round(Way way) {
   GridMesh& mesh = result_.mesh;
   mesh = start_.mesh;
+  index_ = {};
   result_.max_move = farthest_move_ = 0;
   std::vector<LoosePoint> loose = start_.loose;
   std::size_t fewest = static_cast<std::size_t>(-1);
@@ -132,7 +136,8 @@ bool Settler::round(Way way) {
     note_move(snap(mesh, loose, grid_));
     const Collapse collapse = clean(mesh);
     if (collapse.points + collapse.triangles > 0) result_.collapsed = true;
-    MeshContacts contacts = contacts_of(mesh, threads_);
+    index_.follow(mesh);
+    MeshContacts contacts = contacts_of(mesh, threads_, index_);
     if (contacts.empty()) return true;
     note_contacts(contacts);
     if (result_.end == Settling::kOpen) return false;
@@ -142,7 +147,7 @@ bool Settler::round(Way way) {
         !go_on(way, contacts, ++in_vain))
       return false;
     fewest = std::min(fewest, count);
-    loose = resolve_mesh(mesh, contacts, grid_, threads_);
+    loose = resolve_mesh(mesh, contacts, index_, grid_, threads_);
     if (loose.empty()) return true;
   }
 }

@@ -123,8 +123,9 @@ std::vector<double> areas_left_of_whole(const GridMesh& mesh) {
 /// The same, of what resolve_mesh() leaves.
 std::vector<double> areas_left(GridMesh mesh, const MeshContacts& contacts) {
   std::vector<double> areas(mesh.triangles.size());
+  MeshIndex index;
   const auto loose =
-      resolve_mesh(mesh, contacts, FileGrid::of_bits(26), /*threads=*/1);
+      resolve_mesh(mesh, contacts, index, FileGrid::of_bits(26), 1);
   EXPECT_TRUE(is_closed(mesh));
   std::vector<StepPoint> places;
   for (const GridPoint& p : mesh.points) {
