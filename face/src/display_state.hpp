@@ -42,6 +42,11 @@ struct [[gnu::visibility("hidden")]] Display::State {
   std::int32_t polygon_of(PolygonId id) const;
   std::int32_t solid_of(std::int32_t polygon) const;
 
+  /// The keys of a figure's regions by polygon of the scene, then, with caps,
+  /// those of S10.5.
+  std::vector<std::int32_t> keys_of(FigureKey by,
+                                    const std::optional<CapStyle>& caps) const;
+
   /// What a view says about its image; whether caps can be is looked at once.
   Result<ImageOptions> options_of(const View& view);
   Result<fast::Rendering> rendered(const View& view,

@@ -37,6 +37,11 @@ Result<LineDrawing> Display::draw(const View& view, double crease_deg) const {
     return Error{ErrorCode::kOutOfRange,
                  "the crease angle is not from 0 to 180 degrees"};
   }
+  if (!view.clips.empty()) {
+    return Error{ErrorCode::kOutOfRange,
+                 "edges are not cut by clip planes; cut solids by "
+                 "Solid::split()"};
+  }
   const Result<Camera> camera = detail::camera_of(state_->scene, view);
   if (!camera) return camera.error();
   DrawingOptions options;

@@ -93,6 +93,11 @@ template <class Traverse>
 Result<Done> visit_all(const Scene& scene, const fast::BspTree* made,
                        const std::vector<PolygonId>& faces, const View& view,
                        const Visit& visit, const Traverse& traverse) {
+  if (!view.clips.empty()) {
+    return Error{ErrorCode::kOutOfRange,
+                 "traversals do not cut by clip planes; cut solids by "
+                 "Solid::split()"};
+  }
   if (made == nullptr) return detail::stopped();
   const fast::BspTree& tree = *made;
   const Result<Camera> camera = detail::camera_of(scene, view);
@@ -111,8 +116,12 @@ Result<Done> visit_all(const Scene& scene, const fast::BspTree* made,
     return {step * p.x, step * p.y, step * p.z};
   };
   SeenPolygon seen;
+  fast::FilterStats stats;
   traverse(tree, scene, *camera,
            [&](const fast::Node&, const fast::TreeFragment& fragment) {
+             if (view.cull && fast::side_of_eye(scene, fragment.source, *camera,
+                                                stats) == Side::kNegative)
+               return true;
              const SeenPolygon::Source source{scene, tree, fragment, *camera};
              seen.polygon = faces[static_cast<std::size_t>(fragment.source)];
              seen.color = scene.color(fragment.source);

@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "halfspace/cut_display.hpp"
 #include "halfspace/halfspace.hpp"
 
 namespace halfspace {
@@ -303,6 +305,79 @@ TEST(FaceDisplay, DrawsVisibleAndHiddenEdges) {
   EXPECT_TRUE(drawing.save("drawn.svg", true).has_value());
   EXPECT_EQ(drawing.save("drawn.bmp").error().code, ErrorCode::kUnknownFormat);
   EXPECT_EQ(display.draw(view, 181).error().code, ErrorCode::kOutOfRange);
+}
+
+/// Twice the area that the loops of a region go round.
+double twice_area(const SeenRegion& region) {
+  double sum = 0;
+  for (const std::vector<Point2>& loop : region.loops) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Point2& p = loop[k];
+      const Point2& q = loop[(k + 1) % loop.size()];
+      sum += p.x * q.y - p.y * q.x;
+    }
+  }
+  return std::abs(sum);
+}
+
+TEST(FaceDisplay, TraversalsCullAndDoNotClip) {
+  const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
+  View view;
+  view.eye = Point{9, -7, 6};
+  view.cull = true;
+  std::size_t visited = 0;
+  EXPECT_TRUE(
+      display.back_to_front(view, [&](const SeenPolygon&) { ++visited; }));
+  EXPECT_EQ(visited, 3u);
+  view.clips = {{{0, 1, 0}, 1}};
+  const auto clipped =
+      display.front_to_back(view, [](const SeenPolygon&) { return true; });
+  ASSERT_FALSE(clipped.has_value());
+  EXPECT_EQ(clipped.error().code, ErrorCode::kOutOfRange);
+}
+
+TEST(FaceDisplay, AFigureIsThePictureAsRegions) {
+  const std::vector<Solid> solids = {Solid::box({0, 0, 0}, {2, 2, 2}),
+                                     Solid::box({3, 0, 0}, {5, 2, 2})};
+  const Display display = *Display::of(solids);
+  View view;
+  view.eye = Point{9, -7, 6};
+  const Figure by_polygon = *display.figure(view, FigureKey::kPolygon);
+  EXPECT_EQ(by_polygon.regions.size(), 7u);
+  const Figure by_solid = *display.figure(view, FigureKey::kSolid);
+  ASSERT_EQ(by_solid.regions.size(), 3u);
+  double all = 0;
+  for (const SeenRegion& region : by_solid.regions) all += twice_area(region);
+  EXPECT_NEAR(all, 2.0 * view.width_px * view.height_px, 1e-6);
+  // A region has the colour that the picture has where it is.
+  const Picture picture = *display.render(view);
+  std::set<std::pair<std::int32_t, Rgb>> drawn, seen;
+  for (const SeenRegion& region : by_polygon.regions)
+    drawn.emplace(region.polygon, region.color);
+  for (std::size_t k = 0; k < picture.polygons.pixels.size(); ++k)
+    seen.emplace(picture.polygons.pixels[k], picture.colors.pixels[k]);
+  EXPECT_EQ(drawn, seen);
+  Figure lined = by_solid;
+  lined.lines = display.draw(view)->lines;
+  EXPECT_TRUE(lined.save("figure.svg").has_value());
+  EXPECT_EQ(lined.save("figure.bmp").error().code, ErrorCode::kUnknownFormat);
+}
+
+TEST(FaceDisplay, AFigureHasClipPlanesAndCaps) {
+  const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
+  View view;
+  view.eye = Point{9, -7, 6};
+  view.clips = {{{0, 1, 0}, 1}};
+  view.caps = CapStyle{{1, 2, 3}, std::nullopt};
+  const Figure capped = *display.figure(view);
+  const auto is_cap = [](const SeenRegion& region) {
+    return region.polygon == 6 && region.color == Rgb{1, 2, 3};
+  };
+  EXPECT_EQ(std::count_if(capped.regions.begin(), capped.regions.end(), is_cap),
+            1);
+  view.caps->hatch = Rgb{4, 5, 6};
+  EXPECT_GT(display.figure(view)->regions.size(), 20u);
+  EXPECT_EQ(display.draw(view).error().code, ErrorCode::kOutOfRange);
 }
 
 }  // namespace

@@ -256,14 +256,7 @@ py::bytes draw(const ShownMap& shown, const std::string& ending,
     drawn.title = region.item == kBackground
                       ? "background"
                       : "polygon " + std::to_string(region.item);
-    for (std::int32_t l = 0; l < region.loop_count; ++l) {
-      const auto loop = static_cast<std::size_t>(region.first_loop + l);
-      std::vector<io::FigurePoint> points;
-      for (std::uint32_t k = map.first_corner[loop];
-           k < map.first_corner[loop + 1]; ++k)
-        points.push_back(point_of(map, map.corners[k]));
-      drawn.loops.push_back(std::move(points));
-    }
+    drawn.loops = fast::loops_of(map, region);
     figure.regions.push_back(std::move(drawn));
   }
   if (line_width > 0) {

@@ -117,6 +117,24 @@ for view in "" "--ortho --cull"; do
   python3 "$colors" glass.svg glass.png 0 || wrong "glass has other colours"
 done
 expect 2 'composes' draw cubes.off --alpha 120 --by part -o none.svg
+# Clip planes cut regions as they cut pictures, and caps are regions.
+for view in "" "--ortho --cull" "--yon 600"; do
+  # shellcheck disable=SC2086
+  set -- $view --size 48x36 --clip 3,1,2,40 --clip=-1,0,0,90 --cap hatch
+  expect 0 'span' render cubes.off "$@" -o cut.png
+  for by in colour polygon part; do
+    [ $by = part ] && color=part || color=face
+    expect 0 ' regions' draw cubes.off "$@" --by $by --fill $color -o cut.svg \
+      --decimals 6 --lines regions
+    grep -q '<title>cap<' cut.svg || wrong "there is no cap"
+    grep -q '<title>hatching<' cut.svg || wrong "the cap is not hatched"
+    [ $by = part ] || python3 "$colors" cut.svg cut.png 0 ||
+      wrong "the section has other colours by $by"
+  done
+done
+expect 2 'cuts regions, not edges' draw cubes.off --clip 1,0,0,0 -o none.svg \
+  --lines edges
+expect 2 'needs --clip' draw cubes.off --cap hatch -o none.svg
 # Axes and notes are seen where nothing is before them.
 expect 0 ' strokes' draw cubes.off --axes -o axes.svg --view iso
 grep -q 'class="tick">' axes.svg || wrong "axes have no numbers"

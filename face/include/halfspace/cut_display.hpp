@@ -54,7 +54,8 @@ class HALFSPACE_API CutDisplay {
   /// Vertices for a graphics card, the same for every view.
   VertexFeed vertex_feed() const;
   /// The triangles of a view, three indices each, in an order in which none
-  /// hides one before it, or one after it. Exact. Cost: that of the triangles.
+  /// hides one before it, or one after it. Exact. What is culled or clipped is
+  /// for the card to leave out. Cost: that of the triangles.
   /// Errors: those of Display::camera().
   Result<std::vector<std::uint32_t>> feed_indices(
       const View& view, FeedOrder order = FeedOrder::kBackToFront) const;

@@ -89,6 +89,32 @@ struct HALFSPACE_API LineDrawing {
                     bool with_hidden = false) const;
 };
 
+/// What of a figure is one region where parts of it meet (S7.3).
+enum class FigureKey : std::uint8_t { kPolygon, kSolid, kColor };
+
+/// A part of the image in which one polygon, solid or colour is seen (S7.3).
+struct SeenRegion {
+  /// The first of those that are seen in it, as in Picture::polygons.
+  std::int32_t polygon = 0;
+  Rgb color;  ///< of that polygon
+  /// The outer one first, then those of holes. Units: pixels; nearest doubles.
+  std::vector<std::vector<Point2>> loops = {};
+};
+
+/// All that is seen: regions that fill the image, and lines over them.
+struct HALFSPACE_API Figure {
+  std::int32_t width_px = 0;
+  std::int32_t height_px = 0;
+  std::vector<SeenRegion> regions;
+  /// Nothing unless put there, such as those of Display::draw().
+  std::vector<DrawnLine> lines = {};
+
+  /// Writes the regions and the visible lines as SVG, PDF, EPS or PGF, by the
+  /// ending of the name: a path a region, and no seams between them.
+  /// Errors: kUnknownFormat, kUnwritable.
+  Result<Done> save(const std::filesystem::path& path) const;
+};
+
 /// A run of pixels of one line: `first` to `last`, both in it.
 struct PixelSpan {
   std::int32_t line = 0;
@@ -202,8 +228,14 @@ class HALFSPACE_API Display {
   /// The edges that the view shows (S9): silhouettes, borders, intersections,
   /// and creases where faces turn by more than an angle. Exact. Cost: n log n,
   /// and the edges' crossings in the image.
-  /// Errors: also kOutOfRange, where there are too many.
+  /// Errors: also kOutOfRange, where there are too many, and for clip planes.
   Result<LineDrawing> draw(const View& view = {}, double crease_deg = 20) const;
+  /// The picture as regions (S7.4, S10.5), clip planes and caps too: what is
+  /// seen at any point of the image, not only at pixels' centres. Exact; corners
+  /// are rounded once. Cost: what is seen.
+  /// Errors: also kOutOfRange, where there is too much to be seen.
+  Result<Figure> figure(const View& view = {},
+                        FigureKey by = FigureKey::kColor) const;
   /// What is seen at a pixel; nothing at the background, and off the image.
   /// Exact; the point is rounded once. Cost: a way through the tree.
   Result<std::optional<Pick>> pick(const View& view, std::int32_t x,
@@ -226,6 +258,7 @@ class HALFSPACE_API Display {
 
   /// Hands out parts of polygons so that none hides one before it, or one after
   /// it (S3.7). Polygons seen edge-on may be left out.
+  /// Errors, of scan() too: also kOutOfRange, for clip planes.
   /// Cost: the first time, a tree without leaves.
   Result<Done> front_to_back(const View& view, const Visit& visit) const;
   Result<Done> back_to_front(const View& view, const Visit& visit) const;

@@ -10,7 +10,6 @@
 #include "halfspace/assert.hpp"
 #include "map/arc_pieces.hpp"
 #include "map/exact_moments.hpp"
-#include "map/section_map.hpp"
 #include "raster/gouraud.hpp"
 #include "tree/eye_classifier.hpp"
 

@@ -1,7 +1,7 @@
 #include "halfspace/fast/visible_map.hpp"
 
 #include "halfspace/assert.hpp"
-#include "map/section_map.hpp"
+#include "map/map_maker.hpp"
 
 namespace halfspace::fast {
 
@@ -11,6 +11,48 @@ Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
   HALFSPACE_ASSERT(options.keys.empty() ||
                    options.keys.size() == scene.polygon_count());
   return section_map(scene, tree, camera, options, ImageOptions(), limits);
+}
+
+Result<VisibleMap> section_map(const Scene& scene, const BspTree& tree,
+                               const Camera& camera, const MapOptions& options,
+                               const ImageOptions& image,
+                               const MapLimits& limits) {
+  HALFSPACE_ASSERT(options.keys.empty() ||
+                   options.keys.size() >=
+                       scene.polygon_count() +
+                           (image.caps ? 2 * kMostClipPlanes : 0));
+  MapMaker maker(scene, tree, camera, image);
+  CellTree& cells = maker.cells();
+  // What is kept is behind the planes that the eye is behind (S10, "Caps need
+  // no depth order").
+  maker.light_caps(-1, limits);
+  maker.run(options.cull, true, limits,
+            [&](std::span<const HalfPlane> sides, PolygonId source) {
+              cells.light(sides, source);
+              return !cells.full();
+            });
+  if (!options.cull) maker.light_caps(1, limits);
+  return maker.finish(limits, [&](PolygonId item) {
+    if (item == kBackground) return kBackgroundKey;
+    return options.keys.empty() ? item
+                                : options.keys[static_cast<std::size_t>(item)];
+  });
+}
+
+std::vector<std::vector<std::array<double, 2>>> loops_of(
+    const VisibleMap& map, const MapRegion& region) {
+  std::vector<std::vector<std::array<double, 2>>> loops;
+  for (std::int32_t l = 0; l < region.loop_count; ++l) {
+    const auto loop = static_cast<std::size_t>(region.first_loop + l);
+    std::vector<std::array<double, 2>>& points = loops.emplace_back();
+    for (std::uint32_t k = map.first_corner[loop];
+         k < map.first_corner[loop + 1]; ++k) {
+      const MapVertex& vertex =
+          map.vertices[static_cast<std::size_t>(map.corners[k])];
+      points.push_back({vertex.x, vertex.y});
+    }
+  }
+  return loops;
 }
 
 }  // namespace halfspace::fast

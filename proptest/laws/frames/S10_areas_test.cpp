@@ -6,11 +6,14 @@
 
 #include "adapters/both.hpp"
 #include "halfspace/fast/area_image.hpp"
+#include "halfspace/fast/visible_map.hpp"
 #include "halfspace/ref/area_image.hpp"
+#include "halfspace/ref/visible_map.hpp"
 #include "halfspace/splitmix.hpp"
 #include "laws/law.hpp"
+#include "laws/map/map_arcs.hpp"
 
-/// Laws of exact areas of sections (S10.5).
+/// Laws of exact areas of sections, and of their maps (S10.5).
 namespace halfspace {
 namespace {
 
@@ -239,28 +242,90 @@ std::vector<ClipPlane> planes_of_section(const SceneFile& view) {
   return made ? *made : std::vector<ClipPlane>();
 }
 
+/// The view with planes that cut it, and caps in three of four; nothing of
+/// scenes that are open, empty or too large.
+std::optional<SceneFile> section_of(const SceneFile& whole,
+                                    std::size_t most_polygons) {
+  if (whole.scene.polygon_count() == 0 ||
+      whole.scene.polygon_count() > most_polygons ||
+      !bad_edges(whole.scene).empty())
+    return std::nullopt;
+  SceneFile view = whole;
+  view.options.clips = planes_of_section(view);
+  if (view.options.clips.empty()) return std::nullopt;
+  if (section_number_of(view) % 4 != 0)
+    view.options.caps = CapStyle{{9, 208, 77}, Rgb{200, 1, 100}};
+  return view;
+}
+
 class S10AreasAgree : public ::testing::Test {};
 
 TEST_F(S10AreasAgree, L6BothLibrariesGiveOneImage) {
   std::size_t changed = 0;
   law::for_all(solid_views(), 2 * kAreaViews, [&](const SceneFile& whole) {
-    if (whole.scene.polygon_count() == 0 ||
-        whole.scene.polygon_count() > kMostPolygons ||
-        !bad_edges(whole.scene).empty())
-      return;
-    SceneFile view = whole;
-    view.options.clips = planes_of_section(view);
-    if (view.options.clips.empty()) return;
-    if (section_number_of(view) % 4 != 0)
-      view.options.caps = CapStyle{{9, 208, 77}, Rgb{200, 1, 100}};
-    const ColorImage image = fast_areas(view);
+    const std::optional<SceneFile> view = section_of(whole, kMostPolygons);
+    if (!view) return;
+    const ColorImage image = fast_areas(*view);
     HALFSPACE_LAW(image ==
-                  ref::render_area(view.scene, *view.camera, view.options));
-    SceneFile open = view;
+                  ref::render_area(view->scene, *view->camera, view->options));
+    SceneFile open = *view;
     open.options.caps = std::nullopt;
     changed += image != fast_areas(open) ? 1u : 0u;
   });
   EXPECT_GT(changed, 8u);
+}
+
+struct RefSectionMap {
+  static constexpr std::size_t kMost = kMostPolygons;
+  static map_arcs::Arcs arcs_of(const SceneFile& view) {
+    return map_arcs::exact_arcs(
+        ref::section_map(view.scene, *view.camera, view.options));
+  }
+};
+struct FastSectionMap {
+  static constexpr std::size_t kMost = 1000;
+  static map_arcs::Arcs arcs_of(const SceneFile& view) {
+    const auto map =
+        fast::section_map(view.scene, fast::build(view.scene, {}), *view.camera,
+                          {view.options.cull, {}}, view.options);
+    HALFSPACE_LAW(map.has_value());
+    return map_arcs::exact_arcs(*map);
+  }
+};
+
+template <class Impl>
+class S10SectionMap : public ::testing::Test {};
+using SectionMaps = ::testing::Types<RefSectionMap, FastSectionMap>;
+TYPED_TEST_SUITE(S10SectionMap, SectionMaps);
+
+TYPED_TEST(S10SectionMap, L7SamplesLieInTheRegionOfTheirItem) {
+  std::size_t capped = 0;
+  std::size_t hatched = 0;
+  law::for_all(solid_views(), 2 * kAreaViews, [&](const SceneFile& whole) {
+    const auto view = section_of(whole, TypeParam::kMost);
+    if (!view) return;
+    const auto arcs = TypeParam::arcs_of(*view);
+    const Image image =
+        oracle::zbuffer(view->scene, *view->camera, view->options);
+    const auto count = static_cast<PolygonId>(view->scene.polygon_count());
+    for (std::int32_t j = 0; j < image.items.height_px; ++j) {
+      for (std::int32_t i = 0; i < image.items.width_px; ++i) {
+        PolygonId key = image.items.at(i, j);
+        if (key >= count) {
+          ++capped;
+          const Rgb color = cap_color(
+              *view->options.caps, static_cast<std::size_t>(key - count), i, j);
+          if (color == *view->options.caps->hatch) {
+            ++hatched;
+            key += PolygonId{kMostClipPlanes};
+          }
+        }
+        HALFSPACE_LAW(map_arcs::key_at(arcs, i, j) == key);
+      }
+    }
+  });
+  EXPECT_GT(hatched, 4u);
+  EXPECT_GT(capped, 3 * hatched);
 }
 
 }  // namespace

@@ -5,55 +5,25 @@
 #include <CLI/Validators.hpp>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
-#include "cli/long_work.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "figure/figure_scene.hpp"
-#include "figure/figures.hpp"
-#include "figure/notes.hpp"
 #include "figure/sheet.hpp"
-#include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/drawing.hpp"
-#include "halfspace/fast/image/transparent_map.hpp"
+#include "figure/view_figure.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/figure.hpp"
+#include "image/clipping.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
 namespace {
-
-struct DrawArguments {
-  std::vector<std::string> paths;
-  std::string output;
-  std::string by;
-  std::string fill;
-  std::string lines;
-  std::optional<Hidden> hidden;
-  std::optional<double> crease_deg;
-  std::optional<CutPlane> cut;
-  bool axes = false;
-  std::string notes;
-  std::optional<double> text_size;
-  double line_width = 1;
-  bool titles = false;
-  int decimals = 3;
-  double levels = 2;
-  std::optional<std::uint8_t> alpha;
-  bool certificate = false;
-  std::size_t most_cells = fast::MapLimits{}.most_cells;
-  std::optional<int> grid_bits;
-  ViewArguments view;
-  SheetArguments sheet;
-};
 
 constexpr Word<Hidden> kHiddenWords[] = {{"gone", Hidden::kGone},
                                          {"dashed", Hidden::kDashed},
@@ -81,182 +51,6 @@ void complete(DrawArguments& arguments) {
     arguments.by = arguments.fill == "none" ? "face" : arguments.fill;
   }
 }
-
-/// Whether regions may have the colours of their polygon's corners.
-bool can_shade(const std::string& by) {
-  return by == "colour" || by == "polygon";
-}
-
-/// The height of lines of text in a figure of one view.
-constexpr double kUsualTextPx = 12;
-
-DrawingOptions drawing_options(const DrawArguments& arguments, bool cull) {
-  constexpr double kUsualCrease = 20;
-  const double angle =
-      arguments.crease_deg.value_or(kUsualCrease) * std::numbers::pi / 180;
-  DrawingOptions options;
-  options.cull = cull;
-  options.crease_cosine = static_cast<std::int32_t>(
-      std::lround(std::ldexp(std::cos(angle), kCosineBits)));
-  return options;
-}
-
-/// Makes one figure of all views.
-class Figures {
- public:
-  Figures(const DrawArguments& arguments, const FigureScene& scene,
-          const ImageOptions& image)
-      : arguments_(arguments),
-        scene_(scene),
-        cull_(image.cull),
-        smooth_(image.shading == Shading::kGouraud &&
-                !scene.scene().data().corner_colors.empty() &&
-                can_shade(arguments.by)),
-        background_(image.background) {}
-
-  /// Adds one view. Errors: those of the map and the drawing.
-  Result<Done> add(const Camera& camera, const Placing& placing,
-                   bool on_sheet) {
-    const bool has_map =
-        arguments_.fill != "none" || arguments_.lines == "regions";
-    if (has_map) {
-      if (const Result<Done> done = add_map(camera, placing, on_sheet); !done)
-        return done;
-    }
-    if (const Result<Done> done = add_notes_of(camera, placing, on_sheet);
-        !done)
-      return done;
-    if (arguments_.lines != "edges") return Done{};
-    DrawingOptions options = drawing_options(arguments_, cull_);
-    if (arguments_.cut) options.cuts = cuts_of(scene_.scene(), *arguments_.cut);
-    const Result<fast::Drawing> drawing =
-        fast::draw(scene_.scene(), camera, options);
-    if (!drawing) return drawing.error();
-    const StrokeStyle style = stroke_style(on_sheet);
-    add_strokes(figure_, *drawing, style, placing);
-    strokes_ += drawing->strokes.size();
-    if (arguments_.cut) {
-      const double line = style.width * 0.5;
-      const double gap = on_sheet ? 2.5 : 8;
-      return add_hatched(camera, placing, options.cuts, gap, line);
-    }
-    return Done{};
-  }
-
-  io::Figure& figure() { return figure_; }
-  std::size_t regions() const { return regions_; }
-  std::size_t arcs() const { return arcs_; }
-  std::size_t strokes() const { return strokes_; }
-
- private:
-  StrokeStyle stroke_style(bool on_sheet) const {
-    StrokeStyle style;
-    style.width = arguments_.line_width * (on_sheet ? kSheetLineMm : 1);
-    style.hidden = arguments_.hidden.value_or(Hidden::kGone);
-    style.titles = arguments_.titles;
-    return style;
-  }
-
-  /// Axes, and what the file of notes says.
-  Result<Done> add_notes_of(const Camera& camera, const Placing& placing,
-                            bool on_sheet) {
-    Notes notes;
-    if (!arguments_.notes.empty()) {
-      Result<Notes> read = read_notes(arguments_.notes, scene_.scene());
-      if (!read) return io::error_about(arguments_.notes, read.error());
-      notes = std::move(*read);
-    }
-    if (arguments_.axes) add_axes(notes, scene_.scene(), camera);
-    if (notes.empty()) return Done{};
-    DrawingOptions options;
-    options.cull = cull_;
-    options.edges = false;
-    options.lines = notes.lines;
-    options.points = notes.points;
-    const Result<fast::Drawing> drawing =
-        fast::draw(scene_.scene(), camera, options);
-    if (!drawing) return drawing.error();
-    constexpr double kUsualTextMm = 3.5;
-    const double size =
-        arguments_.text_size.value_or(on_sheet ? kUsualTextMm : kUsualTextPx);
-    add_notes(figure_, *drawing, notes, size, stroke_style(on_sheet), placing);
-    strokes_ += drawing->strokes.size();
-    return Done{};
-  }
-
-  /// The width of a line of 1 on a sheet.
-  static constexpr double kSheetLineMm = 0.35;
-
-  /// The tree, built when it is first asked for; nothing if interrupted.
-  const fast::BspTree* tree() {
-    if (!tree_) {
-      LongWork work("building the tree");
-      fast::DisplayTreeOptions display;
-      display.progress = [&work](double share) { return work.report(share); };
-      tree_ = fast::build_display_tree(scene_.scene(), display);
-      if (LongWork::interrupted()) return nullptr;
-      fast::divide_leaves(*tree_, scene_.scene());
-    }
-    return &*tree_;
-  }
-
-  Result<fast::VisibleMap> map_of(const Camera& camera,
-                                  const std::vector<std::int32_t>& keys) {
-    const fast::BspTree* made = tree();
-    if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
-    return fast::visible_map(scene_.scene(), *made, camera, {cull_, keys},
-                             {arguments_.most_cells});
-  }
-
-  Result<Done> add_hatched(const Camera& camera, const Placing& placing,
-                           const std::vector<bool>& cuts, double gap,
-                           double width) {
-    const Result<fast::VisibleMap> map =
-        map_of(camera, std::vector<std::int32_t>(cuts.begin(), cuts.end()));
-    if (!map) return map.error();
-    add_hatching(figure_, *map, gap, width, placing);
-    return Done{};
-  }
-
-  /// Composed colours, where polygons let something through.
-  Result<fast::VisibleMap> filled_map(const Camera& camera) {
-    if (!arguments_.alpha)
-      return map_of(camera, keys_of(scene_, arguments_.by, smooth_));
-    const fast::BspTree* made = tree();
-    if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
-    return fast::transparent_map(scene_.scene(), *made, camera,
-                                 {cull_, *arguments_.alpha, background_},
-                                 {arguments_.most_cells});
-  }
-
-  Result<Done> add_map(const Camera& camera, const Placing& placing,
-                       bool on_sheet) {
-    const Result<fast::VisibleMap> map = filled_map(camera);
-    if (!map) return map.error();
-    regions_ += map->regions.size();
-    arcs_ += map->arcs.size();
-    if (arguments_.fill != "none") {
-      add_regions(figure_, *map, scene_,
-                  {!arguments_.alpha ? arguments_.by : "composed", background_,
-                   !on_sheet, smooth_ ? &camera : nullptr},
-                  placing);
-    }
-    if (arguments_.lines == "regions")
-      add_borders(figure_, *map, arguments_.line_width, placing);
-    return Done{};
-  }
-
-  const DrawArguments& arguments_;
-  const FigureScene& scene_;
-  bool cull_;
-  bool smooth_;
-  Rgb background_;
-  io::Figure figure_;
-  std::optional<fast::BspTree> tree_;
-  std::size_t regions_ = 0;
-  std::size_t arcs_ = 0;
-  std::size_t strokes_ = 0;
-};
 
 /// The camera with so many pixels more on each side.
 Result<Camera> with_margin(const Camera& camera, std::int32_t margin,
@@ -296,7 +90,7 @@ Result<ChosenCamera> choose_view(const DrawArguments& arguments,
 
 /// The one view of the options.
 Result<Done> draw_view(const DrawArguments& arguments,
-                       const FigureScene& loaded, Figures& figures) {
+                       const FigureScene& loaded, ViewFigure& figures) {
   const Size size = arguments.view.size.value_or(kUsualSize);
   const Result<ChosenCamera> chosen = choose_view(arguments, loaded, size);
   io::Figure& figure = figures.figure();
@@ -314,7 +108,7 @@ Result<Done> draw_view(const DrawArguments& arguments,
 
 /// Several views on a sheet of paper.
 Result<Done> draw_sheet(const DrawArguments& arguments,
-                        const FigureScene& loaded, Figures& figures) {
+                        const FigureScene& loaded, ViewFigure& figures) {
   const SheetArguments& sheet = arguments.sheet;
   io::Figure& figure = figures.figure();
   figure.width = sheet.width_mm();
@@ -352,6 +146,13 @@ std::string complaint_of(const DrawArguments& arguments) {
     return "--alpha composes the polygons' own colours; give no --shade "
            "gouraud and no --by or --fill but colour";
   }
+  if (arguments.clip.is_used()) {
+    if (arguments.lines == "edges" || arguments.alpha || arguments.axes ||
+        !arguments.notes.empty()) {
+      return "--clip cuts regions, not edges, glass, axes or notes; give "
+             "--lines regions or none, or cut the model by csg with half()";
+    }
+  }
   std::vector<NamedFile> inputs;
   for (const std::string& path : arguments.paths)
     inputs.push_back({"FILE", path});
@@ -372,8 +173,10 @@ Status run_draw(DrawArguments arguments) {
       arguments.view.background->style != Background::Style::kColor) {
     return fail("--background: a figure has one colour behind it");
   }
+  const std::string no_caps = cap_complaint(loaded->scene(), arguments.clip);
+  if (!no_caps.empty()) return fail(loaded->name, {ErrorCode::kOpen, no_caps});
   const ImageOptions image = choose_options(loaded->file, arguments.view);
-  Figures figures(arguments, *loaded, image);
+  ViewFigure figures(arguments, *loaded, image);
   const Result<Done> drawn = arguments.sheet.is_used()
                                  ? draw_sheet(arguments, *loaded, figures)
                                  : draw_view(arguments, *loaded, figures);
@@ -512,6 +315,7 @@ void add_draw(CLI::App& program, Status& status) {
   add_note_options(*app, *arguments);
   add_line_options(*app, *arguments);
   add_sheet_options(*app, arguments->sheet);
+  add_clip_options(*app, arguments->clip);
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
   add_quiet_option(*app);
@@ -522,6 +326,7 @@ void add_draw(CLI::App& program, Status& status) {
       "  halfspace draw part.stl -o part.svg\n"
       "  halfspace draw part.stl -o part.svg --view iso --hidden dashed\n"
       "  halfspace draw part.stl -o part.dxf --sheet a3 --scale 1:5\n"
+      "  halfspace draw part.stl -o cut.svg --clip 0,1,0,0 --cap hatch\n"
       "  halfspace draw a.off b.off -o both.pdf --fill file --lines edges");
   app->callback([arguments, &status] { status = run_draw(*arguments); });
 }

@@ -74,16 +74,9 @@ io::FigureRegion region_of(const fast::VisibleMap& map,
                            const fast::MapRegion& region,
                            const Placing& placing) {
   io::FigureRegion drawn;
-  for (std::int32_t l = 0; l < region.loop_count; ++l) {
-    const auto loop = static_cast<std::size_t>(region.first_loop + l);
-    std::vector<io::FigurePoint> points;
-    for (std::uint32_t k = map.first_corner[loop];
-         k < map.first_corner[loop + 1]; ++k) {
-      const auto& vertex =
-          map.vertices[static_cast<std::size_t>(map.corners[k])];
-      points.push_back(placing.at(vertex.x, vertex.y));
-    }
-    drawn.loops.push_back(std::move(points));
+  drawn.loops = fast::loops_of(map, region);
+  for (std::vector<io::FigurePoint>& loop : drawn.loops) {
+    for (io::FigurePoint& p : loop) p = placing.at(p[0], p[1]);
   }
   return drawn;
 }
@@ -147,13 +140,23 @@ std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
 }  // namespace
 
 std::vector<std::int32_t> keys_of(const FigureScene& figure,
-                                  const std::string& by, bool smooth) {
+                                  const std::string& by, bool smooth,
+                                  const std::optional<CapStyle>& caps) {
   const Scene& scene = figure.scene();
   const std::size_t count = scene.polygon_count();
+  const std::size_t all = count + (caps ? 2 * kMostClipPlanes : 0);
   if (by == "polygon") return {};
-  if (by == "all") return std::vector<std::int32_t>(count, 0);
-  if (by == "part") return parts_of(scene);
-  if (by == "file") return figure.files;
+  if (by == "all") return std::vector<std::int32_t>(all, 0);
+  if (by == "part" || by == "file") {
+    std::vector<std::int32_t> keys =
+        by == "part" ? parts_of(scene) : figure.files;
+    const std::int32_t next =
+        keys.empty() ? 0 : 1 + *std::max_element(keys.begin(), keys.end());
+    for (std::size_t k = count; k < all; ++k)
+      keys.push_back(next + (k < count + kMostClipPlanes ? 0 : 1));
+    return keys;
+  }
+  const bool is_face = by == "face";
   const fast::PlaneTable planes = fast::intern_planes(scene);
   std::vector<std::tuple<std::int32_t, bool, Rgb>> faces;
   for (std::size_t p = 0; p < count; ++p) {
@@ -163,9 +166,14 @@ std::vector<std::int32_t> keys_of(const FigureScene& figure,
                          scene.corner_colors(id)[0]);
       continue;
     }
-    const bool is_face = by == "face";
-    faces.emplace_back(is_face ? planes.plane_of[p] : 0,
+    faces.emplace_back(is_face ? planes.plane_of[p] : -1,
                        is_face && planes.same_orientation[p], scene.color(id));
+  }
+  for (std::size_t k = 0; k < all - count; ++k) {
+    const bool is_hatch = k >= kMostClipPlanes;
+    faces.emplace_back(is_face ? -1 - static_cast<std::int32_t>(k) : -1, false,
+                       is_hatch ? caps->hatch.value_or(caps->color)
+                                : caps->color);
   }
   return numbered(faces);
 }
@@ -174,6 +182,7 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
                  const FigureScene& scene, const FillStyle& style,
                  const Placing& placing) {
   const bool has_palette = style.by == "part" || style.by == "file";
+  const auto count = static_cast<PolygonId>(scene.scene().polygon_count());
   for (const fast::MapRegion& region : map.regions) {
     const bool is_background = region.item == kBackground;
     if (is_background && !style.has_background) continue;
@@ -187,6 +196,13 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
       drawn.fill = style.background;
     } else if (style.by == "composed") {
       drawn.fill = color_of_key(region.key);
+    } else if (region.item >= count) {
+      const bool is_hatch =
+          region.item - count >= static_cast<PolygonId>(kMostClipPlanes);
+      drawn.title = is_hatch ? "hatching" : "cap";
+      drawn.class_of = drawn.title;
+      drawn.fill = is_hatch ? style.caps.hatch.value_or(style.caps.color)
+                            : style.caps.color;
     } else if (has_palette) {
       drawn.fill =
           kPalette[static_cast<std::size_t>(region.key) % kPalette.size()];

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,11 @@ struct FigureScene {
 
 /// The keys by which regions are joined (S7.3): `polygon` (none), `face`,
 /// `colour`, `part`, `file` or `all`. With `smooth` a polygon whose corners
-/// differ in colour is joined by `colour` to none.
-std::vector<std::int32_t> keys_of(const FigureScene& scene,
-                                  const std::string& by, bool smooth = false);
+/// differ in colour is joined by `colour` to none. With caps there are keys of
+/// theirs, and of their hatching (S10.5), too.
+std::vector<std::int32_t> keys_of(
+    const FigureScene& scene, const std::string& by, bool smooth = false,
+    const std::optional<CapStyle>& caps = std::nullopt);
 
 /// Where a view stands on the figure: image points are scaled, then moved.
 struct Placing {
@@ -45,6 +48,7 @@ struct FillStyle {
   bool has_background = true;  ///< whether regions that show nothing are added
   /// The view, where polygons have Gouraud shading.
   const Camera* smooth_view = nullptr;
+  CapStyle caps;  ///< of the caps, if the map has any
 };
 
 /// Adds the regions of a map, with ids, and titles and classes by what joined

@@ -22,6 +22,7 @@ struct ClipArguments {
   std::vector<std::array<io::Number, 4>> planes;  ///< in model units
   std::optional<double> yon;
   std::optional<CapStyle> caps;
+  bool is_used() const { return !planes.empty() || yon || caps; }
 };
 
 /// Adds --clip, --yon and --cap.

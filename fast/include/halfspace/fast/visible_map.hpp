@@ -95,4 +95,21 @@ Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
                                const MapOptions& options = {},
                                const MapLimits& limits = {});
 
+/// The visible map of what the clip planes of `image` leave, with its caps
+/// (S10.5): cap k has the item n + k, its hatching n + 8 + k, of n polygons.
+///
+/// Of `image` only clip planes and caps count.
+/// Requires: as visible_map(); keys, if any, of caps and their hatching, too: of
+///           n + 16 items; a closed scene where there are caps.
+/// Exact, errors: as visible_map().
+/// Cost:     as visible_map(), and of caps the edges that their planes cut.
+Result<VisibleMap> section_map(const Scene& scene, const BspTree& tree,
+                               const Camera& camera, const MapOptions& options,
+                               const ImageOptions& image,
+                               const MapLimits& limits = {});
+
+/// The loops of a region, the outer one first. Units: pixels.
+std::vector<std::vector<std::array<double, 2>>> loops_of(
+    const VisibleMap& map, const MapRegion& region);
+
 }  // namespace halfspace::fast

@@ -1,0 +1,121 @@
+#include "halfspace/io/figure.hpp"
+
+#include <map>
+#include <utility>
+
+#include "display_state.hpp"
+#include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/visible_map.hpp"
+
+/// Figures of a display: what is seen as regions.
+namespace halfspace {
+namespace {
+
+Rgb hatch_of(const CapStyle& caps) { return caps.hatch.value_or(caps.color); }
+
+/// Numbers colours in the order in which they come.
+class ColorKeys {
+ public:
+  std::int32_t of(const Rgb& color) {
+    const auto next = static_cast<std::int32_t>(keys_.size());
+    return keys_.try_emplace(color, next).first->second;
+  }
+
+ private:
+  std::map<Rgb, std::int32_t> keys_;
+};
+
+}  // namespace
+
+Result<Done> Figure::save(const std::filesystem::path& path) const {
+  io::Figure figure;
+  figure.width = width_px;
+  figure.height = height_px;
+  for (const SeenRegion& region : regions) {
+    io::FigureRegion drawn;
+    drawn.fill = region.color;
+    drawn.is_background = region.polygon == kBackground;
+    drawn.title = drawn.is_background
+                      ? "background"
+                      : "polygon " + std::to_string(region.polygon);
+    for (const std::vector<Point2>& loop : region.loops) {
+      auto& points = drawn.loops.emplace_back();
+      for (const Point2& p : loop) points.push_back({p.x, p.y});
+    }
+    figure.regions.push_back(std::move(drawn));
+  }
+  if (!lines.empty()) {
+    io::FigureStrokes strokes;
+    for (const DrawnLine& line : lines) {
+      if (line.layers > 0) continue;
+      strokes.strokes.push_back(
+          {{line.from.x, line.from.y}, {line.to.x, line.to.y}, {}});
+    }
+    io::order_for_pen(strokes.strokes);
+    figure.strokes.push_back(std::move(strokes));
+  }
+  return io::write_figure(path, figure);
+}
+
+std::vector<std::int32_t> Display::State::keys_of(
+    FigureKey by, const std::optional<CapStyle>& caps) const {
+  std::vector<std::int32_t> keys;
+  ColorKeys colors;
+  for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+    const auto id = static_cast<PolygonId>(p);
+    const std::int32_t polygon = polygon_of(id);
+    keys.push_back(by == FigureKey::kPolygon ? polygon
+                   : by == FigureKey::kSolid ? solid_of(polygon)
+                                             : colors.of(scene.color(id)));
+  }
+  if (!caps) return keys;
+  const auto count = static_cast<std::int32_t>(polygon_count);
+  for (const bool is_hatch : {false, true}) {
+    const Rgb color = is_hatch ? hatch_of(*caps) : caps->color;
+    for (std::int32_t k = 0; k < std::int32_t{kMostClipPlanes}; ++k) {
+      const std::int32_t own =
+          count + k + (is_hatch ? std::int32_t{kMostClipPlanes} : 0);
+      keys.push_back(by == FigureKey::kColor ? colors.of(color) : own);
+    }
+  }
+  return keys;
+}
+
+Result<Figure> Display::figure(const View& view, FigureKey by) const {
+  const Result<Camera> camera = detail::camera_of(state_->scene, view);
+  if (!camera) return camera.error();
+  const Result<ImageOptions> options = state_->options_of(view);
+  if (!options) return options.error();
+  const fast::BspTree* tree = state_->ordered_tree(view);
+  if (tree == nullptr) return detail::stopped();
+  const Scene& scene = state_->scene;
+  const auto map = fast::section_map(
+      scene, *tree, *camera,
+      {view.cull, state_->keys_of(by, options->caps)}, *options);
+  if (!map) return map.error();
+  const auto count = static_cast<PolygonId>(scene.polygon_count());
+  constexpr PolygonId kPlanes = kMostClipPlanes;
+  Figure figure{view.width_px, view.height_px, {}, {}};
+  for (const fast::MapRegion& region : map->regions) {
+    SeenRegion& seen = figure.regions.emplace_back();
+    if (region.item == kBackground) {
+      seen.polygon = kBackground;
+      seen.color = view.background;
+    } else if (region.item < count) {
+      seen.polygon = state_->polygon_of(region.item);
+      seen.color = scene.color(region.item);
+    } else {
+      const bool is_hatch = region.item - count >= kPlanes;
+      seen.polygon =
+          state_->polygon_of(is_hatch ? region.item - kPlanes : region.item);
+      seen.color = is_hatch ? hatch_of(*options->caps) : options->caps->color;
+    }
+    for (const auto& loop : fast::loops_of(*map, region)) {
+      std::vector<Point2>& points = seen.loops.emplace_back();
+      for (const auto& [x, y] : loop) points.push_back({x, y});
+    }
+  }
+  return figure;
+}
+
+}  // namespace halfspace

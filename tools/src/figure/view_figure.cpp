@@ -1,0 +1,175 @@
+#include "figure/view_figure.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "cli/long_work.hpp"
+#include "figure/notes.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/transparent_map.hpp"
+#include "halfspace/io/load_scene.hpp"
+
+namespace halfspace::tools {
+namespace {
+
+/// The width of a line of 1 on a sheet.
+constexpr double kSheetLineMm = 0.35;
+
+DrawingOptions drawing_options(const DrawArguments& arguments, bool cull) {
+  constexpr double kUsualCrease = 20;
+  const double angle =
+      arguments.crease_deg.value_or(kUsualCrease) * std::numbers::pi / 180;
+  DrawingOptions options;
+  options.cull = cull;
+  options.crease_cosine = static_cast<std::int32_t>(
+      std::lround(std::ldexp(std::cos(angle), kCosineBits)));
+  return options;
+}
+
+}  // namespace
+
+bool can_shade(const std::string& by) {
+  return by == "colour" || by == "polygon";
+}
+
+ViewFigure::ViewFigure(const DrawArguments& arguments, const FigureScene& scene,
+                       const ImageOptions& image)
+    : arguments_(arguments),
+      scene_(scene),
+      image_(image),
+      smooth_(image.shading == Shading::kGouraud &&
+              !scene.scene().data().corner_colors.empty() &&
+              can_shade(arguments.by)) {}
+
+Result<Done> ViewFigure::add(const Camera& camera, const Placing& placing,
+                             bool on_sheet) {
+  const bool has_map =
+      arguments_.fill != "none" || arguments_.lines == "regions";
+  if (has_map) {
+    if (const Result<Done> done = add_map(camera, placing, on_sheet); !done)
+      return done;
+  }
+  if (const Result<Done> done = add_notes_of(camera, placing, on_sheet); !done)
+    return done;
+  if (arguments_.lines != "edges") return Done{};
+  return add_edges(camera, placing, on_sheet);
+}
+
+Result<Done> ViewFigure::add_edges(const Camera& camera, const Placing& placing,
+                                   bool on_sheet) {
+  DrawingOptions options = drawing_options(arguments_, image_.cull);
+  if (arguments_.cut) options.cuts = cuts_of(scene_.scene(), *arguments_.cut);
+  const Result<fast::Drawing> drawing =
+      fast::draw(scene_.scene(), camera, options);
+  if (!drawing) return drawing.error();
+  const StrokeStyle style = stroke_style(on_sheet);
+  add_strokes(figure_, *drawing, style, placing);
+  strokes_ += drawing->strokes.size();
+  if (!arguments_.cut) return Done{};
+  const double gap = on_sheet ? 2.5 : 8;
+  return add_hatched(camera, placing, options.cuts, gap, style.width * 0.5);
+}
+
+StrokeStyle ViewFigure::stroke_style(bool on_sheet) const {
+  StrokeStyle style;
+  style.width = arguments_.line_width * (on_sheet ? kSheetLineMm : 1);
+  style.hidden = arguments_.hidden.value_or(Hidden::kGone);
+  style.titles = arguments_.titles;
+  return style;
+}
+
+Result<Done> ViewFigure::add_notes_of(const Camera& camera,
+                                      const Placing& placing, bool on_sheet) {
+  Notes notes;
+  if (!arguments_.notes.empty()) {
+    Result<Notes> read = read_notes(arguments_.notes, scene_.scene());
+    if (!read) return io::error_about(arguments_.notes, read.error());
+    notes = std::move(*read);
+  }
+  if (arguments_.axes) add_axes(notes, scene_.scene(), camera);
+  if (notes.empty()) return Done{};
+  DrawingOptions options;
+  options.cull = image_.cull;
+  options.edges = false;
+  options.lines = notes.lines;
+  options.points = notes.points;
+  const Result<fast::Drawing> drawing =
+      fast::draw(scene_.scene(), camera, options);
+  if (!drawing) return drawing.error();
+  constexpr double kUsualTextMm = 3.5;
+  const double size =
+      arguments_.text_size.value_or(on_sheet ? kUsualTextMm : kUsualTextPx);
+  add_notes(figure_, *drawing, notes, size, stroke_style(on_sheet), placing);
+  strokes_ += drawing->strokes.size();
+  return Done{};
+}
+
+const fast::BspTree* ViewFigure::tree() {
+  if (!tree_) {
+    LongWork work("building the tree");
+    fast::DisplayTreeOptions display;
+    display.progress = [&work](double share) { return work.report(share); };
+    tree_ = fast::build_display_tree(scene_.scene(), display);
+    if (LongWork::interrupted()) return nullptr;
+    fast::divide_leaves(*tree_, scene_.scene());
+  }
+  return &*tree_;
+}
+
+Result<Done> ViewFigure::add_hatched(const Camera& camera,
+                                     const Placing& placing,
+                                     const std::vector<bool>& cuts, double gap,
+                                     double width) {
+  const fast::BspTree* made = tree();
+  if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
+  const Result<fast::VisibleMap> map =
+      fast::visible_map(scene_.scene(), *made, camera,
+                        {image_.cull, {cuts.begin(), cuts.end()}},
+                        {arguments_.most_cells});
+  if (!map) return map.error();
+  add_hatching(figure_, *map, gap, width, placing);
+  return Done{};
+}
+
+Result<fast::VisibleMap> ViewFigure::filled_map(const Camera& camera) {
+  const fast::BspTree* made = tree();
+  if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
+  const fast::MapLimits limits = {arguments_.most_cells};
+  if (arguments_.alpha) {
+    return fast::transparent_map(
+        scene_.scene(), *made, camera,
+        {image_.cull, *arguments_.alpha, image_.background}, limits);
+  }
+  ImageOptions image = image_;
+  const Result<Done> clipped =
+      add_clips(scene_.scene(), camera, arguments_.clip, image);
+  if (!clipped) return clipped.error();
+  return fast::section_map(
+      scene_.scene(), *made, camera,
+      {image_.cull, keys_of(scene_, arguments_.by, smooth_, image.caps)}, image,
+      limits);
+}
+
+Result<Done> ViewFigure::add_map(const Camera& camera, const Placing& placing,
+                                 bool on_sheet) {
+  const Result<fast::VisibleMap> map = filled_map(camera);
+  if (!map) return map.error();
+  regions_ += map->regions.size();
+  arcs_ += map->arcs.size();
+  if (arguments_.fill != "none") {
+    FillStyle style;
+    style.by = !arguments_.alpha ? arguments_.by : "composed";
+    style.background = image_.background;
+    style.has_background = !on_sheet;
+    style.smooth_view = smooth_ ? &camera : nullptr;
+    if (arguments_.clip.caps) style.caps = *arguments_.clip.caps;
+    add_regions(figure_, *map, scene_, style, placing);
+  }
+  if (arguments_.lines == "regions")
+    add_borders(figure_, *map, arguments_.line_width, placing);
+  return Done{};
+}
+
+}  // namespace halfspace::tools

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "figure/figure_scene.hpp"
+#include "figure/figures.hpp"
+#include "figure/sheet.hpp"
+#include "halfspace/camera.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/visible_map.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/io/figure.hpp"
+#include "halfspace/result.hpp"
+#include "image/clipping.hpp"
+#include "image/viewing.hpp"
+
+namespace halfspace::tools {
+
+/// What `draw` is asked for, completed.
+struct DrawArguments {
+  std::vector<std::string> paths;
+  std::string output;
+  std::string by;
+  std::string fill;
+  std::string lines;
+  std::optional<Hidden> hidden;
+  std::optional<double> crease_deg;
+  std::optional<CutPlane> cut;
+  bool axes = false;
+  std::string notes;
+  std::optional<double> text_size;
+  double line_width = 1;
+  bool titles = false;
+  int decimals = 3;
+  double levels = 2;
+  std::optional<std::uint8_t> alpha;
+  bool certificate = false;
+  std::size_t most_cells = fast::MapLimits{}.most_cells;
+  std::optional<int> grid_bits;
+  ViewArguments view;
+  ClipArguments clip;
+  SheetArguments sheet;
+};
+
+/// Whether regions may have the colours of their polygon's corners.
+bool can_shade(const std::string& by);
+
+/// The height of lines of text in a figure of one view.
+constexpr double kUsualTextPx = 12;
+
+/// Makes one figure of all views.
+class ViewFigure {
+ public:
+  /// Requires: all three stay where they are.
+  ViewFigure(const DrawArguments& arguments, const FigureScene& scene,
+             const ImageOptions& image);
+
+  /// Adds one view. Errors: those of the map, the drawing and the clip planes;
+  /// kStopped if interrupted.
+  Result<Done> add(const Camera& camera, const Placing& placing, bool on_sheet);
+
+  io::Figure& figure() { return figure_; }
+  std::size_t regions() const { return regions_; }
+  std::size_t arcs() const { return arcs_; }
+  std::size_t strokes() const { return strokes_; }
+
+ private:
+  StrokeStyle stroke_style(bool on_sheet) const;
+  /// Axes, and what the file of notes says.
+  Result<Done> add_notes_of(const Camera& camera, const Placing& placing,
+                            bool on_sheet);
+  Result<Done> add_edges(const Camera& camera, const Placing& placing,
+                         bool on_sheet);
+  Result<Done> add_map(const Camera& camera, const Placing& placing,
+                       bool on_sheet);
+  Result<Done> add_hatched(const Camera& camera, const Placing& placing,
+                           const std::vector<bool>& cuts, double gap,
+                           double width);
+  /// The tree, built when it is first asked for; nothing if interrupted.
+  const fast::BspTree* tree();
+  /// Composed colours, where polygons let something through.
+  Result<fast::VisibleMap> filled_map(const Camera& camera);
+
+  const DrawArguments& arguments_;
+  const FigureScene& scene_;
+  const ImageOptions& image_;
+  bool smooth_;
+  io::Figure figure_;
+  std::optional<fast::BspTree> tree_;
+  std::size_t regions_ = 0;
+  std::size_t arcs_ = 0;
+  std::size_t strokes_ = 0;
+};
+
+}  // namespace halfspace::tools
