@@ -17,12 +17,13 @@ TEST(CommandLine, SaysEveryNumberOfTheState) {
   state.camera->eye = {1.0 / 3, -2, 0};
   state.camera->orthographic = true;
   state.looks.light = {1, 2, -3};
+  state.looks.alpha = 90;
   state.parts[0].color = Rgb{1, 2, 3};
   EXPECT_EQ(render_command(state, "out.png", ""),
             "halfspace render part.stl --size 640x480 "
             "--eye=0.3333333333333333,-2,0 --target=0,0,0 --up=0,0,1 --fov 40 "
             "--ortho --height 2 --shade flat --no-cull --background "
-            "255,255,255 --color 1,2,3 --light=1,2,-3 -o out.png");
+            "255,255,255 --alpha 90 --color 1,2,3 --light=1,2,-3 -o out.png");
 }
 
 TEST(CommandLine, WhatOptionsDoNotSayIsInAView) {

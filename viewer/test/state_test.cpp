@@ -13,6 +13,7 @@ State some_state() {
   state.sections = {{{1, 0, -0.5}, 0.1, true}, {{0, 0, 1}, -3, false}};
   state.looks = {true, true, {3, 4, 5}, {{1, 2, 3.5}}};
   state.looks.scalar = ScalarLook{"heat", "turbo", {{0.1, 3}}, true, 8, false};
+  state.looks.alpha = 90;
   io::ViewOptions camera;
   camera.eye = {1.0 / 3, -2e-300, 5e300};
   camera.near = 0.25;
@@ -55,6 +56,8 @@ TEST(State, FaultsNameTheEntry) {
       {R"({"parts": [{"file": 1}]})", "parts[0].file"},
       {R"({"parts": [], "background": "blue"})", "background"},
       {R"({"parts": [], "light": [0, 0, 0]})", "light"},
+      {R"({"parts": [], "alpha": 256})", "alpha must be a whole number"},
+      {R"({"parts": [], "alpha": 0.5})", "alpha must be a whole number"},
       {R"({"parts": [], "combination": "sum"})", "one of none, union"},
       {R"({"parts": [], "sections": [{"normal": [0, 0, 0]}]})",
        "sections[0].normal"},

@@ -38,6 +38,16 @@ echo dump | played 1 box.off --size 301x203 --view front --shade gouraud \
   --background 10,20,30 --color 200,100,50 --light 1,2,3 --fov 50 -o usual.png
 same out-0.png usual.png
 
+# What lets light through is blended; sections of it have no caps.
+echo dump | played 1 box.off --size 301x203 --alpha 90
+cmp -s out-0.png usual.png && wrong "--alpha changes nothing"
+played 2 box.off --size 200x150 --alpha 120 <<'END'
+key V
+dump
+key M
+dump
+END
+
 # Every way to move the camera makes another picture.
 played 11 pinwheel.off --size 320x240 <<'END'
 dump

@@ -200,13 +200,15 @@ Status run_film(Engine& engine, const Subject& subject,
   return conclude(loaded, tree, last, count, max_move, shadow, arguments);
 }
 
-/// The arguments with what a `.view` file says about numbers.
+/// The arguments with what a `.view` file says about numbers and alpha.
 Result<RenderArguments> with_view_file(const RenderArguments& arguments) {
   RenderArguments all = arguments;
   if (!viewer::is_view_name(arguments.path) || arguments.scalars.source)
     return all;
   const auto state = viewer::read_state(arguments.path);
   if (!state) return state.error();
+  if (!all.alpha && viewer::alpha_of(*state) != kOpaque)
+    all.alpha = viewer::alpha_of(*state);
   if (!state->looks.scalar || state->parts.empty()) return all;
   const viewer::ScalarLook& look = *state->looks.scalar;
   all.scalars.source = look.source;

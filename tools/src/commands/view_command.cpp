@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/App.hpp>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "cli/command.hpp"
 #include "cli/options.hpp"
+#include "halfspace/image.hpp"
 #include "halfspace/viewer/run.hpp"
 #include "halfspace/viewer/state.hpp"
 #include "image/scalars.hpp"
@@ -22,6 +24,7 @@ struct ViewCommandArguments {
   std::vector<std::string> paths;
   ViewArguments view;
   ScalarArguments scalars;
+  std::optional<std::uint8_t> alpha;
   std::optional<double> scale;
   bool watch = false;
   std::optional<std::string> play_file;
@@ -56,6 +59,7 @@ Result<viewer::State> state_of(const ViewCommandArguments& arguments) {
   looks.cull = view.cull.value_or(looks.cull);
   if (view.background) looks.background = view.background->color;
   if (!view.lights.empty()) looks.light = view.lights.front().to_light;
+  looks.alpha = arguments.alpha.value_or(looks.alpha);
   const ScalarArguments& scalars = arguments.scalars;
   if (scalars.source) {
     looks.scalar = viewer::ScalarLook{*scalars.source,
@@ -169,6 +173,9 @@ void add_view(CLI::App& program, Status& status) {
                   "Meshes, a .scene, or a .view that the window saved")
       ->type_name("");
   add_view_options(*app, arguments->view);
+  add_number(*app, "--alpha", "A", arguments->alpha, std::uint8_t{0}, kOpaque,
+             "Polygons that let what is behind them through: 0 is not seen, "
+             "255 hides it");
   add_scalar_options(*app, arguments->scalars);
   add_window_options(*app, *arguments);
   add_quiet_option(*app);

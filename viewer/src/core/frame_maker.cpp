@@ -5,7 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "halfspace/fast/render.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/painter.hpp"
 
 namespace halfspace::viewer {
 namespace {
@@ -131,6 +132,24 @@ bool FrameMaker::is_newer_wanted(const FrameRequest& request) const {
   return ends_ || wanted_ != request.number;
 }
 
+void FrameMaker::draw(const FrameRequest& request,
+                      const fast::RenderOptions& how,
+                      fast::Rendering& rendering) {
+  const Scene& scene = request.model->loaded.file.scene;
+  if (request.alpha == kOpaque) {
+    fast::render(scene, *request.model->tree, request.camera, request.options,
+                 how, rendering);
+    return;
+  }
+  if (leafy_ != request.model->tree) {
+    leafy_ = request.model->tree;
+    leafless_ = *leafy_;
+    fast::divide_leaves(leafless_, scene);
+  }
+  rendering = fast::blend(scene, leafless_, request.camera, request.options,
+                          request.alpha, how);
+}
+
 void FrameMaker::make(const FrameRequest& request) {
   const auto start = Clock::now();
   const std::int32_t height = request.camera->height_px;
@@ -153,8 +172,7 @@ void FrameMaker::make(const FrameRequest& request) {
     const std::int32_t end =
         std::min({row + strip_height, height, row + height - made});
     how.rectangle = {0, row, request.camera->width_px, end};
-    fast::render(request.model->loaded.file.scene, *request.model->tree,
-                 request.camera, request.options, how, rendering);
+    draw(request, how, rendering);
     if (request.numbers) color_numbers(request, row, how.threads, rendering);
     publish(request, rendering.colors, row);
     made += end - row;

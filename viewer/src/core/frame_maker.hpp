@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "halfspace/camera.hpp"
+#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/render.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/viewer/model.hpp"
 
@@ -21,6 +23,7 @@ struct FrameRequest {
   std::shared_ptr<const Model> model;
   Camera camera;
   ImageOptions options;
+  std::uint8_t alpha = kOpaque;  ///< with numbers: kOpaque
   std::shared_ptr<const ShownNumbers> numbers;  ///< null: the scene's colours
 };
 
@@ -68,6 +71,9 @@ class FrameMaker {
  private:
   void work();
   void make(const FrameRequest& request);
+  /// Draws those rows, blended or not.
+  void draw(const FrameRequest& request, const fast::RenderOptions& how,
+            fast::Rendering& rendering);
   void publish(const FrameRequest& request, const ColorImage& rows,
                std::int32_t first_row);
   bool is_newer_wanted(const FrameRequest& request) const;
@@ -84,6 +90,10 @@ class FrameMaker {
   // Of the thread alone.
   double expected_ms_ = 0;
   std::int32_t next_row_ = 0;
+  /// The model's tree without leaves, which blending goes through; made when a
+  /// picture first needs it.
+  std::shared_ptr<const fast::BspTree> leafy_;
+  fast::BspTree leafless_;
   std::thread thread_;
 };
 

@@ -293,7 +293,9 @@ ImageOptions image_options(const State& state, const Model& model) {
   }
   const auto clips = make_clips(options.clips, scene.grid_bits());
   options.clips = clips ? *clips : std::vector<ClipPlane>();
-  if (!options.clips.empty() && model.is_closed) options.caps = kCaps;
+  // What lets light through has no caps (S5.6).
+  if (!options.clips.empty() && model.is_closed && alpha_of(state) == kOpaque)
+    options.caps = kCaps;
   return options;
 }
 

@@ -162,7 +162,8 @@ void Session::ask_for_frame() {
   if (!model_ || !camera_) return;
   prepare_numbers();
   frames_.request({++frame_number_, model_, *camera_,
-                   image_options(state_, *model_), numbers_});
+                   image_options(state_, *model_), alpha_of(state_),
+                   numbers_});
 }
 
 bool Session::is_settled() const {

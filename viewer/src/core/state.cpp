@@ -254,6 +254,13 @@ State parse_all(const json& object, const std::filesystem::path& folder,
   state.looks.cull = reader.flag("cull", false);
   if (reader.has("background"))
     state.looks.background = reader.color("background");
+  if (reader.has("alpha")) {
+    const double alpha = reader.number("alpha");
+    if (alpha >= 0 && alpha <= kOpaque && alpha == std::floor(alpha))
+      state.looks.alpha = static_cast<std::uint8_t>(alpha);
+    else
+      reader.fail("alpha", "must be a whole number from 0 to 255");
+  }
   if (reader.has("light")) {
     state.looks.light = reader.vector("light");
     if (to_glm(*state.looks.light) == glm::dvec3(0))
@@ -291,6 +298,10 @@ bool have_same_scene(const State& a, const State& b) {
          source_of(a.looks) == source_of(b.looks);
 }
 
+std::uint8_t alpha_of(const State& state) {
+  return state.looks.scalar ? kOpaque : state.looks.alpha;
+}
+
 bool has_sections(const State& state) {
   return std::any_of(state.sections.begin(), state.sections.end(),
                      [](const Section& section) { return section.is_on; });
@@ -311,6 +322,7 @@ std::string to_text(const State& state) {
     result["combination"] = name_of(kCombinations, state.combination);
   if (state.looks.is_smooth) result["smooth"] = true;
   if (state.looks.cull) result["cull"] = true;
+  if (state.looks.alpha != kOpaque) result["alpha"] = state.looks.alpha;
   for (const Section& section : state.sections) {
     result["sections"].push_back({{"normal", section.normal},
                                   {"offset", section.offset},

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "halfspace/image.hpp"
 #include "halfspace/io/view.hpp"
 #include "halfspace/polygon.hpp"
 #include "halfspace/result.hpp"
@@ -62,6 +63,9 @@ struct Looks {
   Rgb background = {255, 255, 255};
   std::optional<std::array<double, 3>> light;  ///< nothing: the usual one
   std::optional<ScalarLook> scalar = {};       ///< of a file that is alone
+  /// How much polygons hide of what is behind them (S5.6), where no numbers
+  /// colour them.
+  std::uint8_t alpha = kOpaque;
   friend bool operator==(const Looks&, const Looks&) = default;
 };
 
@@ -80,6 +84,9 @@ bool is_same(const io::ViewOptions& a, const io::ViewOptions& b);
 
 /// Whether the pictures of two states need the same scene.
 bool have_same_scene(const State& a, const State& b);
+
+/// The alpha of the state's picture (S5.6): numbers are not blended.
+std::uint8_t alpha_of(const State& state);
 
 /// Whether any plane cuts the parts.
 bool has_sections(const State& state);
