@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -21,7 +20,6 @@ using detail::SolidNode;
 struct TouchPlane {
   csg::Integers3 normal;
   Integer offset;
-  std::size_t axis = 0;  ///< along which the normal is longest
 };
 
 /// A solid's surface in steps of which those of both solids are multiples. Each
@@ -49,7 +47,6 @@ class TouchSide {
       TouchPlane& plane = at->second;
       plane.normal = surface_.normal(face);
       plane.offset = csg::dot(plane.normal, surface_.origin(face)) * steps_;
-      plane.axis = csg::longest_axis(plane.normal);
     }
     return at->second;
   }
@@ -81,42 +78,18 @@ ExactPoint meet(const ExactPoint& a, const Integer& a_side, const ExactPoint& b,
   return result;
 }
 
-/// Whether two segments of the face's plane have a common point.
-bool segments_meet(const ExactPoint& a, const ExactPoint& b,
-                   const ExactPoint& c, const ExactPoint& d, std::size_t axis) {
-  const int c_side = csg::area2(a, b, c, axis).sign();
-  const int d_side = csg::area2(a, b, d, axis).sign();
-  const int a_side = csg::area2(c, d, a, axis).sign();
-  const int b_side = csg::area2(c, d, b, axis).sign();
-  if (c_side * d_side > 0 || a_side * b_side > 0) return false;
-  if (c_side != 0 || d_side != 0) return true;
-  // On one line: whether they overlap there.
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto less = [i](const ExactPoint& p, const ExactPoint& q) {
-      return csg::compare(p, q, i) < 0;
-    };
-    const auto [ab_low, ab_high] = std::minmax(a, b, less);
-    const auto [cd_low, cd_high] = std::minmax(c, d, less);
-    if (less(ab_high, cd_low) || less(cd_high, ab_low)) return false;
-  }
-  return true;
-}
-
-/// Whether a segment and a face, both closed, have a common point.
+/// Whether a segment and a face, both closed, have a common point, unless that
+/// is told by others: of a segment in the face's plane its beginning alone is
+/// looked at. Where it crosses an edge of the face, it passes through the
+/// plane of the next face there that is not in this one; where it has a part of
+/// such an edge, it holds the end of it or the edge holds its own.
 bool segment_meets(TouchSide& side, const fast::Face& face, const ExactPoint& a,
                    const ExactPoint& b) {
   const TouchPlane& plane = side.plane(face);
   const Integer a_side = side_of(plane, a), b_side = side_of(plane, b);
   if (a_side.sign() * b_side.sign() > 0) return false;
-  if (a_side != 0 || b_side != 0)
-    return side.holds(face, meet(a, abs(a_side), b, abs(b_side)));
-  if (side.holds(face, a)) return true;
-  bool any = false;
-  csg::for_edges(side.solid(), face, [&](const fast::SolidEdge& edge) {
-    any = any || segments_meet(a, b, side.point(edge.from), side.point(edge.to),
-                               plane.axis);
-  });
-  return any;
+  if (a_side == 0 && b_side == 0) return side.holds(face, a);
+  return side.holds(face, meet(a, abs(a_side), b, abs(b_side)));
 }
 
 /// Whether an edge of the first face meets the second one.

@@ -236,6 +236,28 @@ TEST(FaceTouch, HullsHaveInCommonWhatNoPlaneParts) {
       10);
 }
 
+TEST(FaceTouch, EdgesMeetWithinEdgesAndFacesWithoutACorner) {
+  const Solid bar = Solid::box({-5, -1, -1}, {5, 1, 1});
+  const auto touch = [&bar](const Solid& other) {
+    EXPECT_EQ(*bar.touches(other), *other.touches(bar));
+    EXPECT_FALSE(*bar.overlaps(other));
+    return *bar.touches(other);
+  };
+  // Across on top of it: no corner of one is in the other.
+  const Solid across = Solid::box({-1, -5, 1}, {1, 5, 3});
+  EXPECT_TRUE(touch(across));
+  EXPECT_FALSE(touch(across.translated({0, 0, 1. / 1024})));
+  // Edge across edge in one point.
+  const Solid edge = Solid::hull(std::vector<Point>{
+      {0, -4, 2}, {0, 6, 0}, {1, -4, 4}, {1, 6, 2}, {-1, -4, 4}, {-1, 6, 2}});
+  EXPECT_TRUE(touch(edge));
+  EXPECT_FALSE(touch(edge.translated({0, 0, 1. / 1024})));
+  // Part of an edge is part of another one.
+  EXPECT_TRUE(touch(Solid::box({3, 1, 1}, {9, 2, 2})));
+  EXPECT_TRUE(touch(Solid::box({-3, 1, 1}, {3, 2, 2})));
+  EXPECT_FALSE(touch(Solid::box({5.0009765625, 1, 1}, {9, 2, 2})));
+}
+
 TEST(FaceTouch, HalfSpacesAreAskedForWhatBooleansTell) {
   const Solid half = Solid::half_space({{1, 2, 2}, 3});
   const auto cube = [](double x) {
