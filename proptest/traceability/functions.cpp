@@ -30,6 +30,7 @@
 #include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/solid.hpp"
+#include "halfspace/fast/solid/canonical_solid.hpp"
 #include "halfspace/fast/split.hpp"
 #include "halfspace/fast/splitter.hpp"
 #include "halfspace/fast/traverse.hpp"
@@ -274,6 +275,7 @@ void take_all() {
   take(&fast::resolve);  // S6.7
   take(&fast::rounded_mesh);  // S6.8
   take(&fast::settled_scene);  // S6.8
+  take(&fast::canonical);  // S6.10
   take(&ref::visible_map);  // S7.1
   take(&fast::visible_map);  // S7.1
   take(&ref::visible_map);  // S7.2
@@ -381,5 +383,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 181 ? 0 : 1;
+  return halfspace::taken == 182 ? 0 : 1;
 }
