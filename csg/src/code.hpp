@@ -19,8 +19,8 @@ enum class Op : std::uint8_t {
   kNegate,      ///< replaces a number
   kComplement,  ///< replaces a solid
   kCombine,     ///< replaces two solids, or two numbers less one another
-  kAdd,         ///< each replaces two numbers
-  kMultiply,
+  kAdd,         ///< replaces two numbers, or two solids by their union
+  kMultiply,    ///< each replaces two numbers
   kDivide,
   kList,      ///< replaces `count` values by their list
   kIndex,     ///< replaces a list and a number by one of its values

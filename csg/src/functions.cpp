@@ -44,6 +44,9 @@ constexpr Named kFunctions[] = {
     {"cone", Function::kCone,
      "two radii, not both 0, a height above 0 and, if wanted, a number of "
      "segments from 3 to 1000"},
+    {"torus", Function::kTorus,
+     "a radius and a lesser one of its tube, both above 0, and, if wanted, one "
+     "or two numbers of segments from 3 to 1000"},
     {"hull", Function::kHull,
      "3 numbers for each of at least 4 points, not all in one plane"},
     {"range", Function::kRange,

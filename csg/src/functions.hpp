@@ -25,6 +25,7 @@ enum class Function : std::uint8_t {
   kSphere,
   kCylinder,
   kCone,
+  kTorus,
   kHull,
   kRange,
   kLength,

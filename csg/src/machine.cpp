@@ -176,6 +176,14 @@ bool Machine::load(const Instruction& at) {
 bool Machine::arithmetic(const Instruction& at) {
   const Value b = pop();
   const Value a = at.op == Op::kNegate ? b : pop();
+  if (at.op == Op::kAdd && a.kind == Value::Kind::kSolid &&
+      b.kind == Value::Kind::kSolid) {
+    Node node{.kind = NodeKind::kUnion, .place = at.place};
+    node.left = a.node;
+    node.right = b.node;
+    push_node(node);
+    return true;
+  }
   for (const Value* value : {&a, &b}) {
     if (value->kind == Value::Kind::kNumber) continue;
     const char* const operation = at.op == Op::kAdd        ? "+ adds"
@@ -378,6 +386,7 @@ bool Machine::call_primitive(const Instruction& at,
       return fail(error_at(at.place, mesh.error().code, mesh.error().message));
     return push_primitive(at, *std::move(mesh));
   }
+  if (at.function == Function::kTorus) return call_torus(at, numbers);
   const std::size_t lengths = at.function == Function::kSphere     ? 1
                               : at.function == Function::kCylinder ? 2
                                                                    : 3;
@@ -401,6 +410,22 @@ bool Machine::call_primitive(const Instruction& at,
     return wrong();
   return push_primitive(at,
                         frustum_mesh(low, high, Number{}, height, segments));
+}
+
+bool Machine::call_torus(const Instruction& at,
+                         const std::vector<Number>& numbers) {
+  const auto wrong = [&] { return fail(wrong_call(at.function, at.place)); };
+  if (numbers.size() < 2 || numbers.size() > 4 || !is_positive(numbers[1]) ||
+      !is_less(numbers[1], numbers[0]))
+    return wrong();
+  std::array<std::uint32_t, 2> segments = {kUsualSegments, kUsualSegments / 2};
+  for (std::size_t k = 2; k < numbers.size(); ++k) {
+    const auto asked = whole_in(numbers[k], 3, kMostSegments);
+    if (!asked) return wrong();
+    segments[k - 2] = static_cast<std::uint32_t>(*asked);
+  }
+  return push_primitive(
+      at, torus_mesh(numbers[0], numbers[1], segments[0], segments[1]));
 }
 
 bool Machine::call_range(const Instruction& at,

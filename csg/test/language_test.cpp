@@ -54,6 +54,12 @@ TEST(CsgLanguage, HasPrimitives) {
             std::string::npos);
   EXPECT_NE(volume_of("hull(1, 2, 3)").find("hull takes 3 numbers"),
             std::string::npos);
+  // A square tube of area 2 about a square.
+  EXPECT_EQ(volume_of("torus(3, 1, 4, 4)"), "24");
+  EXPECT_EQ(volume_of("torus(3, 1)").substr(0, 3), "57.");
+  EXPECT_NE(volume_of("torus(1, 1)").find("torus takes a radius and a lesser"),
+            std::string::npos);
+  EXPECT_NE(volume_of("torus(3, 1, 2)").find("torus takes"), std::string::npos);
   // An octahedron.
   EXPECT_EQ(volume_of("sphere(3, 4)"), "36");
   EXPECT_EQ(volume_of("sphere(1, 100)").substr(0, 4), "4.18");
@@ -103,6 +109,11 @@ TEST(CsgLanguage, DefinesFunctions) {
             "8");
 }
 
+TEST(CsgLanguage, AddsNumbersAndSolids) {
+  EXPECT_EQ(volume_of("box(1 + 1) + translate(box(1 + 1), 1, 0, 0)"), "12");
+  EXPECT_EQ(volume_of("box(2) + box(3) - box(1) + box(1)"), "27");
+}
+
 TEST(CsgLanguage, MirrorsAndMoves) {
   EXPECT_EQ(volume_of("mirror(box(1, 2, 3), 1, 0, 0) | box(1, 2, 3)"), "12");
   EXPECT_EQ(volume_of("mirror(box(1), 1, 1, 0) & translate(box(1), -1, -1, 0)"),
@@ -112,7 +123,7 @@ TEST(CsgLanguage, MirrorsAndMoves) {
 }
 
 TEST(CsgLanguage, NamesTroubleWithItsPlace) {
-  EXPECT_EQ(volume_of("box(1) + box(2)"),
+  EXPECT_EQ(volume_of("box(1) + 2"),
             "line 1, column 8: + adds numbers, not a solid");
   EXPECT_EQ(volume_of("box(1) - 1"),
             "line 1, column 8: this combines solids, not a number");

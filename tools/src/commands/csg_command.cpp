@@ -435,13 +435,14 @@ constexpr Word<csg::MergeRule> kMergeWords[] = {
 
 constexpr const char* kFooter =
     "The expression: names, or files in \"quotes\"; a & b, then from left to "
-    "right a | b,\na - b and a ^ b (in one of them); ~a (outside of a); "
-    "brackets;\n"
+    "right a | b\nor a + b, a - b and a ^ b (in one of them); ~a (outside of "
+    "a); brackets;\n"
     "  translate(a, X, Y, Z)  scale(a, S)  scale(a, X, Y, Z)\n"
     "  rotate(a, AXIS_X, AXIS_Y, AXIS_Z, DEGREES)  mirror(a, X, Y, Z)\n"
     "  matrix(a, 12 numbers, row by row)  flip(a): faces turned round\n"
     "  half(x < 5)  half(z > -1)  half(9 numbers: three points of a plane)\n"
     "  box(X, Y, Z)  sphere(R)  cylinder(R, H)  cone(R1, R2, H)\n"
+    "  torus(R, TUBE_R)  hull(X, Y, Z, X, Y, Z, ...)\n"
     "  union(a, b, ...)  intersection(...)  difference(...)  also of lists\n"
     "Numbers have + - * /, sin, cos, sqrt, min, max ...; lists are [a, b] and "
     "[for i in\nrange(5): a]. A script has lines `name = expression` and `def "
