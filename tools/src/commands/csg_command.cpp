@@ -434,7 +434,7 @@ constexpr Word<csg::MergeRule> kMergeWords[] = {
     {"none", csg::MergeRule::kNone}};
 
 constexpr const char* kFooter =
-    "The expression: names, or files in \"quotes\"; a & b, then from left to "
+    "The expression: names or files in \"quotes\"; a & b, then from left to "
     "right a | b\nor a + b, a - b and a ^ b (in one of them); ~a (outside of "
     "a); brackets;\n"
     "  translate(a, X, Y, Z)  scale(a, S)  scale(a, X, Y, Z)\n"
