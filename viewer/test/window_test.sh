@@ -146,4 +146,7 @@ echo '{}' >empty.view
 expect 2 'view.parts' view empty.view --play /dev/null
 expect 2 'view.parts' render empty.view -o none.png
 SDL_VIDEODRIVER=none expect 2 'no display' view box.off
+unset SDL_VIDEODRIVER DISPLAY WAYLAND_DISPLAY
+export XDG_RUNTIME_DIR=$PWD  # else libwayland says that it is not there
+expect 2 'no display: neither X11' view box.off
 finish

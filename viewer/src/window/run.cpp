@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/script.hpp"
@@ -19,6 +21,14 @@ Error sdl_error(const char* what) {
   return {ErrorCode::kUnreadable,
           std::string(what) + ": " + SDL_GetError() +
               "; `halfspace render` makes pictures without a display"};
+}
+
+/// Whether SDL took windows that nobody sees, unasked, as no others are there.
+bool is_unseen() {
+  if (SDL_getenv("SDL_VIDEODRIVER") != nullptr) return false;
+  const char* driver = SDL_GetCurrentVideoDriver();
+  const std::string_view name = driver != nullptr ? driver : "";
+  return name == "offscreen" || name == "dummy" || name == "evdev";
 }
 
 /// SDL while it lives.
@@ -97,7 +107,10 @@ Result<WindowReport> run(const WindowOptions& options) {
   SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "0");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   const Sdl sdl;
-  if (!sdl.is_there) return sdl_error("there is no display");
+  const bool for_nobody =
+      sdl.is_there && !options.play_file.has_value() && is_unseen();
+  if (for_nobody) SDL_SetError("neither X11 nor Wayland is there");
+  if (for_nobody || !sdl.is_there) return sdl_error("there is no display");
   const double scale = options.scale > 0 ? options.scale : scale_of_display();
   const SDL_Point size = window_size(options, scale);
   const std::unique_ptr<SDL_Window, DestroyWindow> window(SDL_CreateWindow(
