@@ -11,6 +11,8 @@ need python3-matplotlib "figures of the site"
 need mkdocs "makes pages of text"
 need mkdocs-material "how they look"
 need doxygen "the pages of the C++ headers"
+need chromium "looks whether the search works"
+need python3-pil "puts pictures beside each other"
 install_needed
 
 cmake --preset release -DBUILD_TESTING=ON
@@ -19,5 +21,5 @@ python=out/site-python
 /usr/bin/python3 -m venv --clear --system-site-packages "$python"
 HALFSPACE_BUILD_DIR=$PWD/build/python "$python/bin/pip" install -q \
   --no-build-isolation .
-docs/site/build.py build/release/tools/halfspace \
+/usr/bin/python3 docs/site/build.py build/release/tools/halfspace \
   build/release/examples/make_model out/site --python "$python/bin/python3"

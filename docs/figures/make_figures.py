@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Makes the gallery of docs/figures from models made by code.
 
-  make_figures.py PROGRAM            PROGRAM: halfspace
+  make_figures.py PROGRAM [FOLDER]
+
+PROGRAM is `halfspace`; FOLDER gets the figures; docs/figures if none is named.
 """
 
 import pathlib
@@ -56,6 +58,7 @@ FIGURES = {
 
 def main():
     program = sys.argv[1]
+    out = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else HERE
 
     def run(*command):
         subprocess.run([program, *map(str, command), "-q"], check=True)
@@ -69,9 +72,9 @@ def main():
             folder / "half.off")
         for figure, (model, options) in FIGURES.items():
             name = figure if "." in figure else figure + ".svg"
-            run("draw", folder / f"{model}.off", *options, "-o", HERE / name)
+            run("draw", folder / f"{model}.off", *options, "-o", out / name)
         run("draw", folder / "honeycomb.off", "--lines", "edges", "-o",
-            HERE / "plotter.hpgl")
+            out / "plotter.hpgl")
 
 
 if __name__ == "__main__":

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 """Builds the site: gathers its pages, makes their pictures, calls mkdocs.
 
-  build.py PROGRAM MAKE_MODEL OUT [--python PYTHON]
+  build.py PROGRAM MAKE_MODEL OUT [--python PYTHON] [--browser chromium]
 
 PROGRAM is `halfspace`, MAKE_MODEL makes the models that the pages name, PYTHON
 is an interpreter that has the package `halfspace`, matplotlib and numpy. OUT is
 emptied; OUT/html is the site. Every block of the pages is run, the pictures that
-they show are what the blocks have made, and every link within the site is
-looked up. Takes mkdocs, mkdocs-material and doxygen.
+they show are what the blocks have made, every link within the site is looked
+up, and a browser searches in pages that are opened as files. Takes mkdocs,
+mkdocs-material, doxygen, chromium and PIL.
 
 Exit status: 0 all is well, 1 a block failed, a picture or what a link names is
-missing, 2 bad usage.
+missing or a search finds nothing, 2 bad usage.
 """
 import argparse
 import ast
@@ -27,6 +28,7 @@ SITE = pathlib.Path(__file__).resolve().parent
 ROOT = SITE.parent.parent
 sys.path.insert(0, str(ROOT / "examples" / "test"))
 import documents  # noqa: E402
+import pictures  # noqa: E402
 
 PICTURE = re.compile(r"!\[[^]]*\]\(([^)]+)\)")
 NEEDED = {"mkdocs": "mkdocs and mkdocs-material", "doxygen": "doxygen"}
@@ -43,22 +45,23 @@ def gather(pages):
         (pages / folder).mkdir()
         for path in sorted((ROOT / folder).glob("*.md")):
             shutil.copy(path, pages / folder)
-    for path in (ROOT / "docs").glob("*.png"):
-        shutil.copy(path, pages / "docs")
     shutil.copy(ROOT / "web" / "README.md", pages / "docs" / "web.md")
-    shutil.copytree(ROOT / "docs" / "figures", pages / "figures",
-                    ignore=shutil.ignore_patterns("*.py", "*.hpgl"))
+    (pages / "docs" / "figures").mkdir()
     for folder in ("decisions", "papers"):
         shutil.copytree(ROOT / "docs" / folder, pages / "docs" / folder)
 
 
-def write_gallery(pages):
+def write_gallery(program, pages):
+    """The figures of docs/figures, made anew, on a page."""
+    figures = pages / "docs" / "figures"
+    subprocess.run([sys.executable, ROOT / "docs/figures/make_figures.py",
+                    program, figures], check=True)
     lines = ["# Gallery", "",
              "Made by `docs/figures/make_figures.py`; every figure is a map of "
              "exact regions, or a drawing of exact intervals."]
-    for path in sorted((pages / "figures").glob("*.svg")):
+    for path in sorted(figures.glob("*.svg")):
         name = path.stem.capitalize()
-        lines += ["", f"## {name}", "", f"![{name}](figures/{path.name})"]
+        lines += ["", f"## {name}", "", f"![{name}](docs/figures/{path.name})"]
     (pages / "gallery.md").write_text("\n".join(lines) + "\n",
                                       encoding="utf-8")
 
@@ -152,10 +155,12 @@ def write_cpp(pages, out):
 def run_blocks(page, folder, environment, python):
     """Runs the commands and the Python of a page, from top to bottom."""
     script = []
-    for words, first, text in documents.blocks(page):
-        if words[:1] == ["text"] and len(words) == 2 and "." in words[1]:
+    found = list(documents.blocks(page))
+    for words, _, text in found:
+        if words[:1] == ["text"] and len(words) == 2 and words[1] != "output":
             (folder / words[1]).write_text(text, encoding="utf-8")
-        elif words == ["sh"]:
+    for words, first, text in found:
+        if words == ["sh"]:
             if not documents.shell(text, folder, environment,
                                    f"{page}:{first}"):
                 raise Failed(f"{page}:{first}: a command fails")
@@ -170,7 +175,11 @@ def run_blocks(page, folder, environment, python):
 
 
 def make_pictures(pages, program, make_model, work, python):
-    """Runs every page of the site, and puts beside it the pictures it shows."""
+    """Runs the pages, and puts beside them the pictures that they show.
+
+    What has been made takes the place of the pictures that the sources have;
+    only the charts of experiments (docs/papers) are shown as they are there.
+    """
     tools = os.pathsep.join(str(pathlib.Path(tool).resolve().parent)
                             for tool in (program, make_model))
     environment = dict(os.environ, EXAMPLES=str(ROOT / "examples"),
@@ -179,17 +188,63 @@ def make_pictures(pages, program, make_model, work, python):
     work.mkdir()
     if not documents.shell(documents.MODELS, work, environment, "the models"):
         raise Failed("the models cannot be made")
-    shutil.copy(pages / "docs" / "figure.png", pages / "figure.png")
+    run = {pages / path.relative_to(SITE / "pages")
+           for path in (SITE / "pages").rglob("*.md")}
+    guide = pages / "docs" / "guide.md"
+    run_blocks(guide, work, environment, python)
+    pictures.make(work, environment)
+    text = guide.read_text(encoding="utf-8")
+    for name in PICTURE.findall(text):
+        vectors = pathlib.Path(name).with_suffix(".svg").name
+        if (work / vectors).exists() and not (work / name).exists():
+            text = text.replace(f"({name})", f"({vectors})")
+    guide.write_text(text, encoding="utf-8")
+    for page in sorted(run):
+        run_blocks(page, work, environment, python)
     for page in sorted(pages.rglob("*.md")):
-        if (SITE / "pages" / page.relative_to(pages)).exists():
-            run_blocks(page, work, environment, python)
         for name in PICTURE.findall(page.read_text(encoding="utf-8")):
             made = work / name
-            if not (page.parent / name).exists() and made.exists():
+            if made.exists() and "/" not in name:
                 shutil.copy(made, page.parent / name)
             if not (page.parent / name).exists():
                 raise Failed(f"{page.relative_to(pages)}: shows {name}, which "
                              "no block makes")
+
+
+def plain_fences(pages):
+    """Words after a fence that are for the tests, as MkDocs takes them."""
+    for page in pages.rglob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        text = re.sub(r"^(```\w+) (build|output)$", r"\1", text, flags=re.M)
+        text = re.sub(r"^(```\w+) (\S+)$", r'\1 title="\2"', text, flags=re.M)
+        page.write_text(text, encoding="utf-8")
+
+
+def write_search_script(site):
+    """The search's index as a script, which a page from a file can load."""
+    index = (site / "search" / "search_index.json").read_text(encoding="utf-8")
+    (site / "search" / "search_index.js").write_text(
+        f"giveSearchIndex({index});\n", encoding="utf-8")
+
+
+def check_search(site, browser):
+    """The search finds its page when the site is opened as a file."""
+    for words, page in (("matplotlib figure", "howto/matplotlib.html"),
+                        ("drill print", "howto/print.html"),
+                        ("four views", "howto/four-views.html"),
+                        ("oracle", "howto/oracle.html")):
+        address = (site / "index.html").as_uri() + "?q=" + \
+            urllib.parse.quote(words)
+        shown = subprocess.run(
+            [browser, "--headless", "--no-sandbox", "--disable-gpu",
+             "--virtual-time-budget=20000", "--dump-dom", address],
+            check=True, text=True, stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL).stdout
+        found = re.findall(r'<a href="([^"]*)" class="md-search-result__link',
+                           shown)
+        if not any(page in link for link in found[:3]):
+            raise Failed(f"a search for {words!r} finds {found[:3]}, and not "
+                         f"{page}")
 
 
 class Links(html.parser.HTMLParser):
@@ -241,7 +296,7 @@ def check_links(site):
 
 
 def build(options):
-    for tool, package in NEEDED.items():
+    for tool, package in (*NEEDED.items(), (options.browser, "chromium")):
         if not shutil.which(tool):
             raise Failed(f"this takes {tool}; install {package}")
     if subprocess.run([options.python, "-c", "import halfspace, matplotlib"],
@@ -254,20 +309,24 @@ def build(options):
     pages = out / "pages"
     gather(pages)
     (pages / "reference").mkdir()
-    write_gallery(pages)
+    write_gallery(options.program, pages)
     write_program(options.program, pages / "reference")
     write_python(pages / "reference")
     write_javascript(pages / "reference")
     write_cpp(pages / "reference", pages)
     make_pictures(pages, options.program, options.make_model, out / "work",
                   options.python)
+    plain_fences(pages)
     settings = out / "mkdocs.yml"
     shutil.copy(SITE / "mkdocs.yml", settings)
+    shutil.copytree(SITE / "theme", out / "theme")
     subprocess.run(["mkdocs", "build", "--quiet", "--config-file", settings],
                    check=True)
+    write_search_script(out / "html")
     count, links = check_links(out / "html")
+    check_search(out / "html", options.browser)
     print(f"{out / 'html' / 'index.html'}: {count} pages, {links} links within "
-          "the site are right")
+          "the site are right; the search works from a file")
 
 
 def main():
@@ -276,6 +335,7 @@ def main():
     parser.add_argument("make_model")
     parser.add_argument("out")
     parser.add_argument("--python", default=sys.executable)
+    parser.add_argument("--browser", default="chromium")
     try:
         build(parser.parse_args())
     except (Failed, subprocess.CalledProcessError) as failed:
