@@ -235,6 +235,22 @@ class FarmTest(unittest.TestCase):
         done = call(FARM / "parallel.sh", "film", "-j", 2, cwd=self.here)
         self.assertEqual(done.returncode, 0, done.stdout)
 
+    # Not among the packages of all tests: scripts/cluster/test.sh installs it.
+    @unittest.skipUnless(shutil.which("snakemake"), "there is no Snakemake")
+    def test_snakemake_runs_a_plan_and_what_is_lost_of_it(self):
+        self.film()
+        words = ["snakemake", "-s", FARM / "Snakefile", "--config",
+                 "plan=film", "-j", 2]
+        done = call(*words, cwd=self.here)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        first = self.result("film", "frame-00005.png")
+        (self.here / "film" / "done" / "frames" / "0000" / "0.json").unlink()
+        (self.here / "film" / "results" / "frame-00005.png").unlink()
+        done = call(*words, cwd=self.here)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertEqual(self.result("film", "frame-00005.png"), first)
+        self.assertIn("13 files", self.farm("manifest", "film"))
+
     def test_laws_and_their_summary(self):
         self.farm("laws", "laws", "--shards", 2, "--cases", 10, "--law",
                   "S2.L1", "--program", LAWS)
