@@ -27,7 +27,8 @@ packages() {
   git archive --prefix="halfspace-$upstream/" HEAD -- . ':!debian' |
     gzip -n >"$folder/halfspace_$upstream.orig.tar.gz"
   git archive HEAD | tar -x -C "$folder/halfspace-$upstream"
-  (cd "$folder/halfspace-$upstream" &&
+  # A symbol that the list does not have is a fault here, like a lost one.
+  (cd "$folder/halfspace-$upstream" && DPKG_GENSYMBOLS_CHECK_LEVEL=4 \
     dpkg-buildpackage -us -uc -j"$(nproc)") >"$folder/build.log" 2>&1 || {
     tail -40 "$folder/build.log" >&2
     fail "the packages cannot be built; all of it stands in $folder/build.log"
