@@ -5,10 +5,12 @@
 
 #include "adapters/both.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/ref/ray.hpp"
+#include "halfspace/ref/screens.hpp"
 #include "halfspace/splitmix.hpp"
 #include "laws/changed_views.hpp"
 #include "laws/law.hpp"
@@ -21,6 +23,9 @@ using definition::Fraction;
 using definition::Integer;
 
 constexpr int kClippedViews = 300;
+
+constexpr ScreenKind kAllScreens[] = {ScreenKind::kList, ScreenKind::kBsp1,
+                                      ScreenKind::kQuad, ScreenKind::kBsp2};
 
 std::optional<Int128> to_int128(const Integer& value) {
   if (abs(value) >> 126 != 0) return std::nullopt;
@@ -173,6 +178,10 @@ struct RefSections {
     images.push_back(Ref::image_of(ref::paint(scene, tree, *camera, options)));
     images.push_back(Ref::image_of(ref::zbuffer(scene, *camera, options)));
     images.push_back(Ref::image_of(ref::raycast(scene, *camera, options)));
+    for (const ScreenKind kind : kAllScreens) {
+      images.push_back(
+          Ref::image_of(ref::render_on(scene, tree, *camera, options, kind)));
+    }
     return images;
   }
   static Image samples(const SceneFile& view, std::int32_t count) {
@@ -216,6 +225,10 @@ struct FastSections {
     how.simd = fast::SimdLevel::kPortable;
     images.push_back(image_of(
         fast::render(scene, tree_of(scene, 8), *camera, options, how)));
+    for (const ScreenKind kind : kAllScreens) {
+      images.push_back(
+          image_of(fast::render_on(scene, plain, *camera, options, kind)));
+    }
     return images;
   }
   static Image samples(const SceneFile& view, std::int32_t count) {

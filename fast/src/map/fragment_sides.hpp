@@ -5,6 +5,7 @@
 
 #include "map/cell_tree.hpp"
 #include "map/line_table.hpp"
+#include "raster/clip_set.hpp"
 
 namespace halfspace::fast {
 
@@ -43,5 +44,24 @@ class FragmentSides {
   LineTable& lines_;
   std::vector<HalfPlane> sides_;
 };
+
+/// Adds what the clip planes of the mask leave of a polygon (S10.2) to its
+/// sides; false where caps take it away (S10.3).
+///
+/// Requires: the table has the clip planes of the set.
+inline bool add_clips(const ClipSet& clips, ClipMask mask, PolygonId source,
+                      int eye_sign, LineTable& lines,
+                      std::vector<HalfPlane>& sides) {
+  for (std::size_t k = 0; mask >> k != 0; ++k) {
+    if ((mask >> k & 1u) == 0) continue;
+    const LineId line = lines.meet(source, plane_id_of_clip(k));
+    if (!lines.is_zero(line)) {
+      sides.push_back({line, eye_sign});
+    } else if (clips.has_caps()) {
+      return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace halfspace::fast

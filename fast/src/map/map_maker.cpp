@@ -100,19 +100,6 @@ bool MapMaker::image_box(NodeId id, CellBox& image) const {
   return !is_empty(image);
 }
 
-bool MapMaker::clip(PolygonId source, int eye_sign, ClipMask mask) {
-  for (std::size_t k = 0; k < image_.clips.size(); ++k) {
-    if ((mask >> k & 1) == 0) continue;
-    const LineId line = lines_.meet(source, plane_id_of_clip(k));
-    if (!lines_.is_zero(line)) {
-      clipped_.push_back({line, eye_sign});
-    } else if (image_.caps) {
-      return false;
-    }
-  }
-  return true;
-}
-
 void MapMaker::light_caps(int side, const MapLimits& limits) {
   if (!image_.caps) return;
   const auto count = reader_.scene().polygon_count();

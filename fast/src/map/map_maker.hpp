@@ -43,7 +43,9 @@ class MapMaker {
         std::span<const HalfPlane> sides = sides_.of(fragment, eye_sign);
         if (mask != 0) {
           clipped_.assign(sides.begin(), sides.end());
-          if (!clip(fragment.source, eye_sign, mask)) return true;
+          if (!add_clips(clips_, mask, fragment.source, eye_sign, lines_,
+                         clipped_))
+            return true;
           sides = clipped_;
         }
         const bool goes_on = show(sides, fragment.source);
@@ -77,10 +79,6 @@ class MapMaker {
     const auto id = static_cast<std::size_t>(&node - tree_.nodes.data());
     return clips_.classify(tree_.boxes[id]).mask;
   }
-  /// Adds what the planes of the mask leave (S10.2) to `clipped_`; false for
-  /// polygons that caps take away (S10.3).
-  bool clip(PolygonId source, int eye_sign, ClipMask mask);
-
   /// A rectangle that holds the image of a node's box; false if none of that
   /// is in the image.
   bool image_box(NodeId id, CellBox& image) const;

@@ -8,6 +8,7 @@
 #include "halfspace/assert.hpp"
 #include "map/cell_tree.hpp"
 #include "map/fragment_sides.hpp"
+#include "raster/caps.hpp"
 #include "raster/exact_coverage.hpp"
 #include "raster/sample_means.hpp"
 #include "screens/line_screens.hpp"
@@ -22,6 +23,7 @@ struct ScreenFrame {
   const TreeReader& reader;
   const CameraData& camera;
   const View& view;
+  const ClipSet& clips;
 };
 
 /// The lines in which something of the fragment may be seen: those of its
@@ -76,12 +78,10 @@ std::size_t show_all(const ScreenFrame& frame, bool cull, Show&& show) {
 template <int kBits, class Lines>
 ScreenWork fill_lines(const ScreenFrame& frame, bool cull, Lines lines,
                       Rendering& image) {
-  const std::vector<ClipPlane> none;
-  const ClipSet clips(none, false, kBits);
-  ExactScan<kBits> scan(frame.reader, frame.camera, clips);
+  ExactScan<kBits> scan(frame.reader, frame.camera, frame.clips);
   image.fragments_displayed =
       show_all(frame, cull, [&](const TreeFragment& fragment, int eye_sign) {
-        scan.start(fragment, eye_sign);
+        scan.start(fragment, eye_sign, frame.clips.all());
         const PixelRange rows = rows_of(frame, fragment);
         for (std::int32_t j = rows.first; j < rows.end; ++j) {
           if (lines.full(j)) continue;
@@ -99,13 +99,11 @@ ScreenWork fill_lines(const ScreenFrame& frame, bool cull, Lines lines,
 
 template <int kBits>
 ScreenWork fill_squares(const ScreenFrame& frame, bool cull, Rendering& image) {
-  const std::vector<ClipPlane> none;
-  const ClipSet clips(none, false, kBits);
-  ExactScan<kBits> scan(frame.reader, frame.camera, clips);
+  ExactScan<kBits> scan(frame.reader, frame.camera, frame.clips);
   SquareScreen screen(frame.camera.width_px, frame.camera.height_px);
   image.fragments_displayed =
       show_all(frame, cull, [&](const TreeFragment& fragment, int eye_sign) {
-        scan.start(fragment, eye_sign);
+        scan.start(fragment, eye_sign, frame.clips.all());
         screen.light(scan.lines(), rows_of(frame, fragment),
                      [&](std::int32_t j, Span lit) {
                        std::fill(&image.items.at(lit.first, j),
@@ -155,13 +153,20 @@ void fill_cell(const Cell& cell, const CellTree& cells, const LineTable& lines,
   }
 }
 
-ScreenWork fill_cells(const ScreenFrame& frame, bool cull, Rendering& image) {
-  LineTable lines(frame.reader, frame.camera);
+ScreenWork fill_cells(const ScreenFrame& frame, const ImageOptions& options,
+                      Rendering& image) {
+  LineTable lines(frame.reader, frame.camera, options.clips);
   CellTree cells(lines, frame.camera.width_px, frame.camera.height_px, 0);
   FragmentSides sides(frame.reader, frame.camera, lines);
-  image.fragments_displayed =
-      show_all(frame, cull, [&](const TreeFragment& fragment, int eye_sign) {
-        cells.light(sides.of(fragment, eye_sign), fragment.source);
+  std::vector<HalfPlane> left;
+  image.fragments_displayed = show_all(
+      frame, options.cull, [&](const TreeFragment& fragment, int eye_sign) {
+        const auto whole = sides.of(fragment, eye_sign);
+        left.assign(whole.begin(), whole.end());
+        if (!add_clips(frame.clips, frame.clips.all(), fragment.source,
+                       eye_sign, lines, left))
+          return true;
+        cells.light(left, fragment.source);
         return !cells.full();
       });
   cells.for_cells([&](const Cell& cell) {
@@ -176,11 +181,12 @@ Rendering render_on(const Scene& scene, const BspTree& tree,
                     const Camera& camera, const ImageOptions& image,
                     ScreenKind kind, ScreenWork* work) {
   HALFSPACE_ASSERT(!has_leaves(tree));
-  HALFSPACE_ASSERT(image.clips.empty());
   const CameraData& data = camera.data();
   const TreeReader reader(scene, tree);
   const View view = make_view(camera, scene.grid_bits());
-  const ScreenFrame frame = {reader, data, view};
+  const bool has_caps = image.caps && !image.clips.empty();
+  const ClipSet clips(image.clips, has_caps, scene.grid_bits());
+  const ScreenFrame frame = {reader, data, view, clips};
   Rendering result;
   result.items = ItemImage(data.width_px, data.height_px, kBackground);
   const ScreenWork took = with_grid(scene.grid_bits(), [&](auto bits) {
@@ -194,7 +200,7 @@ Rendering render_on(const Scene& scene, const BspTree& tree,
       case ScreenKind::kQuad:
         return fill_squares<bits()>(frame, image.cull, result);
       case ScreenKind::kBsp2:
-        return fill_cells(frame, image.cull, result);
+        return fill_cells(frame, image, result);
     }
     return fill_lines<bits()>(frame, image.cull,
                               ListLines(data.width_px, data.height_px), result);
@@ -208,6 +214,11 @@ Rendering render_on(const Scene& scene, const BspTree& tree,
       result.pixels_painted += *item == kBackground ? 0 : 1;
       result.colors.at(i, j) = colors.mean(item, data.width_px, i, j);
     }
+  }
+  if (has_caps) {
+    const Frame all = {reader, data, image, view, best_kernel(SimdLevel::kBest),
+                       clips};
+    add_caps(all, {0, 0, data.width_px, data.height_px}, result);
   }
   return result;
 }

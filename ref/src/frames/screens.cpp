@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
@@ -352,13 +353,17 @@ Rendering render_on(const Scene& scene, const BspTree& tree,
     const Plane& plane = planes[static_cast<std::size_t>(fragment.source)];
     if (options.cull && side_of_eye(plane, camera) == Side::kNegative)
       return true;
+    if (!is_there(plane, options)) return true;
+    const auto left = clipped(fragment, options);
+    if (!left) return true;
     ++image.fragments_displayed;
-    screen->light(fragment, projection, fragment.source);
+    screen->light(*left, projection, fragment.source);
     return !screen->full();
   });
   screen->finish();
   for (const PolygonId item : image.items.pixels)
     image.pixels_painted += item == kBackground ? 0 : 1;
+  add_caps(scene, camera, options, image.items);
   image.colors = colors_of(scene, camera, image.items, options);
   return image;
 }

@@ -283,10 +283,6 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
   const Result<Done> clipped =
       add_clips(loaded.file.scene, camera, arguments.clip, shot.options);
   if (!clipped) return clipped.error();
-  if (arguments.screen && !shot.options.clips.empty()) {
-    return Error{ErrorCode::kOutOfRange,
-                 "--screen: is not for clip planes; leave out either"};
-  }
   shot.rows = *rows;
   shot.screen = arguments.screen;
   shot.priority = arguments.priority.value_or(Priority::kTree);

@@ -11,8 +11,7 @@ namespace halfspace::ref {
 
 /// render(), onto a screen of that kind (S4.9).
 ///
-/// Requires: options without clip planes.
-/// Exact:    yes: the 2-D tree's lines are the images of fragments' edges.
+/// Exact: yes: the 2-D tree's lines are the images of fragments' edges.
 Rendering render_on(const Scene& scene, const BspTree& tree,
                     const Camera& camera, const ImageOptions& options,
                     ScreenKind kind);

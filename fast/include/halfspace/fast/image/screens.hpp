@@ -25,8 +25,9 @@ struct ScreenWork {
 /// Lists and trees of lines merge object segments, which exact edge functions
 /// give; squares are compared with those functions; the 2-D tree divides by the
 /// lines themselves, and its cells are turned to pixels at the end.
-/// Requires: a tree of this scene without leaves (divide_leaves()); no clip
-///           planes.
+/// Caps come after (S10.3).
+/// Requires: a tree of this scene without leaves (divide_leaves()); with caps a
+///           closed scene.
 /// Exact:    yes.
 Rendering render_on(const Scene& scene, const BspTree& tree,
                     const Camera& camera, const ImageOptions& image,
