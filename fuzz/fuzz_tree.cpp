@@ -35,7 +35,8 @@ void expect_same(const SceneFile& view, const ref::BspTree& tree,
 }  // namespace halfspace
 
 /// Reference, fast library and definition make the same tree by every rule,
-/// the two libraries the same one by insertion, and all walk it alike.
+/// the two libraries the same one by insertion and removal, and all walk it
+/// alike.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   using namespace halfspace;
@@ -67,6 +68,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                 planes[static_cast<std::size_t>(id)]);
     fast::insert(other, view.scene, id);
   }
+  expect_same(view, grown, other, text);
+  // Every second one goes.
+  std::vector<PolygonId> gone;
+  for (PolygonId id = 0;
+       id < static_cast<PolygonId>(view.scene.polygon_count()); id += 2) {
+    gone.push_back(id);
+  }
+  ref::remove(grown, gone);
+  fast::remove(other, view.scene, gone);
   expect_same(view, grown, other, text);
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "halfspace/display.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/io/import.hpp"
 #include "halfspace/io/mesh.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/threads.hpp"
@@ -20,10 +21,15 @@ namespace halfspace {
 /// shows the class that it is in.
 struct [[gnu::visibility("hidden")]] Display::State {
   io::Mesh mesh;  ///< empty of a scene file
+  /// By face of the mesh, its number, where some are gone; else empty.
+  std::vector<std::int32_t> numbers;
   Scene scene;
   std::vector<PolygonId> faces;  ///< by polygon of the scene
   std::size_t polygon_count = 0;
   std::vector<std::int32_t> solid_starts = {0};  ///< its first polygon
+  /// Polygons when trees were made anew, and how many came or went since.
+  std::size_t built_count = 0;
+  std::size_t changes = 0;
 
   /// The tree for pictures, and one without leaves; made when first needed.
   Mutex mutex;
@@ -57,6 +63,12 @@ struct [[gnu::visibility("hidden")]] Display::State {
 };
 
 namespace detail {
+
+/// How meshes to look at come onto a grid: so finely that cameras have room.
+io::ImportOptions import_options();
+io::Mesh exact_mesh(const Mesh& mesh);
+/// Adds the polygons of one mesh to another.
+void append(const io::Mesh& from, io::Mesh& to);
 
 glm::dvec3 vector_of(const Point& p);
 

@@ -4,6 +4,7 @@
 
 #include "halfspace/csg/outcome.hpp"
 #include "halfspace/csg/plan.hpp"
+#include "halfspace/exact.hpp"
 #include "node.hpp"
 
 namespace halfspace::detail {
@@ -188,3 +189,13 @@ Solid faulty_solid(std::string name, ErrorCode code, std::string message) {
 }
 
 }  // namespace halfspace::detail
+
+namespace halfspace::exact {
+
+Result<fast::Solid> solid_of(const halfspace::Solid& solid) {
+  const auto evaluation = detail::SolidNode::of(solid).evaluation({});
+  if (!evaluation) return evaluation.error();
+  return (*evaluation)->solid;
+}
+
+}  // namespace halfspace::exact

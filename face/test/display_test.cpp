@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
 #include <set>
 #include <span>
 #include <utility>
@@ -136,6 +138,86 @@ TEST(FaceDisplay, InsertedPolygonsAreSeenAsIfTheyHadBeenThere) {
     EXPECT_EQ(display.render(view)->polygons, together.render(view)->polygons);
     EXPECT_EQ(display.polygon_count(), base.polygon_count() + 1);
   }
+}
+
+/// The mesh without some polygons.
+Mesh without(const Mesh& mesh, const std::set<std::int32_t>& gone) {
+  Mesh left;
+  left.vertices = mesh.vertices;
+  for (std::size_t p = 0; p < mesh.polygon_count(); ++p) {
+    if (!gone.contains(static_cast<std::int32_t>(p)))
+      left.add(mesh.corners_of(p));
+  }
+  return left;
+}
+
+TEST(FaceDisplay, RemovedPolygonsAreGoneAndOthersKeepTheirNumbers) {
+  Mesh base = *knot().mesh();
+  base.colors.clear();
+  std::set<std::int32_t> gone;
+  std::vector<std::int32_t> kept;
+  std::vector<std::int32_t> list;
+  for (std::int32_t p = 0; p < static_cast<std::int32_t>(base.polygon_count());
+       ++p) {
+    if (p % 3 == 1) gone.insert(p);
+    if (p % 3 == 1) list.push_back(p);
+    if (p % 3 != 1) kept.push_back(p);
+  }
+  View view = small_view();
+  view.eye = Point{6, -9, 8};
+  view.target = Point{0, 0, 0};
+  Picture expected = *Display::of(without(base, gone))->render(view);
+  for (std::int32_t& polygon : expected.polygons.pixels) {
+    if (polygon != kBackground)
+      polygon = kept[static_cast<std::size_t>(polygon)];
+  }
+  for (const bool is_ordered : {false, true}) {
+    Display display = *Display::of(base);
+    ASSERT_TRUE(display.render(view));
+    if (is_ordered) {
+      ASSERT_TRUE(display.front_to_back(view, [](const SeenPolygon&) {}));
+    }
+    ASSERT_TRUE(display.remove(list));
+    EXPECT_EQ(display.polygon_count(), base.polygon_count());
+    EXPECT_EQ(display.render(view)->polygons, expected.polygons);
+    std::size_t shown = 0;
+    ASSERT_TRUE(display.back_to_front(view, [&](const SeenPolygon& polygon) {
+      EXPECT_FALSE(gone.contains(polygon.polygon));
+      ++shown;
+    }));
+    EXPECT_GE(shown, kept.size() / 2);
+    // Some of them come again, with numbers of their own.
+    const Mesh again = without(base, {kept.begin(), kept.end()});
+    const auto first = static_cast<std::int32_t>(display.polygon_count());
+    ASSERT_TRUE(display.insert(again));
+    Picture all = *Display::of(base)->render(view);
+    for (std::int32_t& polygon : all.polygons.pixels) {
+      const auto at = gone.find(polygon);
+      if (at != gone.end())
+        polygon =
+            first + static_cast<std::int32_t>(std::distance(gone.begin(), at));
+    }
+    EXPECT_EQ(display.render(view)->polygons, all.polygons);
+    // All that came goes: the tree is as it was, or made anew.
+    std::vector<std::int32_t> came(gone.size());
+    std::iota(came.begin(), came.end(), first);
+    ASSERT_TRUE(display.remove(came));
+    ASSERT_TRUE(display.remove(came));
+    EXPECT_EQ(display.render(view)->polygons, expected.polygons);
+  }
+}
+
+TEST(FaceDisplay, OnlyPolygonsThatAreThereAreRemoved) {
+  Display display = *Display::of(knot());
+  const auto count = static_cast<std::int32_t>(display.polygon_count());
+  for (const std::int32_t wrong : {-1, count}) {
+    const std::vector<std::int32_t> one = {wrong};
+    EXPECT_EQ(display.remove(one).error().code, ErrorCode::kBadIndex);
+  }
+  std::vector<std::int32_t> all(static_cast<std::size_t>(count));
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(display.remove(all).error().code, ErrorCode::kEmpty);
+  EXPECT_TRUE(display.render(small_view()));
 }
 
 TEST(FaceDisplay, BadViewsAndMeshesAreErrors) {

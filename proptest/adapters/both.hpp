@@ -77,6 +77,9 @@ struct Ref {
   static void insert(Tree& tree, const Scene& scene, PolygonId polygon) {
     ref::insert(tree, ref::whole(scene, polygon), plane_of(scene, polygon));
   }
+  static void remove(Tree& tree, const std::vector<PolygonId>& polygons) {
+    ref::remove(tree, polygons);
+  }
   static TreeStats stats(const Tree& tree) { return ref::stats(tree); }
   static TreeName name_of(const Tree& tree) { return ref::name_of(tree); }
 

@@ -90,6 +90,9 @@ struct Fast {
     tree.scene = scene;
     fast::insert(tree.tree, scene, polygon);
   }
+  static void remove(Tree& tree, const std::vector<PolygonId>& polygons) {
+    fast::remove(tree.tree, tree.scene, polygons);
+  }
   static TreeStats stats(const Tree& tree) { return fast::stats(tree.tree); }
   static TreeName name_of(const Tree& tree) { return fast::name_of(tree.tree); }
   static std::vector<FragmentName> back_to_front(const Tree& tree,

@@ -39,8 +39,8 @@ std::int64_t small(std::uint64_t seed, std::int64_t most) {
 }
 
 /// A matrix of one of the kinds, and its shift.
-AffineMap matrix_of(std::uint64_t seed) {
-  AffineMap map;
+ObjectMap matrix_of(std::uint64_t seed) {
+  ObjectMap map;
   const std::uint64_t kind = mix(seed) % 5;
   if (kind == 1) {
     // An exchange of axes, and reflections.
@@ -65,7 +65,7 @@ AffineMap matrix_of(std::uint64_t seed) {
 }
 
 /// The map, moved so that `p` stands at `q`, or next to it.
-AffineMap placed(AffineMap map, const GridPoint& p, const GridPoint& q,
+ObjectMap placed(ObjectMap map, const GridPoint& p, const GridPoint& q,
                  std::uint64_t seed) {
   for (std::size_t k = 0; k < 3; ++k) {
     map.t[k] = (Int128{coordinate(q, k)} << map.shift) -
@@ -76,8 +76,8 @@ AffineMap placed(AffineMap map, const GridPoint& p, const GridPoint& q,
   return map;
 }
 
-void extend_moved(std::optional<Region>& box, const GridPoint& p,
-                  const AffineMap& map) {
+void extend_moved(std::optional<ObjectRegion>& box, const GridPoint& p,
+                  const ObjectMap& map) {
   GridPoint low, high;
   for (std::size_t k = 0; k < 3; ++k) {
     const Int128 at = Int128{map.m[3 * k]} * p.x +
@@ -90,36 +90,112 @@ void extend_moved(std::optional<Region>& box, const GridPoint& p,
     *to[0][k] = below;
     *to[1][k] = below + ((at & ((Int128{1} << map.shift) - 1)) == 0 ? 2 : 3);
   }
-  if (!box) box = Region{low, high};
+  if (!box) box = ObjectRegion{low, high};
   box->low = {std::min(box->low.x, low.x), std::min(box->low.y, low.y),
               std::min(box->low.z, low.z)};
   box->high = {std::max(box->high.x, high.x), std::max(box->high.y, high.y),
                std::max(box->high.z, high.z)};
 }
 
-std::optional<Region> region_of(const Model& model, const AffineMap& map) {
-  std::optional<Region> box;
+using Moved = std::array<Int128, 3>;
+
+/// The places of all that a region has to hold, in steps of 2^-shift.
+std::vector<Moved> moved_corners(const Model& model, const ObjectMap& map) {
+  std::vector<Moved> places;
+  const auto take = [&](const GridPoint& p) {
+    Moved at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = Int128{map.m[3 * k]} * p.x + Int128{map.m[3 * k + 1]} * p.y +
+              Int128{map.m[3 * k + 2]} * p.z + map.t[k];
+    }
+    places.push_back(at);
+  };
+  for (const VertexId v : model.scene.data().corners)
+    take(model.scene.point(v));
+  for (const MovingObject& object : model.objects) {
+    for (const GridPoint& p : corners_of(object.region)) take(p);
+  }
+  return places;
+}
+
+/// Whole numbers below and above a form's values at all places.
+std::pair<std::int64_t, std::int64_t> range_of(const std::vector<Moved>& places,
+                                               const std::array<int, 3>& form,
+                                               int shift) {
+  std::optional<std::pair<Int128, Int128>> range;
+  for (const Moved& at : places) {
+    const Int128 value = form[0] * at[0] + form[1] * at[1] + form[2] * at[2];
+    if (!range) range = {value, value};
+    range->first = std::min(range->first, value);
+    range->second = std::max(range->second, value);
+  }
+  return {static_cast<std::int64_t>((range->first >> shift) - 1),
+          static_cast<std::int64_t>((range->second >> shift) + 2)};
+}
+
+/// A corner of a box and the plane that its three neighbours are in.
+std::vector<GridPoint> tetrahedron(const std::vector<Moved>& places, int shift,
+                                   std::uint64_t seed) {
+  std::array<int, 3> sign;
+  std::array<std::int64_t, 3> corner;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sign[k] = mix(seed + k) % 2 == 0 ? 1 : -1;
+    std::array<int, 3> form = {0, 0, 0};
+    form[k] = 1;
+    const auto [low, high] = range_of(places, form, shift);
+    corner[k] = sign[k] > 0 ? low : high;
+  }
+  std::int64_t size = range_of(places, sign, shift).second;
+  for (std::size_t k = 0; k < 3; ++k) size -= sign[k] * corner[k];
+  std::vector<GridPoint> points = {{corner[0], corner[1], corner[2]}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<std::int64_t, 3> p = corner;
+    p[k] += sign[k] * size;
+    points.push_back({p[0], p[1], p[2]});
+  }
+  return points;
+}
+
+/// A box in a frame whose x leans along z: a parallelepiped, and a point in it.
+std::vector<GridPoint> leaning_box(const std::vector<Moved>& places, int shift,
+                                   std::uint64_t seed) {
+  const int lean = mix(seed) % 2 == 0 ? 1 : -2;
+  const auto x = range_of(places, {1, 0, -lean}, shift);
+  const auto y = range_of(places, {0, 1, 0}, shift);
+  const auto z = range_of(places, {0, 0, 1}, shift);
+  std::vector<GridPoint> points;
+  for (unsigned k = 0; k < 8; ++k) {
+    const std::int64_t at = k & 4u ? z.second : z.first;
+    points.push_back({(k & 1u ? x.second : x.first) + lean * at,
+                      k & 2u ? y.second : y.first, at});
+  }
+  points.push_back(
+      {x.first + 1 + lean * (z.first + 1), y.first + 1, z.first + 1});
+  return points;
+}
+
+/// A region that holds all of a model: a box, or a hull where it fits the grid.
+std::optional<ObjectRegion> region_of(const Model& model, const ObjectMap& map,
+                                      int grid_bits, std::uint64_t seed) {
+  std::optional<ObjectRegion> box;
   for (const VertexId v : model.scene.data().corners)
     extend_moved(box, model.scene.point(v), map);
   for (const MovingObject& object : model.objects) {
-    for (std::size_t k = 0; k < 8; ++k) {
-      const Region& r = object.region;
-      extend_moved(box,
-                   {k & 1u ? r.high.x : r.low.x, k & 2u ? r.high.y : r.low.y,
-                    k & 4u ? r.high.z : r.low.z},
-                   map);
-    }
+    for (const GridPoint& p : corners_of(object.region))
+      extend_moved(box, p, map);
   }
-  return box;
-}
-
-bool share_space(const Region& a, const Region& b) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (coordinate(a.high, k) <= coordinate(b.low, k) ||
-        coordinate(b.high, k) <= coordinate(a.low, k))
-      return false;
+  const std::uint64_t kind = mix(seed) % 4;
+  if (kind < 2 || !box) return box;
+  const std::vector<Moved> places = moved_corners(model, map);
+  const std::vector<GridPoint> points =
+      kind == 2 ? tetrahedron(places, map.shift, mix(seed + 1))
+                : leaning_box(places, map.shift, mix(seed + 1));
+  for (const GridPoint& p : points) {
+    if (!fits(p.x, grid_bits) || !fits(p.y, grid_bits) || !fits(p.z, grid_bits))
+      return box;
   }
-  return true;
+  const Result<ObjectRegion> hull = hull_region(points);
+  return hull ? std::optional(*hull) : box;
 }
 
 /// The scene without the polygons whose boxes share space with a region.
@@ -127,7 +203,7 @@ Scene freed(const Scene& scene, const std::vector<MovingObject>& objects) {
   std::vector<PolygonId> left;
   for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
        ++id) {
-    std::optional<Region> box;
+    std::optional<ObjectRegion> box;
     for (const VertexId v : scene.corners(id))
       extend_moved(box, scene.point(v), {});
     const bool is_near = std::any_of(
@@ -146,7 +222,7 @@ Direction cross(const Direction& u, const Direction& v) {
 }
 
 /// A camera that sees the region from a small direction.
-std::optional<Camera> camera_at(const Region& region, int grid_bits,
+std::optional<Camera> camera_at(const ObjectRegion& region, int grid_bits,
                                 std::uint64_t seed) {
   Direction from = {static_cast<double>(small(seed, 2)),
                     static_cast<double>(small(seed + 1, 2)),
@@ -218,12 +294,16 @@ std::optional<MovingView> moving_view(const SceneFile& view,
     return placed(matrix_of(mix(seed + number)), vertex(number + 1),
                   vertex(number + 2), mix(seed + number + 3));
   };
-  const AffineMap inner = map(10);
-  models[1].objects.push_back({2, *region_of(models[2], inner)});
-  const AffineMap outer = map(20);
-  models[0].objects.push_back({1, *region_of(models[1], outer)});
-  const AffineMap other = map(30);
-  const MovingObject beside = {2, *region_of(models[2], other)};
+  const ObjectMap inner = map(10);
+  const int bits = scene.grid_bits();
+  models[1].objects.push_back(
+      {2, *region_of(models[2], inner, bits, mix(seed + 60))});
+  const ObjectMap outer = map(20);
+  models[0].objects.push_back(
+      {1, *region_of(models[1], outer, bits, mix(seed + 61))});
+  const ObjectMap other = map(30);
+  const MovingObject beside = {
+      2, *region_of(models[2], other, bits, mix(seed + 62))};
   const bool has_beside =
       !share_space(beside.region, models[0].objects[0].region);
   if (has_beside) models[0].objects.push_back(beside);
@@ -243,7 +323,7 @@ std::optional<MovingView> moving_view(const SceneFile& view,
   if (mix(seed + 50) % 4 != 0) {
     // At the object's first polygon, or all of the object.
     const Scene& object = assembly->models()[1].scene;
-    std::optional<Region> box;
+    std::optional<ObjectRegion> box;
     if (object.polygon_count() > 0 && mix(seed + 52) % 3 != 0) {
       for (const VertexId v : object.corners(0))
         extend_moved(box, object.point(v), outer);

@@ -21,8 +21,9 @@ struct MovingView {
 /// The polygons of a view as a world with two objects, one of them in the other
 /// and, where there is room, in the world too: moved so that corners meet
 /// corners. Maps are shifts, exchanges of axes, reflections, small and large
-/// fractions, up to the limits of S12.2. Regions may hold polygons of their
-/// owners. Nothing where the numbers do not fit.
+/// fractions, up to the limits of S12.2. Regions are boxes, tetrahedra and
+/// parallelepipeds, and may hold polygons of their owners. Nothing where the
+/// numbers do not fit.
 std::optional<MovingView> moving_view(const SceneFile& view,
                                       std::uint64_t seed);
 

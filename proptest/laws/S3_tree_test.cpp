@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
@@ -382,6 +384,97 @@ TYPED_TEST(S3Tree, L10InsertionInOrderIsTheTreeOfTheFirstRule) {
       },
       kTreeViews);
   EXPECT_GT(different, 50u);
+}
+
+/// The fragments of a tree in the order of the walk that takes positive
+/// subtrees first, but for those of some polygons.
+std::vector<FragmentName> fragments_left(const TreeName& tree,
+                                         const std::set<PolygonId>& gone) {
+  std::vector<FragmentName> fragments;
+  std::vector<std::pair<NodeId, bool>> ahead;  // and whether it is to be shown
+  if (!tree.empty()) ahead.push_back({0, false});
+  while (!ahead.empty()) {
+    const auto [id, show] = ahead.back();
+    ahead.pop_back();
+    if (id == kNoNode) continue;
+    const NodeName& node = tree[static_cast<std::size_t>(id)];
+    if (!show) {
+      ahead.push_back({node.negative, false});
+      ahead.push_back({id, true});
+      ahead.push_back({node.positive, false});
+      continue;
+    }
+    for (const FragmentName& fragment : node.coincident) {
+      if (!gone.contains(fragment.source)) fragments.push_back(fragment);
+    }
+  }
+  return fragments;
+}
+
+/// S3.L18: what is left of a tree.
+void expect_left(const TreeName& before, const TreeName& after,
+                 const std::set<PolygonId>& gone) {
+  HALFSPACE_LAW(fragments_left(after, {}) == fragments_left(before, gone));
+  for (const NodeName& node : after) {
+    HALFSPACE_LAW(!node.coincident.empty() ||
+                  (node.positive != kNoNode && node.negative != kNoNode));
+  }
+}
+
+/// The image of the scene without some polygons, with the ids of all.
+Image image_without(const SceneFile& view, const std::set<PolygonId>& gone) {
+  std::vector<PolygonId> ids;
+  for (const PolygonId id : ids_of(view.scene)) {
+    if (!gone.contains(id)) ids.push_back(id);
+  }
+  Image image =
+      oracle::zbuffer(chosen(view.scene, ids), *view.camera, view.options);
+  for (PolygonId& item : image.items.pixels) {
+    if (item != kBackground) item = ids[static_cast<std::size_t>(item)];
+  }
+  return image;
+}
+
+TYPED_TEST(S3Tree, L18RemovalLeavesTheOtherPolygonsAsTheyWere) {
+  std::size_t bare = 0;  // nodes without fragments
+  law::for_all_views(
+      [&](const SceneFile& with_clips) {
+        SceneFile view = with_clips;
+        view.options.clips.clear();
+        view.options.caps = std::nullopt;
+        const Scene& scene = view.scene;
+        for (const PolygonId one_of : {2, 3}) {
+          std::set<PolygonId> gone;
+          std::vector<PolygonId> last;
+          for (const PolygonId id : ids_of(scene)) {
+            if (id % one_of == 0) gone.insert(id);
+            if (id % one_of == 0) last.push_back(id);
+          }
+          auto tree = TypeParam::build(scene, {RootRule::kRandom, 2, 5, 75});
+          const TreeName before = TypeParam::name_of(tree);
+          TypeParam::remove(tree, last);
+          const TreeName after = TypeParam::name_of(tree);
+          expect_left(before, after, gone);
+          bare += static_cast<std::size_t>(std::count_if(
+              after.begin(), after.end(),
+              [](const auto& node) { return node.coincident.empty(); }));
+          const Image expected = image_without(view, gone);
+          const Image image =
+              TypeParam::render(scene, tree, *view.camera, view.options);
+          HALFSPACE_LAW(image.items == expected.items);
+          HALFSPACE_LAW(image.colors == expected.colors);
+          // They come again, and go again.
+          for (const PolygonId id : last) TypeParam::insert(tree, scene, id);
+          expect_areas(scene, TypeParam::name_of(tree));
+          TypeParam::remove(tree, last);
+          HALFSPACE_LAW(TypeParam::name_of(tree) == after);
+        }
+        auto tree = TypeParam::build(scene, {});
+        TypeParam::remove(tree, ids_of(scene));
+        HALFSPACE_LAW(TypeParam::name_of(tree).empty());
+      },
+      kTreeViews);
+  EXPECT_GT(bare, 50u);
 }
 
 }  // namespace

@@ -69,6 +69,7 @@
 #include "halfspace/ref/traverse.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "halfspace/ref/winding.hpp"
+#include "halfspace/region.hpp"
 #include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/scene_file.hpp"
@@ -175,6 +176,8 @@ void take_all() {
   take(&ref::is_behind);  // S3.10
   take(&fast::is_behind);  // S3.10
   take(&fast::count_behind);  // S3.10
+  take(&ref::remove);  // S3.11
+  take(&fast::remove);  // S3.11
   take(&make_camera);  // S4.1
   take(&ref::side_of_eye);  // S4.2
   take(&fast::side_of_eye);  // S4.2
@@ -363,6 +366,8 @@ void take_all() {
   take(&ref::add_lines);  // S14.3
   take(&fast::add_lines);  // S14.3
   take(&make_assembly);  // S12.1
+  take(&hull_region);  // S12.1
+  take(&share_space);  // S12.1
   take(&make_placement);  // S12.2
   take(&ref::moved_polygons);  // S12.2
   take(&fast::render_moving);  // S12.2
@@ -374,6 +379,7 @@ void take_all() {
   take(&ref::flat_scene);  // S12.5
   take(&fast::render_moving);  // S12.5
   take(&fast::build_moving_trees);  // S12.6
+  take(&fast::build_model_tree);  // S12.6
   take(&fast::render_moving);  // S12.6
 }
 
@@ -383,5 +389,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 182 ? 0 : 1;
+  return halfspace::taken == 187 ? 0 : 1;
 }

@@ -164,6 +164,59 @@ void insert(BspTree& tree, Fragment polygon, const Plane& plane) {
   }
 }
 
+void remove(BspTree& tree, std::span<const PolygonId> polygons) {
+  // Step 1: the fragments leave the nodes.
+  const std::set<PolygonId> gone(polygons.begin(), polygons.end());
+  for (Node& node : tree.nodes) {
+    std::erase_if(node.coincident, [&](const Fragment& fragment) {
+      return gone.contains(fragment.source);
+    });
+  }
+  // Step 2: which node takes whose place, children before their parents.
+  std::vector<NodeId> order;
+  std::vector<NodeId> ahead;
+  if (!tree.nodes.empty()) ahead.push_back(0);
+  while (!ahead.empty()) {
+    const NodeId id = ahead.back();
+    ahead.pop_back();
+    if (id == kNoNode) continue;
+    order.push_back(id);
+    ahead.push_back(tree.nodes[static_cast<std::size_t>(id)].positive);
+    ahead.push_back(tree.nodes[static_cast<std::size_t>(id)].negative);
+  }
+  std::vector<NodeId> in_place_of(tree.nodes.size(), kNoNode);
+  const auto standing = [&](NodeId id) {
+    return id == kNoNode ? id : in_place_of[static_cast<std::size_t>(id)];
+  };
+  for (auto id = order.rbegin(); id != order.rend(); ++id) {
+    Node& node = tree.nodes[static_cast<std::size_t>(*id)];
+    node.positive = standing(node.positive);
+    node.negative = standing(node.negative);
+    const bool has_both = node.positive != kNoNode && node.negative != kNoNode;
+    in_place_of[static_cast<std::size_t>(*id)] =
+        has_both || !node.coincident.empty() ? *id
+        : node.positive != kNoNode           ? node.positive
+                                             : node.negative;
+  }
+  // Step 3: the nodes that are left.
+  BspTree left;
+  std::vector<std::pair<NodeId, std::pair<NodeId, Side>>> tasks;
+  if (!tree.nodes.empty()) tasks.push_back({standing(0), {kNoNode, Side::kOn}});
+  while (!tasks.empty()) {
+    const auto [id, place] = tasks.back();
+    tasks.pop_back();
+    if (id == kNoNode) continue;
+    const auto now = static_cast<NodeId>(left.nodes.size());
+    link(left, place.first, place.second, now);
+    left.nodes.push_back(std::move(tree.nodes[static_cast<std::size_t>(id)]));
+    Node& node = left.nodes.back();
+    tasks.push_back({node.negative, {now, Side::kNegative}});
+    tasks.push_back({node.positive, {now, Side::kPositive}});
+    node.positive = node.negative = kNoNode;
+  }
+  tree = std::move(left);
+}
+
 TreeStats stats(const BspTree& tree) {
   TreeStats result;
   std::set<PolygonId> polygons;

@@ -20,7 +20,7 @@ namespace {
 Rational power_of_two(int exponent) { return Int128{1} << exponent; }
 
 /// (M p + t) / 2^shift (S12.2).
-Point moved(const Point& p, const AffineMap& map) {
+Point moved(const Point& p, const ObjectMap& map) {
   const auto row = [&](std::size_t k) {
     const Rational sum = Rational(map.m[3 * k]) * p.x +
                          Rational(map.m[3 * k + 1]) * p.y +
@@ -30,13 +30,19 @@ Point moved(const Point& p, const AffineMap& map) {
   return {row(0), row(1), row(2)};
 }
 
-/// The faces of a region, positive inside.
-std::array<Plane, 6> faces_of(const Region& region) {
+/// The faces of a region, positive inside: what is on the positive side of all
+/// of them is the region.
+std::vector<Plane> faces_of(const ObjectRegion& region) {
   const Point low = to_point(region.low);
   const Point high = to_point(region.high);
-  return {Plane{1, 0, 0, -low.x}, Plane{-1, 0, 0, high.x},
-          Plane{0, 1, 0, -low.y}, Plane{0, -1, 0, high.y},
-          Plane{0, 0, 1, -low.z}, Plane{0, 0, -1, high.z}};
+  std::vector<Plane> faces = {Plane{1, 0, 0, -low.x}, Plane{-1, 0, 0, high.x},
+                              Plane{0, 1, 0, -low.y}, Plane{0, -1, 0, high.y},
+                              Plane{0, 0, 1, -low.z}, Plane{0, 0, -1, high.z}};
+  for (const RegionFace& face : region.slanted) {
+    faces.push_back(
+        plane_of({to_point(face[0]), to_point(face[1]), to_point(face[2])}));
+  }
+  return faces;
 }
 
 /// A fragment less what is inside of a region (S12.4).
@@ -44,7 +50,7 @@ struct Carved {
   std::vector<Fragment> left;
   bool is_cut = false;  ///< whether there was something inside
 };
-Carved carved(Fragment fragment, const Region& region) {
+Carved carved(Fragment fragment, const ObjectRegion& region) {
   Carved result;
   for (const Plane& face : faces_of(region)) {
     switch (relation(fragment, face)) {
@@ -198,7 +204,7 @@ MovedPolygons moved_polygons(const Assembly& assembly,
   for (const std::size_t o : in_order(assembly, placement)) {
     const Occurrence& here = assembly.occurrences()[o];
     const Model& model = assembly.model(here.model);
-    const AffineMap& map = *placement.to_world()[o];
+    const ObjectMap& map = *placement.to_world()[o];
     const auto count = static_cast<PolygonId>(model.scene.polygon_count());
     for (PolygonId polygon = 0; polygon < count; ++polygon) {
       const PolygonId id = here.first_polygon + polygon;
@@ -272,7 +278,7 @@ Result<FlatScene> flat_scene(const Assembly& assembly,
   for (const std::size_t o : in_order(assembly, placement)) {
     const Occurrence& here = assembly.occurrences()[o];
     const Scene& scene = assembly.model(here.model).scene;
-    const AffineMap& map = *placement.to_world()[o];
+    const ObjectMap& map = *placement.to_world()[o];
     for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
          ++id) {
       std::vector<std::size_t> order;

@@ -214,7 +214,7 @@ class HALFSPACE_API Display {
   Display& operator=(Display&&) noexcept;
   ~Display();
 
-  /// How many polygons there are; they are numbered as they were given.
+  /// How many polygons there were; they are numbered as they were given.
   std::size_t polygon_count() const;
 
   /// The picture. Exact, whatever the number of threads: at each pixel the
@@ -270,6 +270,12 @@ class HALFSPACE_API Display {
   /// makes a new tree where they need another grid.
   /// Errors: kBadIndex, kNotFinite, kOutOfRange; nothing is changed then.
   Result<Done> insert(const Mesh& mesh);
+  /// Takes polygons out of the tree (S3.11); the others keep their numbers. One
+  /// that is gone already may be named again. A tree that has changed as often
+  /// as it had polygons is made anew when it is needed next, by insert() too.
+  /// Cost: linear. Errors: kBadIndex; kEmpty, where none would be left; nothing
+  /// is changed then.
+  Result<Done> remove(std::span<const std::int32_t> polygons);
 
   /// The exact polygons behind the display, for who goes on with them by
   /// `spec/` and `fast/`: on their grid, polygons in pieces where they were cut

@@ -4,6 +4,7 @@
 #include "halfspace/cut_display.hpp"
 #include "halfspace/display.hpp"
 #include "halfspace/mesh.hpp"
+#include "halfspace/moving_display.hpp"
 #include "halfspace/scalar_display.hpp"
 #include "halfspace/solid.hpp"
 #include "halfspace/version.hpp"

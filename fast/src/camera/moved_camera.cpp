@@ -79,7 +79,7 @@ double greatest(const std::array<double, 3>& v) {
 
 }  // namespace
 
-MovedCamera moved_camera(const CameraData& camera, const AffineMap& to_world) {
+MovedCamera moved_camera(const CameraData& camera, const ObjectMap& to_world) {
   const std::array<Int128, 9> inverse = adjugate(to_world.m);
   const Int128 scale = Int128{1} << to_world.shift;
   const auto vector = [&](const Wide<3>& x, const Wide<3>& y,

@@ -52,7 +52,7 @@ struct MovedCamera {
   std::int32_t height_px = 0;
 };
 
-MovedCamera moved_camera(const CameraData& camera, const AffineMap& to_world);
+MovedCamera moved_camera(const CameraData& camera, const ObjectMap& to_world);
 
 /// The camera type of decisions on a grid.
 template <int kBits>

@@ -62,29 +62,37 @@ std::optional<Error> fault_of_cells(const KeptCells& cells,
 
 }  // namespace
 
+Result<ModelTree> build_model_tree(const Assembly& assembly, std::int32_t index,
+                                   InRegion in_region,
+                                   const DisplayTreeOptions& options) {
+  const Model& model = assembly.model(index);
+  KeptCells cells(model.objects, in_region == InRegion::kCut);
+  FilterStats stats;
+  KeptTree built = build_cell_tree(model.scene, cells, options, stats);
+  if (const auto fault = fault_of_cells(cells, index)) return *fault;
+  ModelTree tree;
+  tree.object_at.assign(model.objects.empty() ? 0 : built.tree.nodes.size(),
+                        -1);
+  for (std::size_t k = 0; k < built.node_of_object.size(); ++k) {
+    const NodeId node = built.node_of_object[k];
+    if (node == kNoNode)
+      return Error{ErrorCode::kStopped, "the build of trees was stopped"};
+    tree.object_at[static_cast<std::size_t>(node)] =
+        static_cast<std::int32_t>(k);
+  }
+  tree.tree = std::move(built.tree);
+  return tree;
+}
+
 Result<MovingTrees> build_moving_trees(const Assembly& assembly,
                                        InRegion in_region,
                                        const DisplayTreeOptions& options) {
   MovingTrees trees;
-  for (const Model& model : assembly.models()) {
-    KeptCells cells(model.objects, in_region == InRegion::kCut);
-    FilterStats stats;
-    KeptTree built = build_cell_tree(model.scene, cells, options, stats);
-    const auto index = static_cast<std::int32_t>(trees.models.size());
-    if (const auto fault = fault_of_cells(cells, index)) return *fault;
-    ModelTree tree;
-    tree.object_at.assign(model.objects.empty() ? 0 : built.tree.nodes.size(),
-                          -1);
-    for (std::size_t k = 0; k < built.node_of_object.size(); ++k) {
-      const NodeId node = built.node_of_object[k];
-      if (node == kNoNode) {
-        return Error{ErrorCode::kStopped, "the build of trees was stopped"};
-      }
-      tree.object_at[static_cast<std::size_t>(node)] =
-          static_cast<std::int32_t>(k);
-    }
-    tree.tree = std::move(built.tree);
-    trees.models.push_back(std::move(tree));
+  for (std::size_t m = 0; m < assembly.models().size(); ++m) {
+    Result<ModelTree> tree = build_model_tree(
+        assembly, static_cast<std::int32_t>(m), in_region, options);
+    if (!tree) return tree.error();
+    trees.models.push_back(*std::move(tree));
   }
   return trees;
 }

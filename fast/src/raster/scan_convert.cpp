@@ -11,6 +11,7 @@ BspTree tree_of(const Scene& scene, const BspTree& tree,
   const auto points = static_cast<std::int32_t>(scene.data().vertices.size());
   const auto polygons = static_cast<PlaneId>(scene.polygon_count());
   BspTree result;
+  result.slanted = tree.slanted;
   for (std::uint32_t k = 0; k < fragment.corner_count; ++k) {
     Corner corner = tree.corners[fragment.first_corner + k];
     if (corner.vertex >= points) {

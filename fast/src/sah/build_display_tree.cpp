@@ -38,6 +38,7 @@ class JobRunner {
  private:
   BuildJob root_job() const {
     BuildJob job;
+    if (state_.cells) job.tree.slanted = state_.cells->slanted();
     job.primitives.resize(state_.scene.polygon_count());
     {
       const TsanForkJoin shared;
@@ -280,6 +281,7 @@ KeptTree build_cell_tree(const Scene& scene, KeptCells& cells,
   threads::in_arena(options.threads, [&] {
     BuildState state(scene, options, &cells);
     JobRunner runner(state);
+    tree.slanted = cells.slanted();
     BuildJob* root = runner.run();
     if (!state.is_stopped()) {
       PieceJoiner(scene, tree).join(root, stats, &result.node_of_object);

@@ -124,7 +124,7 @@ SahBuilder::Subtrees SahBuilder::build_root() {
 }
 
 /// The region's box, rounded outwards, relative to the frame's origin.
-Box SahBuilder::box_of(const Region& region) const {
+Box SahBuilder::box_of(const ObjectRegion& region) const {
   Box box;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t origin = coordinate_of(state_.origin, a);
@@ -159,23 +159,23 @@ SahBuilder::Subtrees SahBuilder::build_region_root() {
   }
   const NodeId id = add_node(root);
   // Step 1: choose a plane that cuts no region.
-  std::optional<CellSplit> plane;
-  std::uint32_t used = 0;
+  std::optional<CellSplit> split;
+  std::uint64_t used = 0;
   if (job_.regions.size() > 1) {
-    plane = balanced_split(cells, job_.regions);
-    if (!plane) state_.cells->note_locked(job_.regions.front());
+    split = balanced_split(cells, job_.regions);
+    if (!split) state_.cells->note_locked(job_.regions.front());
   } else {
-    const auto face = best_face(cells.region(job_.regions[0]), job_.used_faces,
-                                list_of(root), state_.origin);
-    if (face) plane = face->plane;
-    if (face) used = job_.used_faces | 1u << face->index;
+    auto face = best_face(cells, job_.regions[0], job_.used_faces,
+                          list_of(root), state_.origin);
+    if (face) used = job_.used_faces | std::uint64_t{1} << face->index;
+    if (face) split = std::move(face->split);
   }
-  if (!plane) {
+  if (!split) {
     keep_cell(root, job_.regions[0]);
     return {};
   }
   // Step 2: divide the list, and the regions.
-  job_.tree.free_planes.push_back({plane->axis, plane->coordinate});
+  job_.tree.free_planes.push_back(split->plane);
   const auto splitter = static_cast<PlaneId>(state_.scene.polygon_count() +
                                              job_.tree.free_planes.size() - 1);
   Node& node = node_at(job_.piece, id);
@@ -189,16 +189,9 @@ SahBuilder::Subtrees SahBuilder::build_region_root() {
   const double each = cut_budget_for_each(root, parts);
   const double share = job_.share / static_cast<double>(parts.negative_count +
                                                         positive_.size() + 1);
-  const auto subtree = [&](const Primitive* first, std::size_t size,
-                           const Box& box,
-                           bool positive) -> std::optional<BuildJob> {
-    std::vector<std::int32_t> regions;
-    for (const std::int32_t r : job_.regions) {
-      const auto axis = static_cast<std::size_t>(plane->axis);
-      const bool is_above =
-          coordinate_of(cells.region(r).low, axis) >= plane->coordinate;
-      if (is_above == positive) regions.push_back(r);
-    }
+  const auto subtree =
+      [&](const Primitive* first, std::size_t size, const Box& box,
+          std::vector<std::int32_t>& regions) -> std::optional<BuildJob> {
     if (size == 0 && regions.empty()) return std::nullopt;
     const auto count = static_cast<double>(size);
     BuildJob job = job_of({first, size}, box, share * count, each * count);
@@ -207,10 +200,10 @@ SahBuilder::Subtrees SahBuilder::build_region_root() {
     return job;
   };
   Subtrees result;
-  result.positive =
-      subtree(positive_.data(), positive_.size(), parts.positive_box, true);
+  result.positive = subtree(positive_.data(), positive_.size(),
+                            parts.positive_box, split->positive);
   result.negative = subtree(primitives_.data(), parts.negative_count,
-                            parts.negative_box, false);
+                            parts.negative_box, split->negative);
   if (!job_.piece.fragments.empty())
     job_.piece.cut_vertices = std::move(job_.tree.cut_vertices);
   job_.piece.free_planes = std::move(job_.tree.free_planes);
@@ -509,6 +502,7 @@ BuildJob SahBuilder::job_of(const PrimitiveList& list, const Box& box,
   job.share = share;
   job.cut_budget = cut_budget;
   job.tree.free_planes = job_.tree.free_planes;
+  job.tree.slanted = job_.tree.slanted;
   job.inherited_planes = job_.tree.free_planes.size();
   const auto vertex_count =
       static_cast<std::int32_t>(state_.scene.data().vertices.size());

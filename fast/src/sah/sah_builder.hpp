@@ -24,7 +24,7 @@ struct BuildJob {
   /// Regions in it that are still to be kept apart (S12.4): if it is one, the
   /// faces of it that are splitters already, a bit each.
   std::vector<std::int32_t> regions;
-  std::uint32_t used_faces = 0;
+  std::uint64_t used_faces = 0;
 
   /// The subtree of the list, or its root. Indices are those of its own arrays,
   /// but free planes of the splitters above count first.
@@ -100,7 +100,7 @@ class SahBuilder {
                          int side, const AxisSplit* axis);
   FragmentRef fragment_of(const Primitive& primitive);
 
-  Box box_of(const Region& region) const;
+  Box box_of(const ObjectRegion& region) const;
   void keep_cell(const Task& task, std::int32_t region);
   void make_leaf(NodeId id, const Task& task);
   bool is_flat(const Task& task, PolygonId& splitter);

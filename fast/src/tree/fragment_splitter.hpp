@@ -48,7 +48,7 @@ struct FragmentPair {
 class FragmentSplitter {
  public:
   FragmentSplitter(const Scene& scene, BspTree& tree, FilterStats& stats)
-      : planes_(scene, tree.free_planes),
+      : planes_(scene, tree),
         vertex_count_(static_cast<std::int32_t>(scene.data().vertices.size())),
         tree_(tree),
         stats_(stats) {}

@@ -8,6 +8,11 @@ namespace halfspace::fast {
 Plane ScenePlanes::plane(PlaneId id) const {
   if (!is_free(id)) return plane_of(scene_, id);
   const FreePlane& free = free_plane(id);
+  if (free.axis == kSlantedFace) {
+    return with_grid(scene_.grid_bits(), [&](auto bits) {
+      return rounded(exact_plane<bits()>(face_of(free)));
+    });
+  }
   return {free.axis == 0 ? 1.0 : 0.0, free.axis == 1 ? 1.0 : 0.0,
           free.axis == 2 ? 1.0 : 0.0, -static_cast<double>(free.coordinate)};
 }

@@ -7,7 +7,7 @@
 
 #include "exact/exact_plane.hpp"
 #include "exact/filter.hpp"
-#include "halfspace/fast/predicate.hpp"
+#include "halfspace/fast/build.hpp"
 
 namespace halfspace::fast {
 
@@ -42,9 +42,11 @@ Plane rounded(const ExactPlane<kBits>& plane) {
 /// A scene and the free planes of its tree: what signs are decided from.
 class ScenePlanes {
  public:
-  ScenePlanes(const Scene& scene, const std::vector<FreePlane>& free_planes)
+  /// Requires: `tree` outlives it, and keeps its slanted faces.
+  ScenePlanes(const Scene& scene, const BspTree& tree)
       : scene_(scene),
-        free_planes_(free_planes),
+        free_planes_(tree.free_planes),
+        slanted_(tree.slanted.get()),
         polygon_count_(static_cast<PlaneId>(scene.polygon_count())),
         rounding_(rounding_of_values(scene.grid_bits())) {}
 
@@ -62,7 +64,9 @@ class ScenePlanes {
   template <int kBits>
   ExactPlane<kBits> exact(PlaneId id) const {
     if (!is_free(id)) return exact_plane<kBits>(plane_corners(scene_, id));
-    return axis_plane<kBits>(free_plane(id).axis, free_plane(id).coordinate);
+    const FreePlane& free = free_plane(id);
+    if (free.axis == kSlantedFace) return exact_plane<kBits>(face_of(free));
+    return axis_plane<kBits>(free.axis, free.coordinate);
   }
 
   /// The two ends of the source edge that leaves `corner`.
@@ -83,8 +87,13 @@ class ScenePlanes {
   int exact_sign_on(PolygonId source, EdgeCode before, EdgeCode after,
                     PlaneId plane) const;
 
+  const RegionFace& face_of(const FreePlane& free) const {
+    return (*slanted_)[static_cast<std::size_t>(free.coordinate)];
+  }
+
   const Scene& scene_;
   const std::vector<FreePlane>& free_planes_;
+  const std::vector<RegionFace>* slanted_;
   PlaneId polygon_count_;
   double rounding_;
 };

@@ -37,7 +37,7 @@ const FragmentBlock<kCorners>& block_of(const BlockHead& head) {
 class TreeReader {
  public:
   TreeReader(const Scene& scene, const BspTree& tree)
-      : planes_(scene, tree.free_planes),
+      : planes_(scene, tree),
         tree_(tree),
         points_(scene.data().vertices.data()),
         vertex_count_(static_cast<std::int32_t>(scene.data().vertices.size())) {

@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "adapters/both.hpp"
 #include "generate/moving_views.hpp"
+#include "halfspace/big_integer.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/ref/moving.hpp"
 #include "halfspace/splitmix.hpp"
@@ -117,11 +121,14 @@ std::optional<Image> flat_image(const MovingView& moving, const Camera& camera,
 TYPED_TEST(S12Moving, L1TheImageIsThatOfTheMovedPolygons) {
   std::size_t compared = 0;
   std::size_t objects_seen = 0;
+  std::size_t slanted = 0;
   for_all_moving([&](const SceneFile& view, const MovingView& moving) {
     const ImageOptions options = plain_options(view);
     const auto expected = flat_image(moving, moving.camera, options);
     if (!expected) return;
     ++compared;
+    for (const MovingObject& object : moving.assembly.models()[0].objects)
+      slanted += object.region.slanted.empty() ? 0u : 1u;
     const auto own = static_cast<PolygonId>(
         moving.assembly.models()[0].scene.polygon_count());
     objects_seen += static_cast<std::size_t>(std::count_if(
@@ -134,6 +141,7 @@ TYPED_TEST(S12Moving, L1TheImageIsThatOfTheMovedPolygons) {
     }
   });
   EXPECT_GT(compared, 200u);
+  EXPECT_GT(slanted, 100u);
   EXPECT_GT(objects_seen, 800u);
 }
 
@@ -174,34 +182,68 @@ Pose shifted(const Pose& pose, std::size_t axis, Int128 by) {
   return result;
 }
 
+using Big = boost::multiprecision::cpp_int;
+using BigPoint = std::array<Big, 3>;
+
+BigPoint big(const GridPoint& p) { return {p.x, p.y, p.z}; }
+
+/// Where a point stands, in steps of 2^-shift.
+BigPoint place_of(const GridPoint& p, const ObjectMap& map) {
+  BigPoint at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    at[k] = to_big<Big>(map.t[k]) + Big(map.m[3 * k]) * p.x +
+            Big(map.m[3 * k + 1]) * p.y + Big(map.m[3 * k + 2]) * p.z;
+  }
+  return at;
+}
+
+/// How a face's value at a place changes with a step along an axis, and what it
+/// is there.
+std::pair<Big, Big> going_along(std::size_t axis, const RegionFace& face,
+                                const BigPoint& at, int shift) {
+  const BigPoint p = big(face[0]);
+  const BigPoint q = big(face[1]);
+  const BigPoint r = big(face[2]);
+  BigPoint normal;
+  Big value = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t u = (k + 1) % 3;
+    const std::size_t v = (k + 2) % 3;
+    normal[k] = (q[u] - p[u]) * (r[v] - p[v]) - (q[v] - p[v]) * (r[u] - p[u]);
+    value += normal[k] * (at[k] - (p[k] << shift));
+  }
+  return {normal[axis], value};
+}
+
 TYPED_TEST(S12Moving, L4AnObjectStaysStrictlyInItsRegion) {
+  std::size_t slanted = 0;
   for_all_moving([&](const SceneFile&, const MovingView& moving) {
-    const AffineMap& map = *moving.pose.maps[0][0];
+    const ObjectMap& map = *moving.pose.maps[0][0];
     const Model& model = moving.assembly.model(1);
-    const Region& region = moving.assembly.models()[0].objects[0].region;
+    const ObjectRegion& region = moving.assembly.models()[0].objects[0].region;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // How far the object is from the upper face, in steps of 2^-shift.
-      std::optional<Int128> room;
-      const auto reach = [&](const GridPoint& p, Int128 margin) {
-        const Int128 high = axis == 0   ? region.high.x
-                            : axis == 1 ? region.high.y
-                                        : region.high.z;
-        const Int128 at = Int128{map.m[3 * axis]} * p.x +
-                          Int128{map.m[3 * axis + 1]} * p.y +
-                          Int128{map.m[3 * axis + 2]} * p.z + map.t[axis];
-        const Int128 left = (high << map.shift) - at - margin;
-        room = room ? std::min(*room, left) : left;
+      // How far the object may go along the axis, in steps of 2^-shift.
+      std::optional<Big> room;
+      const auto reach = [&](const GridPoint& p, int margin) {
+        const auto at = place_of(p, map);
+        const auto take = [&](const Big& left) {
+          if (!room || left < *room) room = left;
+        };
+        const std::int64_t high = axis == 0   ? region.high.x
+                                  : axis == 1 ? region.high.y
+                                              : region.high.z;
+        take((Big(high) << map.shift) - at[axis] - margin);
+        for (const RegionFace& face : region.slanted) {
+          const auto [speed, value] = going_along(axis, face, at, map.shift);
+          if (speed < 0) take((value - margin) / -speed);
+        }
       };
       for (const VertexId v : model.scene.data().corners)
         reach(model.scene.point(v), 1);
       for (const MovingObject& object : model.objects) {
-        for (std::size_t k = 0; k < 8; ++k) {
-          const Region& r = object.region;
-          reach({k & 1u ? r.high.x : r.low.x, k & 2u ? r.high.y : r.low.y,
-                 k & 4u ? r.high.z : r.low.z},
-                0);
-        }
+        for (const GridPoint& p : corners_of(object.region)) reach(p, 0);
       }
+      slanted += region.slanted.empty() ? 0u : 1u;
       const auto is_valid = [&](Int128 by) {
         const auto placed =
             make_placement(moving.assembly, shifted(moving.pose, axis, by));
@@ -209,14 +251,15 @@ TYPED_TEST(S12Moving, L4AnObjectStaysStrictlyInItsRegion) {
         HALFSPACE_LAW(placed.error().code == ErrorCode::kOutOfRange);
         return false;
       };
-      HALFSPACE_LAW(is_valid(*room));
-      HALFSPACE_LAW(!is_valid(*room + 1));
+      HALFSPACE_LAW(is_valid(halfspace::to_int128<Big>(*room)));
+      HALFSPACE_LAW(!is_valid(halfspace::to_int128<Big>(*room) + 1));
     }
     Pose flat = moving.pose;
     for (std::size_t k = 0; k < 3; ++k) flat.maps[0][0]->m[k] = 0;
     const auto refused = make_placement(moving.assembly, flat);
     HALFSPACE_LAW(!refused && refused.error().code == ErrorCode::kZeroArea);
   });
+  EXPECT_GT(slanted, 100u);
 }
 
 TYPED_TEST(S12Moving, L5WithoutAnObjectTheOthersStayAsTheyAre) {

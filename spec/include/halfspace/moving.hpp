@@ -8,6 +8,7 @@
 
 #include "halfspace/int128.hpp"
 #include "halfspace/polygon.hpp"
+#include "halfspace/region.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
 
@@ -15,12 +16,12 @@ namespace halfspace {
 
 /// An object's map (S12.2): its point `p` stands at `(M p + t) / 2^shift` of
 /// its owner. Units: grid steps of the object, and of the owner.
-struct AffineMap {
+struct ObjectMap {
   /// M, row by row.
   std::array<std::int64_t, 9> m = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   std::array<Int128, 3> t{};
   int shift = 0;
-  friend bool operator==(const AffineMap&, const AffineMap&) = default;
+  friend bool operator==(const ObjectMap&, const ObjectMap&) = default;
 };
 
 /// What a map may have (S12.2): entries of M below 2^31 in size, shifts of at
@@ -37,18 +38,10 @@ constexpr int kComposedOffsetBits = 118;
 /// Objects are nested at most so deep; the world has depth 0.
 constexpr int kMostNesting = 16;
 
-/// A box with faces across the axes, boundary included (S12.1). Units: grid
-/// steps of the owner.
-struct Region {
-  GridPoint low;
-  GridPoint high;
-  friend bool operator==(const Region&, const Region&) = default;
-};
-
 /// A place for an object: what it is, and where it may move (S12.1).
 struct MovingObject {
   std::int32_t model = 0;
-  Region region;
+  ObjectRegion region;
   friend bool operator==(const MovingObject&, const MovingObject&) = default;
 };
 
@@ -80,14 +73,14 @@ class Assembly {
   /// Polygons of all occurrences together.
   std::size_t polygon_count() const { return polygon_count_; }
   /// The least box of a model's corners and regions; nothing if it has none.
-  const std::optional<Region>& extent(std::int32_t model) const {
+  const std::optional<ObjectRegion>& extent(std::int32_t model) const {
     return extents_[static_cast<std::size_t>(model)];
   }
 
  private:
   friend Result<Assembly> make_assembly(std::vector<Model> models);
   std::vector<Model> models_;
-  std::vector<std::optional<Region>> extents_;
+  std::vector<std::optional<ObjectRegion>> extents_;
   std::vector<Occurrence> occurrences_;
   std::size_t polygon_count_ = 0;
 };
@@ -96,7 +89,8 @@ class Assembly {
 ///
 /// Errors: kEmpty (no models); kBadIndex (an object of a model that does not
 ///         come after its owner); kOutOfRange (a region that is empty, beyond
-///         its owner's grid or shares space with another one of its owner;
+///         its owner's grid, not as hull_region() makes it, or shares space
+///         with another one of its owner;
 ///         nesting deeper than kMostNesting; more than 2^31 - 1 polygons, or
 ///         2^24 objects).
 /// Cost:   linear in objects, but for regions side by side.
@@ -106,7 +100,7 @@ Result<Assembly> make_assembly(std::vector<Model> models);
 /// that an occurrence's objects stand alike in all occurrences of its model.
 struct Pose {
   /// maps[m][k] is that of object k of model m; nothing: it is not there.
-  std::vector<std::vector<std::optional<AffineMap>>> maps;
+  std::vector<std::vector<std::optional<ObjectMap>>> maps;
 };
 
 /// A pose in which no object is there.
@@ -117,14 +111,14 @@ class Placement {
  public:
   /// By occurrence: the map from its model's points to the world's; nothing
   /// where it or its owner is not there. The world's is the identity.
-  const std::vector<std::optional<AffineMap>>& to_world() const {
+  const std::vector<std::optional<ObjectMap>>& to_world() const {
     return to_world_;
   }
 
  private:
   friend Result<Placement> make_placement(const Assembly& assembly,
                                           const Pose& pose);
-  std::vector<std::optional<AffineMap>> to_world_;
+  std::vector<std::optional<ObjectMap>> to_world_;
 };
 
 /// The placement that `pose` describes, if no object leaves its region (S12.3).
@@ -140,6 +134,6 @@ Result<Placement> make_placement(const Assembly& assembly, const Pose& pose);
 
 /// The sign of the determinant of M, which fits 128 bits only for maps that are
 /// not composed. Exact: yes.
-int orientation_of(const AffineMap& map);
+int orientation_of(const ObjectMap& map);
 
 }  // namespace halfspace

@@ -12,6 +12,7 @@
 #include "cli/arguments.hpp"
 #include "cli/loading.hpp"
 #include "halfspace/io/file.hpp"
+#include "halfspace/io/objects.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -19,19 +20,11 @@ namespace {
 /// A million lines and more.
 constexpr std::uint64_t kMostObjectBytes = std::uint64_t{1} << 28;
 
-/// The bits that the greatest entry of a map gets: at three levels of nesting
-/// maps stay within S12.3.
-constexpr int kEntryBits = 20;
-
-double length_of(const Unit& unit) {
-  return std::pow(unit.base, unit.exponent);
-}
-
 /// What is read of a model before regions are on grids.
 struct ReadModel {
   std::string name;
   Scene scene;
-  std::vector<std::pair<std::size_t, std::array<glm::dvec3, 2>>> objects;
+  std::vector<std::pair<std::int32_t, io::RegionPoints>> objects;
 };
 
 /// Reads the lines.
@@ -65,8 +58,13 @@ class ObjectReader {
   Result<ObjectFile> finish() {
     std::vector<Model> models;
     for (ReadModel& read : models_) {
-      Result<Model> model = on_grid(std::move(read));
-      if (!model) return model.error();
+      Result<Model> model =
+          io::model_on_grid(std::move(read.scene), read.objects);
+      if (!model) {
+        Error error = model.error();
+        error.message = "model " + read.name + ": " + error.message;
+        return error;
+      }
       models.push_back(*std::move(model));
     }
     Result<Assembly> assembly = make_assembly(std::move(models));
@@ -103,7 +101,7 @@ class ObjectReader {
     if (words[0] == "object") return read_object(words);
     return wrong(
         "is `world FILE` first, then `model NAME FILE`, `object NAME MODEL "
-        "[in MODEL] region X,Y,Z X,Y,Z ...` or `cut`");
+        "[in MODEL] region X,Y,Z X,Y,Z [X,Y,Z ...] ...` or `cut`");
   }
 
   std::optional<Error> read_model(const std::string& name,
@@ -138,10 +136,18 @@ class ObjectReader {
     }
     if (k + 2 >= words.size() || words[k] != "region")
       return wrong("an object has region X,Y,Z X,Y,Z");
-    const auto low = parse_vector(words[k + 1]);
-    const auto high = parse_vector(words[k + 2]);
-    if (!low || !high) return wrong("a region is X,Y,Z X,Y,Z, finite numbers");
-    for (k += 3; k < words.size(); k += 2) {
+    io::RegionPoints region;
+    for (++k; k < words.size(); ++k) {
+      const auto point = parse_vector(words[k]);
+      if (!point) break;
+      region.push_back(*point);
+    }
+    if (region.size() < 2 || region.size() == 3) {
+      return wrong(
+          "a region is a box, X,Y,Z X,Y,Z, or at least 4 points of a hull, "
+          "finite numbers");
+    }
+    for (; k < words.size(); k += 2) {
       const std::string value = k + 1 < words.size() ? words[k + 1] : "";
       const auto understood = set_stand(object.stand, words[k], value);
       if (!understood)
@@ -151,38 +157,10 @@ class ObjectReader {
     }
     auto& owner = models_[object.owner];
     object.object = owner.objects.size();
-    owner.objects.push_back({*model, {*low, *high}});
+    owner.objects.push_back(
+        {static_cast<std::int32_t>(*model), std::move(region)});
     file_.objects.push_back(std::move(object));
     return std::nullopt;
-  }
-
-  /// The model with its regions on its grid, which grows if they need that.
-  static Result<Model> on_grid(ReadModel read) {
-    Model model;
-    const double unit = length_of(read.scene.unit());
-    std::vector<GridPoint> corners;
-    const Error out = {ErrorCode::kOutOfRange,
-                       "a region in " + read.name + " is beyond every grid"};
-    for (const auto& [of, box] : read.objects) {
-      std::array<GridPoint, 2> on;
-      for (std::size_t end = 0; end < 2; ++end) {
-        const glm::dvec3 at = box[end] / unit;
-        if (!(glm::length(at) < 0x1p52)) return out;
-        on[end] = {std::llround(at.x), std::llround(at.y), std::llround(at.z)};
-        corners.push_back(on[end]);
-      }
-      model.objects.push_back({static_cast<std::int32_t>(of), {on[0], on[1]}});
-    }
-    const int bits = grid_bits_for(corners);
-    if (bits > read.scene.grid_bits()) {
-      SceneData data = read.scene.data();
-      data.grid_bits = bits;
-      Result<Scene> scene = make_scene(std::move(data));
-      if (!scene) return scene.error();
-      read.scene = *std::move(scene);
-    }
-    model.scene = std::move(read.scene);
-    return model;
   }
 
   std::filesystem::path folder_;
@@ -193,7 +171,7 @@ class ObjectReader {
 };
 
 /// The map of a stand, from steps of `inner` to those of `outer`.
-AffineMap map_of(const Stand& stand, double inner, double outer) {
+ObjectMap map_of(const Stand& stand, const Unit& inner, const Unit& outer) {
   const double angle = stand.turn_deg * std::numbers::pi / 180;
   const double quarter = stand.turn_deg / 90;
   // Right angles are exact.
@@ -202,33 +180,17 @@ AffineMap map_of(const Stand& stand, double inner, double outer) {
   const double s = is_right ? std::nearbyint(std::sin(angle)) : std::sin(angle);
   const double length = glm::length(stand.axis);
   const glm::dvec3 a = length > 0 ? stand.axis / length : glm::dvec3(0, 0, 1);
-  const double size = stand.scale * inner / outer;
-  const double entries[9] = {
-      c + a.x * a.x * (1 - c),       a.x * a.y * (1 - c) - a.z * s,
-      a.x * a.z * (1 - c) + a.y * s, a.y * a.x * (1 - c) + a.z * s,
-      c + a.y * a.y * (1 - c),       a.y * a.z * (1 - c) - a.x * s,
-      a.z * a.x * (1 - c) - a.y * s, a.z * a.y * (1 - c) + a.x * s,
-      c + a.z * a.z * (1 - c)};
-  double greatest = 0;
-  for (const double e : entries)
-    greatest = std::max(greatest, std::abs(e * size));
-  AffineMap map;
-  if (greatest > 0 && std::isfinite(greatest))
-    map.shift = std::clamp(kEntryBits - std::ilogb(greatest), 0, kMapBits);
-  const double scale = std::ldexp(1.0, map.shift);
-  const auto whole = [](double value) {
-    // Beyond every limit of S12.2, but within the type's.
-    return std::nearbyint(std::clamp(value, -0x1p100, 0x1p100));
-  };
-  for (std::size_t k = 0; k < 9; ++k) {
-    map.m[k] = static_cast<std::int64_t>(
-        std::clamp(whole(entries[k] * size * scale), -0x1p60, 0x1p60));
+  std::array<std::array<double, 4>, 3> rows = {
+      {{c + a.x * a.x * (1 - c), a.x * a.y * (1 - c) - a.z * s,
+        a.x * a.z * (1 - c) + a.y * s, stand.move.x},
+       {a.y * a.x * (1 - c) + a.z * s, c + a.y * a.y * (1 - c),
+        a.y * a.z * (1 - c) - a.x * s, stand.move.y},
+       {a.z * a.x * (1 - c) - a.y * s, a.z * a.y * (1 - c) + a.x * s,
+        c + a.z * a.z * (1 - c), stand.move.z}}};
+  for (auto& row : rows) {
+    for (std::size_t k = 0; k < 3; ++k) row[k] *= stand.scale;
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    map.t[k] = static_cast<Int128>(
-        whole(stand.move[static_cast<glm::length_t>(k)] / outer * scale));
-  }
-  return map;
+  return io::object_map(rows, inner, outer);
 }
 
 }  // namespace
@@ -294,8 +256,8 @@ Pose pose_of(const ObjectFile& file, const std::vector<Stand>& stands) {
     const Model& owner = file.assembly.models()[object.owner];
     const Scene& inner =
         file.assembly.model(owner.objects[object.object].model).scene;
-    pose.maps[object.owner][object.object] = map_of(
-        stands[k], length_of(inner.unit()), length_of(owner.scene.unit()));
+    pose.maps[object.owner][object.object] =
+        map_of(stands[k], inner.unit(), owner.scene.unit());
   }
   return pose;
 }

@@ -2,12 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/types.hpp"
 #include "halfspace/progress.hpp"
+#include "halfspace/region.hpp"
 
 namespace halfspace::fast {
 
@@ -81,6 +84,9 @@ struct FirstBlocks {
   friend bool operator==(const FirstBlocks&, const FirstBlocks&) = default;
 };
 
+/// Faces of regions, shared by a tree with the parts it is joined from.
+using SlantedFaces = std::shared_ptr<const std::vector<RegionFace>>;
+
 /// A tree of a scene; its root, if it has one, is the first node (S3.1).
 ///
 /// Everything lies in arrays and is referred to by index, so that destroying a
@@ -91,6 +97,8 @@ struct BspTree {
   std::vector<Corner> corners;
   std::vector<Vertex> cut_vertices;
   std::vector<FreePlane> free_planes;
+  /// None, or the faces of regions that free planes go by (kSlantedFace).
+  SlantedFaces slanted;
   /// Empty, or for each node a box that holds all fragments of its subtree,
   /// rounded outwards.
   std::vector<Box> boxes;
@@ -125,6 +133,15 @@ BspTree build(const Scene& scene, const BuildOptions& options,
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon);
 void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
             FilterStats& stats);
+
+/// Takes polygons of the scene out of its tree, which may have leaves (S3.11).
+///
+/// Arrays hold nothing of them afterwards, but for free planes; boxes stay as
+/// large as they were.
+/// Requires: a tree of this scene, not of one with moving objects.
+/// Cost:     linear in the tree, however many polygons go.
+void remove(BspTree& tree, const Scene& scene,
+            std::span<const PolygonId> polygons);
 
 /// Whether some node of the tree is a leaf: only render() takes such a tree.
 bool has_leaves(const BspTree& tree);

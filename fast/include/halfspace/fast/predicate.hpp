@@ -36,7 +36,9 @@ struct FilterStats {
 using PlaneId = std::int32_t;
 
 /// A plane of no polygon: where coordinate `axis` equals `coordinate`.
-/// Its positive side is where it is greater.
+/// Its positive side is where it is greater. With kSlantedFace for an axis it
+/// is the plane of the tree's slanted face number `coordinate` (S12.6).
+constexpr std::int32_t kSlantedFace = 3;
 struct FreePlane {
   std::int32_t axis = 0;
   std::int64_t coordinate = 0;

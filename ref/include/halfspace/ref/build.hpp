@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "halfspace/bsp_tree.hpp"
@@ -38,6 +39,10 @@ BspTree build(const std::vector<Plane>& planes, std::vector<Fragment> polygons,
 /// Each part of it ends in the node whose plane it lies in, or in a new node
 /// of its own where there was none.
 void insert(BspTree& tree, Fragment polygon, const Plane& plane);
+
+/// Takes polygons out of a tree (S3.11). Nodes are numbered anew: node,
+/// positive subtree, negative subtree.
+void remove(BspTree& tree, std::span<const PolygonId> polygons);
 
 /// The size of the tree (S3.2). No recursion.
 TreeStats stats(const BspTree& tree);

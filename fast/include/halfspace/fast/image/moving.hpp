@@ -45,6 +45,12 @@ Result<MovingTrees> build_moving_trees(const Assembly& assembly,
                                        InRegion in_region,
                                        const DisplayTreeOptions& options = {});
 
+/// The tree of one of its models, for where objects came and went: the trees of
+/// the others stay. Errors, cost: those of build_moving_trees(), of the model.
+Result<ModelTree> build_model_tree(const Assembly& assembly, std::int32_t model,
+                                   InRegion in_region,
+                                   const DisplayTreeOptions& options = {});
+
 /// The image of an assembly whose objects are placed so (S12.5).
 ///
 /// The world's tree is displayed front to back (S3.7). Where the walk comes to

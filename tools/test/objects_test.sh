@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Objects that move: in boxes and hulls, the image of the polygons moved; what
+# is wrong with them is one line, and nothing is written.
+. "$(dirname "$0")/expect.sh"
+
+box -9 -9 -1 9 9 0 >floor.off
+box -1 -1 -1 1 1 1 >block.off
+view=(--size 40x30 --eye 9,-16,12 --target 0,0,1)
+
+# objects LINE...: a file of a floor with these lines.
+objects() {
+  printf '%s\n' 'halfspace-objects 1' 'world floor.off' \
+    'model block block.off' "$@" >a.objects
+}
+left='object left block region -6,-4,1 -1,4,6'
+# A tent over the right half.
+tent='region 0,-4,1 8,-4,1 0,4,1 8,4,1 4,-4,7 4,4,7'
+right="object right block $tent"
+
+objects "$left move -3,0,2.5 turn 0,0,1,30" "$right move 4,0,2.5 scale 0.5"
+expect 0 '18 polygons in 2 objects' render a.objects "${view[@]}" -o a.png \
+  --ids a.npy
+expect 0 '40x30' render a.objects "${view[@]}" -o b.png --ids b.npy --impl ref
+expect 0 'mismatches: 0 of' compare a.npy b.npy
+same a.png b.png
+expect 0 '40x30' render a.objects "${view[@]}" --ids b.npy --impl ref \
+  --method zbuffer
+expect 0 'mismatches: 0 of' compare a.npy b.npy
+
+# Where the world's polygons are in the way, it says so, or cuts.
+objects 'object low block region 1,1,-0.5 6,6,4 move 3,3,2'
+expect 2 'region of object 0 of model 0 is not free: polygon' render a.objects \
+  -o bad.png
+objects 'cut' 'object low block region 1,1,-0.5 6,6,4 move 3,3,2'
+expect 0 '1 objects' render a.objects "${view[@]}" --ids a.npy
+expect 0 '40x30' render a.objects "${view[@]}" --ids b.npy --impl ref
+expect 0 'mismatches: 0 of' compare a.npy b.npy
+
+# wrong_objects PATTERN LINE...: these lines are an error.
+wrong_objects() {
+  local pattern=$1
+  shift
+  objects "$@"
+  expect 2 "$pattern" render a.objects -o bad.png --ids bad.npy
+}
+wrong_objects 'object 0 of model 0 and of object 1 share space' "$left" \
+  'object two block region -2,-4,1 3,4,6'
+wrong_objects 'object 0 of model 0 and of object 1 share space' "$left" \
+  'object two block region -2,-4,1 3,-4,1 3,4,1 3,0,6'
+wrong_objects 'right: .*leaves its region' "$right move 4,0,5"
+wrong_objects 'left: .*leaves its region' "$left move -2,0,2.5"
+wrong_objects 'singular' "$left move -3,0,2.5 scale 0"
+wrong_objects 'an entry of 2^31' "$left move -3,0,2.5 scale 1e12"
+wrong_objects 'moves by 2^86' "$left move 1e30,0,0"
+wrong_objects 'lie in one plane' \
+  'object two block region 0,0,1 1,0,1 0,1,1 1,1,1'
+wrong_objects 'is empty' 'object two block region 3,0,1 2,4,2'
+wrong_objects 'at least 4 points' 'object two block region 0,0,1 1,0,1 0,1,1'
+wrong_objects 'beyond every grid' 'object two block region 0,0,1 1e30,1,2'
+wrong_objects 'there is no model ball' 'object two ball region 0,0,1 1,1,2'
+wrong_objects 'knows move, turn' "$left spin 3"
+wrong_objects 'a second object left' "$left" "$left"
+
+# In any frame, before the first is drawn.
+objects "$left move -3,0,2.5" "$right move 4,0,2.5 scale 0.5"
+printf '0 right.move 4,0,2.5\n8 right.move 4,0,6.9\n' >a.path
+expect 2 'frame [1-8]: right: .*leaves its region' render a.objects \
+  "${view[@]}" --path a.path -o bad-%d.png
+printf '0 right.move 4,0,2.5\n8 right.move 4,0,3\n' >a.path
+expect 0 '9 frames' render a.objects "${view[@]}" --path a.path -o f-%d.png
+printf '0 ball.move 4,0,2.5\n' >a.path
+expect 2 'there is no object ball' render a.objects --path a.path -o bad-%d.png
+[ -z "$(ls bad* 2>/dev/null)" ] || wrong "a failed run left $(ls bad*)"
+
+finish
