@@ -40,7 +40,7 @@ OPENS_MODULE = re.compile(r"^Module\s+(?:Type\s+)?(\w+)\b(?!.*:=)")
 CLOSES = re.compile(r"^End\s+(\w+)$")
 PROVES = re.compile(r"^(?:(?:Local|Global|#\[\w+\])\s*)*"
                     r"(?:Theorem|Lemma|Corollary)\s+(\w+)")
-CLAUSES = re.compile(r"^S[1-6]\.\d+(?:, S[1-6]\.\d+)*$")
+CLAUSES = re.compile(r"^S\d+\.\d+(?:, S\d+\.\d+)*$")
 
 
 def without_comments(text):
