@@ -38,7 +38,7 @@ class JobRunner {
  private:
   BuildJob root_job() const {
     BuildJob job;
-    if (state_.cells) job.tree.slanted = state_.cells->slanted();
+    if (state_.cells) job.tree->slanted = state_.cells->slanted();
     job.primitives.resize(state_.scene.polygon_count());
     {
       const TsanForkJoin shared;
@@ -93,7 +93,7 @@ class JobRunner {
     }
     job.primitives = {};
     job.parts = {};
-    job.tree = {};
+    job.tree.reset();
   }
 
   BuildState& state_;
@@ -166,8 +166,7 @@ class PieceJoiner {
       if (step.side == Side::kPositive) pieces_[step.parent].positive = id;
       if (step.side == Side::kNegative) pieces_[step.parent].negative = id;
       std::vector<std::int32_t> below = at.planes;
-      const std::size_t new_planes =
-          piece.free_planes.size() - step.job->inherited_planes;
+      const std::size_t new_planes = piece.free_planes.size();
       for (std::size_t k = 0; k < new_planes; ++k) {
         below.push_back(static_cast<std::int32_t>(at.free_planes + k));
       }
@@ -233,9 +232,7 @@ class PieceJoiner {
     std::copy(piece.cut_vertices.begin(), piece.cut_vertices.end(),
               tree_.cut_vertices.begin() +
                   static_cast<std::ptrdiff_t>(at.cut_vertices));
-    std::copy(piece.free_planes.begin() +
-                  static_cast<std::ptrdiff_t>(at.job->inherited_planes),
-              piece.free_planes.end(),
+    std::copy(piece.free_planes.begin(), piece.free_planes.end(),
               tree_.free_planes.begin() +
                   static_cast<std::ptrdiff_t>(at.free_planes));
     piece = {};

@@ -59,7 +59,7 @@ void sort_by_source(std::vector<Primitive>::iterator first,
 SahBuilder::SahBuilder(BuildState& state, BuildJob& job)
     : state_(state),
       job_(job),
-      splitter_(state.scene, job.tree, job.stats),
+      splitter_(state.scene, *job.tree, job.stats),
       primitives_(job.primitives) {}
 
 void SahBuilder::build_subtree() {
@@ -91,8 +91,8 @@ void SahBuilder::build_subtree() {
          Side::kPositive);
     primitives_.insert(primitives_.end(), positive_.begin(), positive_.end());
   }
-  job_.piece.cut_vertices = std::move(job_.tree.cut_vertices);
-  job_.piece.free_planes = std::move(job_.tree.free_planes);
+  job_.piece.cut_vertices = std::move(job_.tree->cut_vertices);
+  take_free_planes();
 }
 
 SahBuilder::Subtrees SahBuilder::build_root() {
@@ -117,9 +117,9 @@ SahBuilder::Subtrees SahBuilder::build_root() {
         subtree(primitives_.data(), parts->negative_count, parts->negative_box);
   }
   if (!job_.piece.fragments.empty()) {
-    job_.piece.cut_vertices = std::move(job_.tree.cut_vertices);
+    job_.piece.cut_vertices = std::move(job_.tree->cut_vertices);
   }
-  job_.piece.free_planes = std::move(job_.tree.free_planes);
+  take_free_planes();
   return result;
 }
 
@@ -142,7 +142,7 @@ void SahBuilder::keep_cell(const Task& task, std::int32_t region) {
     state_.cells->note_polygon(region, primitive.source);
   job_.cell = region;
   add_done(task.share);
-  job_.piece.free_planes = std::move(job_.tree.free_planes);
+  take_free_planes();
 }
 
 SahBuilder::Subtrees SahBuilder::build_region_root() {
@@ -175,9 +175,9 @@ SahBuilder::Subtrees SahBuilder::build_region_root() {
     return {};
   }
   // Step 2: divide the list, and the regions.
-  job_.tree.free_planes.push_back(split->plane);
+  job_.tree->free_planes.push_back(split->plane);
   const auto splitter = static_cast<PlaneId>(state_.scene.polygon_count() +
-                                             job_.tree.free_planes.size() - 1);
+                                             job_.tree->free_planes.size() - 1);
   Node& node = node_at(job_.piece, id);
   node.splitter = splitter;
   node.plane = splitter_.planes().plane(splitter);
@@ -205,9 +205,17 @@ SahBuilder::Subtrees SahBuilder::build_region_root() {
   result.negative = subtree(primitives_.data(), parts.negative_count,
                             parts.negative_box, split->negative);
   if (!job_.piece.fragments.empty())
-    job_.piece.cut_vertices = std::move(job_.tree.cut_vertices);
-  job_.piece.free_planes = std::move(job_.tree.free_planes);
+    job_.piece.cut_vertices = std::move(job_.tree->cut_vertices);
+  take_free_planes();
   return result;
+}
+
+/// Those of the splitters above stay with the pieces that made them.
+void SahBuilder::take_free_planes() {
+  const auto& planes = job_.tree->free_planes;
+  job_.piece.free_planes.assign(
+      planes.begin() + static_cast<std::ptrdiff_t>(job_.inherited_planes),
+      planes.end());
 }
 
 NodeId SahBuilder::add_node(const Task& task) {
@@ -252,7 +260,7 @@ std::optional<SahBuilder::Partition> SahBuilder::build_node(const Task& task) {
   // Where a plane across an axis cuts nothing, no other can cut less.
   if (options.own_planes > 0 &&
       (is_short || !(axis.cost.cuts < 1) || !(axis.cost.cost < undivided))) {
-    polygon = best_polygon_split({state_.scene, job_.tree, job_.parts}, list,
+    polygon = best_polygon_split({state_.scene, *job_.tree, job_.parts}, list,
                                  task.box, to_doubles(state_.origin),
                                  options.own_planes, options.cut_weight);
   }
@@ -282,18 +290,18 @@ std::optional<SahBuilder::Partition> SahBuilder::build_node(const Task& task) {
 }
 
 PlaneId SahBuilder::add_free_plane(const AxisSplit& split) {
-  job_.tree.free_planes.push_back(
+  job_.tree->free_planes.push_back(
       {static_cast<std::int32_t>(split.axis),
        static_cast<std::int64_t>(split.coordinate) +
            coordinate_of(state_.origin, split.axis)});
   return static_cast<PlaneId>(state_.scene.polygon_count() +
-                              job_.tree.free_planes.size() - 1);
+                              job_.tree->free_planes.size() - 1);
 }
 
 /// The cost of deciding by depth in a leaf of the list, in fragments.
 double SahBuilder::overdraw_cost(const Task& task) {
   if (task.count < 2) return 0;
-  const PrimitiveReader reader = {state_.scene, job_.tree, job_.parts};
+  const PrimitiveReader reader = {state_.scene, *job_.tree, job_.parts};
   const PrimitiveList list = list_of(task);
   const double pixels =
       overdraw_of(reader, list, task.box) / state_.scene_size * kImagePixels;
@@ -344,7 +352,7 @@ inline void SahBuilder::send(const Primitive& primitive, int side,
 void SahBuilder::split_or_send(const Primitive& primitive,
                                const Splitter& splitter, Partition& result,
                                std::size_t& negative_end) {
-  const std::size_t corners = job_.tree.corners.size();
+  const std::size_t corners = job_.tree->corners.size();
   const FragmentRef part = fragment_of(primitive);
   const Relation relation =
       splitter_.relation(part, splitter.id, splitter.plane);
@@ -357,7 +365,7 @@ void SahBuilder::split_or_send(const Primitive& primitive,
          negative_end);
     return;
   }
-  job_.tree.corners.resize(corners);
+  job_.tree->corners.resize(corners);
   if (relation == Relation::kCoincident) {
     coincident_.push_back(primitive);
   } else {
@@ -376,7 +384,8 @@ Primitive SahBuilder::primitive_of(const Primitive& whole,
   job_.parts.push_back(part);
   const std::array<double, 3> origin = to_doubles(state_.origin);
   for (std::uint32_t k = 0; k < part.count; ++k) {
-    const Vertex v = splitter_.vertex(job_.tree.corners[part.first + k].vertex);
+    const Vertex v =
+        splitter_.vertex(job_.tree->corners[part.first + k].vertex);
     const std::array<double, 3> at = {v.x, v.y, v.z};
     for (std::size_t a = 0; a < 3; ++a) {
       const double away = at[a] - origin[a];
@@ -414,11 +423,11 @@ bool SahBuilder::is_flat(const Task& task, PolygonId& splitter) {
   for (const Primitive& primitive : list)
     splitter = std::min(splitter, primitive.source);
   const FilterPlane plane = filter_plane(plane_of(state_.scene, splitter));
-  const std::size_t corners = job_.tree.corners.size();
+  const std::size_t corners = job_.tree->corners.size();
   for (const Primitive& primitive : list) {
     const Relation relation =
         splitter_.relation(fragment_of(primitive), splitter, plane);
-    job_.tree.corners.resize(corners);
+    job_.tree->corners.resize(corners);
     if (relation != Relation::kCoincident) return false;
   }
   return true;
@@ -478,7 +487,7 @@ void SahBuilder::add_fragments(NodeId id, std::vector<Primitive>& primitives) {
     } else {
       const FragmentRef& part =
           job_.parts[static_cast<std::size_t>(primitive.part)];
-      const auto from = job_.tree.corners.begin() + part.first;
+      const auto from = job_.tree->corners.begin() + part.first;
       piece.corners.insert(piece.corners.end(), from, from + part.count);
     }
     const auto count = static_cast<std::uint32_t>(piece.corners.size()) - first;
@@ -501,31 +510,32 @@ BuildJob SahBuilder::job_of(const PrimitiveList& list, const Box& box,
   job.box = box;
   job.share = share;
   job.cut_budget = cut_budget;
-  job.tree.free_planes = job_.tree.free_planes;
-  job.tree.slanted = job_.tree.slanted;
-  job.inherited_planes = job_.tree.free_planes.size();
+  job.tree->free_planes = job_.tree->free_planes;
+  job.tree->slanted = job_.tree->slanted;
+  job.inherited_planes = job_.tree->free_planes.size();
   const auto vertex_count =
       static_cast<std::int32_t>(state_.scene.data().vertices.size());
-  std::vector<std::int32_t> copies(job_.tree.cut_vertices.size(), -1);
+  std::vector<std::int32_t> copies(job_.tree->cut_vertices.size(), -1);
   for (Primitive& primitive : job.primitives) {
     if (primitive.part == kWhole) continue;
     const FragmentRef& part =
         job_.parts[static_cast<std::size_t>(primitive.part)];
     primitive.part = static_cast<std::int32_t>(job.parts.size());
     job.parts.push_back({part.source,
-                         static_cast<std::uint32_t>(job.tree.corners.size()),
+                         static_cast<std::uint32_t>(job.tree->corners.size()),
                          part.count});
     for (std::uint32_t k = 0; k < part.count; ++k) {
-      Corner corner = job_.tree.corners[part.first + k];
+      Corner corner = job_.tree->corners[part.first + k];
       if (corner.vertex >= vertex_count) {
         const auto old = static_cast<std::size_t>(corner.vertex - vertex_count);
         if (copies[old] < 0) {
-          copies[old] = static_cast<std::int32_t>(job.tree.cut_vertices.size());
-          job.tree.cut_vertices.push_back(job_.tree.cut_vertices[old]);
+          copies[old] =
+              static_cast<std::int32_t>(job.tree->cut_vertices.size());
+          job.tree->cut_vertices.push_back(job_.tree->cut_vertices[old]);
         }
         corner.vertex = vertex_count + copies[old];
       }
-      job.tree.corners.push_back(corner);
+      job.tree->corners.push_back(corner);
     }
   }
   return job;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct BuildJob {
   double cut_budget = 0;  ///< how many cuts the subtree may make, about
   /// Corners of parts, cut vertices and free planes, those of the splitters
   /// above first.
-  BspTree tree;
+  std::unique_ptr<BspTree> tree = std::make_unique<BspTree>();
   std::size_t inherited_planes = 0;
   /// Regions in it that are still to be kept apart (S12.4): if it is one, the
   /// faces of it that are splitters already, a bit each.
@@ -27,7 +28,8 @@ struct BuildJob {
   std::uint64_t used_faces = 0;
 
   /// The subtree of the list, or its root. Indices are those of its own arrays,
-  /// but free planes of the splitters above count first.
+  /// but free planes of the splitters above, which it does not hold, count
+  /// first.
   BspTree piece;
   FilterStats stats;
   /// If the piece is a root alone: the jobs of its subtrees.
@@ -82,6 +84,7 @@ class SahBuilder {
     const AxisSplit* axis;  ///< or none
   };
 
+  void take_free_planes();
   NodeId add_node(const Task& task);
   std::optional<Partition> build_node(const Task& task);
   PrimitiveList list_of(const Task& task) const {
