@@ -1,7 +1,8 @@
 """Builds the extension module of the Python package by CMake.
 
 HALFSPACE_BUILD_DIR names a folder that is kept, so that what was compiled is
-not compiled again.
+not compiled again. It may be one that CMake configured before, with position
+independent code, such as that of the preset "release".
 """
 import os
 import pathlib
@@ -20,20 +21,24 @@ class CMakeBuild(build_ext):
         target = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
         build = pathlib.Path(os.environ.get(
             "HALFSPACE_BUILD_DIR", ROOT / self.build_temp)).resolve()
-        generator = ["-G", "Ninja"] if _has("ninja") else []
-        subprocess.run(
-            ["cmake", "-S", ROOT, "-B", build, *generator,
-             "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON",
-             "-DCMAKE_UNITY_BUILD_BATCH_SIZE=10", "-DBUILD_TESTING=OFF",
-             "-DHALFSPACE_BENCH=OFF", "-DHALFSPACE_PYTHON=ON",
-             "-DHALFSPACE_WARNINGS_AS_ERRORS=OFF",
-             f"-DHALFSPACE_PYTHON_EXECUTABLE={sys.executable}"], check=True)
+        if not (build / "CMakeCache.txt").exists():
+            _configure(build)
         subprocess.run(["cmake", "--build", build, "--target",
                         "halfspace_python", "--parallel",
                         str(os.cpu_count() or 1)], check=True)
         target.parent.mkdir(parents=True, exist_ok=True)
-        built, = (build / "python").glob("_core.*.so")
-        self.copy_file(str(built), str(target))
+        self.copy_file(str(build / "python" / target.name), str(target))
+
+
+def _configure(build):
+    generator = ["-G", "Ninja"] if _has("ninja") else []
+    subprocess.run(
+        ["cmake", "-S", ROOT, "-B", build, *generator,
+         "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON",
+         "-DCMAKE_UNITY_BUILD_BATCH_SIZE=10", "-DBUILD_TESTING=OFF",
+         "-DHALFSPACE_BENCH=OFF", "-DHALFSPACE_PYTHON=ON",
+         "-DHALFSPACE_WARNINGS_AS_ERRORS=OFF",
+         f"-DHALFSPACE_PYTHON_EXECUTABLE={sys.executable}"], check=True)
 
 
 def _has(program):
