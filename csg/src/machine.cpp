@@ -122,6 +122,14 @@ void Machine::push_node(Node node) {
   stack_.push_back({Value::Kind::kSolid, {}, id, {}, 0});
 }
 
+void Machine::push_combined(NodeKind kind, const Place& place, const Value& a,
+                            const Value& b) {
+  Node node{.kind = kind, .place = place};
+  node.left = a.node;
+  node.right = b.node;
+  push_node(node);
+}
+
 bool Machine::push_list(std::vector<Value> values, const Place& place) {
   std::uint32_t depth = 0;
   for (const Value& value : values) depth = std::max(depth, value.depth);
@@ -178,10 +186,7 @@ bool Machine::arithmetic(const Instruction& at) {
   const Value a = at.op == Op::kNegate ? b : pop();
   if (at.op == Op::kAdd && a.kind == Value::Kind::kSolid &&
       b.kind == Value::Kind::kSolid) {
-    Node node{.kind = NodeKind::kUnion, .place = at.place};
-    node.left = a.node;
-    node.right = b.node;
-    push_node(node);
+    push_combined(NodeKind::kUnion, at.place, a, b);
     return true;
   }
   for (const Value* value : {&a, &b}) {
@@ -236,10 +241,7 @@ bool Machine::combine(const Instruction& at) {
     return fail(at.place, ErrorCode::kSyntax,
                 std::string("this combines solids, not ") + kind_of(*value));
   }
-  Node node{.kind = at.operation, .place = at.place};
-  node.left = a.node;
-  node.right = b.node;
-  push_node(node);
+  push_combined(at.operation, at.place, a, b);
   return true;
 }
 
@@ -354,12 +356,8 @@ bool Machine::call_combine(const Instruction& at, std::vector<Value> values) {
   if (at.function == Function::kSymmetricDifference)
     kind = NodeKind::kSymmetricDifference;
   stack_.push_back(solids.front());
-  for (std::size_t i = 1; i < solids.size(); ++i) {
-    Node node{.kind = kind, .place = at.place};
-    node.left = pop().node;
-    node.right = solids[i].node;
-    push_node(node);
-  }
+  for (std::size_t i = 1; i < solids.size(); ++i)
+    push_combined(kind, at.place, pop(), solids[i]);
   return true;
 }
 

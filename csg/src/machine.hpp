@@ -72,6 +72,8 @@ class Machine {
   std::vector<Value> pop_many(std::size_t count);
   void push(io::Number number);
   void push_node(Node node);
+  void push_combined(NodeKind kind, const Place& place, const Value& a,
+                     const Value& b);
   bool push_list(std::vector<Value> values, const Place& place);
   bool step(const Instruction& at, const std::vector<OwnFunction>& functions);
   bool load(const Instruction& at);
