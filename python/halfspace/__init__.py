@@ -14,14 +14,21 @@ Examples
 """
 
 from ._core import VERSION as __version__
-from ._display import (Display, DynamicScreen, Hit, Pick, Picture, SeenPolygon,
-                       Traversal, View, VisibleMap)
+from ._display import (CapStyle, Display, DynamicScreen, Hit, Pick, Picture,
+                       SeenPolygon, Traversal, View, VisibleMap)
+from ._displays import (CutDisplay, MovingDisplay, MovingPicture, ScalarDisplay,
+                        ScalarStyle, SeenAreas, VertexFeed)
 from ._errors import Error, ErrorCode
+from ._figure import EdgeClass, Figure, LineDrawing, SeenRegion
+from ._mend import Mended, mended
 from ._mesh import Mesh
 from ._solid import Plane, Region, RoundingReport, Solid
 
 __all__ = [
-    "Display", "DynamicScreen", "Error", "ErrorCode", "Hit", "Mesh", "Pick",
-    "Picture", "Plane", "Region", "RoundingReport", "SeenPolygon", "Solid",
-    "Traversal", "View", "VisibleMap", "__version__",
+    "CapStyle", "CutDisplay", "Display", "DynamicScreen", "EdgeClass", "Error",
+    "ErrorCode", "Figure", "Hit", "LineDrawing", "Mended", "Mesh",
+    "MovingDisplay", "MovingPicture", "Pick", "Picture", "Plane", "Region",
+    "RoundingReport", "ScalarDisplay", "ScalarStyle", "SeenAreas",
+    "SeenPolygon", "SeenRegion", "Solid", "Traversal", "VertexFeed", "View",
+    "VisibleMap", "__version__", "mended",
 ]

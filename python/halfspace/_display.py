@@ -3,23 +3,40 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import (Any, Iterable, List, NamedTuple, Optional,
-                    Sequence, Tuple, Union)
+from typing import (Any, Iterable, List, Literal, NamedTuple, Optional,
+                    Sequence, Tuple, Union, get_args)
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._figure import Figure, FigureKey, LineDrawing
 from ._mesh import Floats, Ints, Mesh, MeshLike, mesh_of
-from ._solid import Path, Solid, Vector, _triple
+from ._solid import Path, Plane, Progress, Solid, Vector, _triple
 
-__all__ = ["Display", "DynamicScreen", "Hit", "Pick", "Picture", "SeenPolygon",
-           "Traversal", "View", "VisibleMap"]
+__all__ = ["CapStyle", "Display", "DynamicScreen", "Hit", "Pick", "Picture",
+           "SeenPolygon", "Traversal", "View", "VisibleMap"]
 
 Bytes = npt.NDArray[np.uint8]
 Counts = npt.NDArray[np.uint32]
+
+
+@dataclass(frozen=True)
+class CapStyle:
+    """How the cuts of clip planes look.
+
+    Parameters
+    ----------
+    color : sequence of 3 ints
+        Red, green and blue, 0 to 255.
+    hatch : sequence of 3 ints, optional
+        Of lines over the colour.
+    """
+
+    color: Sequence[int] = (200, 80, 40)
+    hatch: Optional[Sequence[int]] = None
 
 
 @dataclass(frozen=True)
@@ -44,10 +61,26 @@ class View:
         Units: pixels; at most 65,536.
     cull : bool
         Polygons seen from behind are not there.
+    clips : sequence of Plane
+        What is on the negative side of any is not there; up to eight.
+    caps : CapStyle, optional
+        Fills the cuts of what is closed; None: they stay open.
     background : sequence of 3 ints
         Red, green and blue, 0 to 255.
+    anti_aliasing : {1, 2, 4, 8, "area"}
+        What of a pixel its colour is taken from: one sample, the mean of so
+        many each way, or the exact integral of all that is seen in it.
     threads : int
         0: as many as the machine has.
+    progress : callable, optional
+        Receives the share that is done, 0 to 1, of the tree that the first view
+        makes; where it returns False the work stops. It must not ask anything
+        of the display.
+
+    Raises
+    ------
+    ValueError
+        If `anti_aliasing` is another value.
 
     Examples
     --------
@@ -66,8 +99,17 @@ class View:
     width_px: int = 640
     height_px: int = 480
     cull: bool = False
+    clips: Sequence[Union[Plane, Tuple[Vector, float]]] = ()
+    caps: Optional[CapStyle] = None
     background: Sequence[int] = (255, 255, 255)
+    anti_aliasing: Union[int, Literal["area"]] = 1
     threads: int = 0
+    progress: Optional[Progress] = field(default=None, compare=False)
+
+    def __post_init__(self) -> None:
+        if self.anti_aliasing not in (1, 2, 4, 8, "area"):
+            raise ValueError(f"anti_aliasing is {self.anti_aliasing!r}, not 1, "
+                             "2, 4, 8 or 'area'")
 
     def sized(self, width_px: int, height_px: int) -> "View":
         """The same view, in another size."""
@@ -106,7 +148,7 @@ class Pick(NamedTuple):
     Attributes
     ----------
     polygon, solid : int
-        Of the display; of those that it was made of.
+        Of the display; of those that it was made of, -1 for a cap.
     point : tuple of 3 floats
         What the pixel's centre sees, to the nearest doubles.
     distance : float
@@ -165,12 +207,15 @@ class SeenPolygon(NamedTuple):
     spans : ndarray of int32, shape (k, 3)
         The line, the first and the last of the pixels whose centres it covers,
         if the traversal was asked for them. Exact.
+    color : ndarray of uint8, shape (3,)
+        Of the polygon.
     """
 
     polygon: int
     points: Floats
     projected: Floats
     spans: Ints
+    color: Bytes
 
 
 class Traversal(Sequence[SeenPolygon]):
@@ -185,10 +230,12 @@ class Traversal(Sequence[SeenPolygon]):
         The corners of part i are ``points[first_point[i]:first_point[i + 1]]``.
     first_projected, projected : ndarray, shapes (n + 1,) and (q, 2)
     first_span, spans : ndarray, shapes (n + 1,) and (s, 3)
+    colors : ndarray of uint8, shape (n, 3)
+        The colour by part.
     """
 
     __slots__ = ("polygons", "first_point", "points", "first_projected",
-                 "projected", "first_span", "spans")
+                 "projected", "first_span", "spans", "colors")
 
     def __init__(self, arrays: Tuple[Any, ...]) -> None:
         self.polygons: Ints = arrays[0]
@@ -198,6 +245,7 @@ class Traversal(Sequence[SeenPolygon]):
         self.projected: Floats = arrays[4]
         self.first_span: Counts = arrays[5]
         self.spans: Ints = arrays[6]
+        self.colors: Bytes = arrays[7]
 
     def __len__(self) -> int:
         return len(self.polygons)
@@ -213,7 +261,8 @@ class Traversal(Sequence[SeenPolygon]):
         return SeenPolygon(int(self.polygons[i]),
                            part(self.first_point, self.points),
                            part(self.first_projected, self.projected),
-                           part(self.first_span, self.spans))
+                           part(self.first_span, self.spans),
+                           self.colors[i])
 
 
 class VisibleMap:
@@ -398,15 +447,87 @@ class Display:
         return self._core.polygon_count()
 
     def render(self, view: View = View()) -> Picture:
-        """The picture: at each pixel the nearest polygon. Exact, whatever the
-        number of threads.
+        """The picture: at each pixel the nearest polygon, or as
+        ``polygon_count + k`` the cap of the k-th different clip plane. Exact,
+        whatever the number of threads.
 
         Raises
         ------
         Error
-            ``BAD_CAMERA``, ``NOT_FINITE``, ``OUT_OF_RANGE``.
+            ``BAD_CAMERA``, ``NOT_FINITE``, ``OUT_OF_RANGE`` (also for a ninth
+            clip plane), ``STOPPED`` (by ``view.progress``), ``ZERO_AREA`` (a
+            clip plane's normal is 0), ``OPEN`` (caps for what is not closed).
+            These are those of all that asks for a view.
+
+        Examples
+        --------
+        >>> from halfspace import CapStyle, Display, Plane, Solid, View
+        >>> display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
+        >>> cut = View(width_px=64, height_px=48, caps=CapStyle(),
+        ...            clips=[Plane((0, 0, -1), -0.5)])
+        >>> sorted(set(display.render(cut).ids.flat))
+        [-1, 2, 5, 6]
         """
         return Picture(*self._core.render(view))
+
+    def draw(self, view: View = View(), *,
+             crease_deg: float = 20) -> LineDrawing:
+        """The edges that the view shows: silhouettes, borders, intersections
+        and creases. Exact.
+
+        Parameters
+        ----------
+        view : View
+            Without clip planes.
+        crease_deg : float
+            Faces that turn by more make a crease. Units: degrees.
+
+        Raises
+        ------
+        Error
+            Those of `render`; ``OUT_OF_RANGE``, where there are too many.
+
+        Examples
+        --------
+        >>> from halfspace import Display, Solid, View
+        >>> display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
+        >>> lines = display.draw(View(width_px=64, height_px=48))
+        >>> len(lines), int((lines.layers == 0).sum())
+        (12, 9)
+        """
+        return LineDrawing(view.width_px, view.height_px,
+                           *self._core.draw(view, float(crease_deg)))
+
+    def figure(self, view: View = View(), *,
+               by: FigureKey = "color") -> Figure:
+        """The picture as regions, clip planes and caps too: what is seen at any
+        point of the image, not only at pixels' centres. Exact; corners are
+        rounded once.
+
+        Parameters
+        ----------
+        view : View
+        by : {"color", "polygon", "solid"}
+            What is one region where parts of it meet.
+
+        Raises
+        ------
+        Error
+            Those of `render`; ``OUT_OF_RANGE``, where there is too much to be
+            seen.
+
+        Examples
+        --------
+        >>> from halfspace import Display, Solid, View
+        >>> display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
+        >>> figure = display.figure(View(width_px=64, height_px=48), by="solid")
+        >>> figure.polygons.tolist(), len(figure[0].loops)
+        ([-1, 2], 2)
+        """
+        if by not in get_args(FigureKey):
+            raise ValueError(f"by is {by!r}, not color, polygon or solid")
+        return Figure(view.width_px, view.height_px,
+                      *self._core.figure(view, by))
 
     def pick(self, view: View, x: int, y: int) -> Optional[Pick]:
         """What is seen at a pixel; None at the background, and off the image.
@@ -497,6 +618,26 @@ class Display:
         """
         return Traversal(self._core.order(view, False, bool(spans)))
 
+    def scan(self, view: View = View()) -> Ints:
+        """Each pixel in which something is seen once, in spans: front to back,
+        on a dynamic screen, until that is full.
+
+        Returns
+        -------
+        ndarray of int32, shape (n, 4)
+            The polygon; the line, the first and the last pixel.
+
+        Examples
+        --------
+        >>> from halfspace import Display, Solid, View
+        >>> display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
+        >>> view = View(width_px=64, height_px=48)
+        >>> spans = display.scan(view)
+        >>> int((spans[:, 3] - spans[:, 2] + 1).sum())
+        1617
+        """
+        return self._core.scan(view)
+
     def insert(self, mesh: MeshLike) -> None:
         """Adds polygons, numbered after those that are there.
 
@@ -507,6 +648,30 @@ class Display:
             then.
         """
         self._core.insert(mesh_of(mesh)._core)
+
+    def remove(self, polygons: npt.ArrayLike) -> None:
+        """Takes polygons out; the others keep their numbers. One that is gone
+        already may be named again.
+
+        Parameters
+        ----------
+        polygons : array_like of int32, shape (n,)
+
+        Raises
+        ------
+        Error
+            ``BAD_INDEX``; ``EMPTY``, where none would be left; nothing is
+            changed then.
+
+        Examples
+        --------
+        >>> from halfspace import Display, Solid, View
+        >>> display = Display.of(Solid.box((0, 0, 0), (1, 1, 1)))
+        >>> display.remove([2])
+        >>> bool((display.render(View(width_px=64, height_px=48)).ids == 2).any())
+        False
+        """
+        self._core.remove(np.asarray(polygons, np.int32).reshape(-1))
 
     def visible_map(self, view: View = View(), *,
                     keys: Optional[npt.ArrayLike] = None,

@@ -85,6 +85,17 @@ def _triple(vector: Vector) -> Tuple[float, float, float]:
     return float(x), float(y), float(z)
 
 
+def affine_rows(matrix: npt.ArrayLike) -> List[List[float]]:
+    """The three rows of an affine map, of an array of three or four."""
+    rows = np.asarray(matrix, dtype=np.float64)
+    if rows.shape == (4, 4) and (rows[3] == (0, 0, 0, 1)).all():
+        rows = rows[:3]
+    if rows.shape != (3, 4):
+        raise ValueError("an affine map has the shape (3, 4), or (4, 4) "
+                         "and the last row 0, 0, 0, 1")
+    return rows.tolist()  # type: ignore[no-any-return]
+
+
 class Solid:
     """A solid: a value that is an expression of other solids.
 
@@ -457,13 +468,7 @@ class Solid:
         >>> Solid.box((0, 0, 0), (1, 1, 1)).transformed(2 * np.eye(3, 4)).volume()
         8.0
         """
-        rows = np.asarray(matrix, dtype=np.float64)
-        if rows.shape == (4, 4) and (rows[3] == (0, 0, 0, 1)).all():
-            rows = rows[:3]
-        if rows.shape != (3, 4):
-            raise ValueError("an affine map has the shape (3, 4), or (4, 4) "
-                             "and the last row 0, 0, 0, 1")
-        return Solid._made("transformed", (self,), rows.tolist())
+        return Solid._made("transformed", (self,), affine_rows(matrix))
 
     # Names.
 
@@ -579,8 +584,8 @@ class Solid:
         """
         self._core.evaluate(int(threads), progress)
 
-    def mesh(self, *, merge: Merge = "origin",
-             triangles: bool = False) -> Mesh:
+    def mesh(self, *, merge: Merge = "origin", triangles: bool = False,
+             threads: int = 0, progress: Optional[Progress] = None) -> Mesh:
         """The surface, with origins, and with the operands' properties if any
         of them has some. Rounded once, to nearest, from exact vertices.
 
@@ -591,6 +596,8 @@ class Solid:
             operand; all, whatever their properties; none.
         triangles : bool
             Triangles only, in place of convex polygons.
+        threads, progress
+            Of working the solid out: as of `evaluate`.
 
         Examples
         --------
@@ -600,11 +607,20 @@ class Solid:
         ((8, 3), (12, 3))
         """
         _check_merge(merge)
-        return Mesh._of(self._core.mesh(merge, bool(triangles)))
+        return Mesh._of(self._core.mesh(merge, bool(triangles), int(threads),
+                                        progress))
 
     def save(self, path: Path, *, merge: Merge = "origin",
-             triangles: bool = False) -> None:
-        """Writes the surface; the name of the file says the format.
+             triangles: bool = False, threads: int = 0,
+             progress: Optional[Progress] = None) -> None:
+        """Writes the surface; the name of the file says the format. A name
+        that ends in ``.hsolid`` gets the solid itself, exactly.
+
+        Parameters
+        ----------
+        path : path-like
+        merge, triangles, threads, progress
+            As of `mesh`.
 
         Raises
         ------
@@ -612,7 +628,46 @@ class Solid:
             ``UNWRITABLE``, ``UNKNOWN_FORMAT``, and those of the class.
         """
         _check_merge(merge)
-        self._core.save(os.fspath(path), merge, bool(triangles))
+        self._core.save(os.fspath(path), merge, bool(triangles), int(threads),
+                        progress)
+
+    def decompose(self) -> List["Solid"]:
+        """The connected parts, each with its cavities; parts that only touch
+        are apart. Exact.
+
+        Returns
+        -------
+        list of Solid
+            Each has the operands, origins and properties of the whole.
+
+        Raises
+        ------
+        Error
+            Those of the solid; ``OUT_OF_RANGE`` where a part is used that a map
+            rounds away.
+
+        Examples
+        --------
+        >>> from halfspace import Solid
+        >>> box = Solid.box((0, 0, 0), (1, 1, 1))
+        >>> both = box + box.translated((1, 1, 0))
+        >>> [part.volume() for part in both.decompose()]
+        [1.0, 1.0]
+        """
+        return [Solid._of(core, ("part", (self,), (number,)))
+                for number, core in enumerate(self._core.decompose())]
+
+    def polygons_by_operand(self) -> Dict[str, int]:
+        """How many polygons of `mesh` come from operands of each name.
+
+        Examples
+        --------
+        >>> from halfspace import Solid
+        >>> part = Solid.box((0, 0, 0), (2, 2, 2)) - Solid.sphere(1, 8)
+        >>> sorted(part.polygons_by_operand())
+        ['box', 'sphere']
+        """
+        return self._core.polygons_by_operand()
 
     def operands(self) -> List["Solid"]:
         """The operands that the result was made of, unmoved, half-spaces last:
@@ -842,6 +897,10 @@ def _from_steps(steps: List[Tuple[str, Tuple[int, ...],
     return made[-1]
 
 
+def _part(solid: _core.Solid, number: int) -> _core.Solid:
+    return solid.decompose()[number]
+
+
 _STEPS: Dict[str, Callable[..., _core.Solid]] = {
     "empty": _core.Solid,
     "box": _core.Solid.box,
@@ -872,4 +931,6 @@ _STEPS: Dict[str, Callable[..., _core.Solid]] = {
         lambda *solids: _core.Solid.intersection_of(list(solids)),
     "below": lambda solid, *plane: solid.split(*plane)[0],
     "above": lambda solid, *plane: solid.split(*plane)[1],
+    "part": _part,
+    "mended": lambda *how: _core.mended(*how)[0],
 }

@@ -7,7 +7,9 @@
 
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,6 +39,43 @@ auto without_lock(const Work& work) {
   const py::gil_scoped_release released;
   return work();
 }
+
+/// Progress for Python: calls `callback` if it is one, and stops the work where
+/// that returns False or raises, or where a signal such as Ctrl-C has come.
+class Watch {
+ public:
+  explicit Watch(py::object callback) : callback_(std::move(callback)) {}
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  /// What the library calls, without the interpreter's lock. Valid as long as
+  /// this object.
+  Progress progress() {
+    return [this](double share) { return goes_on(share); };
+  }
+  /// Requires: the interpreter's lock. Throws: what the callback raised.
+  void rethrow() const {
+    if (raised_) std::rethrow_exception(raised_);
+  }
+
+ private:
+  bool goes_on(double share) {
+    const py::gil_scoped_acquire acquired;
+    if (raised_) return false;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (callback_.is_none()) return true;
+      const py::object answer = callback_(share);
+      return answer.ptr() != Py_False;
+    } catch (...) {
+      raised_ = std::current_exception();
+      return false;
+    }
+  }
+
+  py::object callback_;
+  std::exception_ptr raised_;
+};
 
 /// Three numbers, as any sequence of Python gives them.
 using Triple = std::array<double, 3>;
@@ -91,8 +130,20 @@ std::vector<T> rows_of(const ArrayOf<Element>& array, const char* name) {
   return std::vector<T>(data, data + array.shape(0));
 }
 
-/// The view that an object with the attributes of halfspace.View describes.
+/// The view that an object with the attributes of halfspace.View describes, but
+/// for its progress.
 View view_from(const py::object& object);
+
+/// The answer of `question` to a view of Python, whose progress is called.
+template <class Question>
+auto asked_of_view(const py::object& object, const Question& question) {
+  Watch watch(object.attr("progress"));
+  View view = view_from(object);
+  view.progress = watch.progress();
+  auto answer = without_lock([&] { return question(view); });
+  watch.rethrow();
+  return value_of(std::move(answer));
+}
 
 void bind_display(py::module_& module);
 void bind_hidden(py::module_& module);

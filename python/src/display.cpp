@@ -1,6 +1,11 @@
 #include "display.hpp"
 
+#include <string>
+#include <string_view>
+
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/moving_display.hpp"
+#include "halfspace/scalar_display.hpp"
 
 namespace halfspace::python {
 
@@ -13,12 +18,33 @@ const fast::BspTree& Shown::tree() {
   return *tree_;
 }
 
-Result<Done> Shown::insert(const Mesh& mesh) {
-  const std::unique_lock lock(changes_);
-  const Result<Done> done = display_.insert(mesh);
-  if (done) tree_.reset();
-  return done;
+Result<Shown::Cut> Shown::cut(const WorkOptions& options) const {
+  const std::shared_lock lock(changes_);
+  Result<CutDisplay> made = CutDisplay::of(display_, options);
+  if (!made) return made.error();
+  return Cut{*std::move(made), version_};
 }
+
+namespace {
+
+using Color = std::array<std::uint8_t, 3>;
+
+Rgb rgb_of(const py::handle& object) {
+  const auto color = object.cast<Color>();
+  return {color[0], color[1], color[2]};
+}
+
+/// The attributes of halfspace.CapStyle, or nothing.
+std::optional<CapStyle> caps_from(const py::object& object) {
+  if (object.is_none()) return std::nullopt;
+  CapStyle caps;
+  caps.color = rgb_of(object.attr("color"));
+  if (!object.attr("hatch").is_none())
+    caps.hatch = rgb_of(object.attr("hatch"));
+  return caps;
+}
+
+}  // namespace
 
 View view_from(const py::object& object) {
   const auto point = [&object](const char* name) -> std::optional<Point> {
@@ -36,9 +62,15 @@ View view_from(const py::object& object) {
   view.width_px = object.attr("width_px").cast<std::int32_t>();
   view.height_px = object.attr("height_px").cast<std::int32_t>();
   view.cull = object.attr("cull").cast<bool>();
-  const auto background =
-      object.attr("background").cast<std::array<std::uint8_t, 3>>();
-  view.background = {background[0], background[1], background[2]};
+  for (const auto& [normal, offset] :
+       object.attr("clips").cast<std::vector<std::pair<Triple, double>>>())
+    view.clips.push_back({point_of(normal), offset});
+  view.caps = caps_from(object.attr("caps"));
+  view.background = rgb_of(object.attr("background"));
+  const py::object anti_aliasing = object.attr("anti_aliasing");
+  view.anti_aliasing = py::isinstance<py::str>(anti_aliasing)
+                           ? AntiAliasing::kExactArea
+                           : AntiAliasing{anti_aliasing.cast<std::uint8_t>()};
   view.threads = object.attr("threads").cast<int>();
   return view;
 }
@@ -54,24 +86,160 @@ py::array image_array(Grid2<T> image) {
   return array_of<Element>(std::move(image.pixels)).reshape(shape);
 }
 
-py::tuple render(const Shown& shown, const py::object& object) {
-  const View view = view_from(object);
-  Picture picture = value_of(without_lock([&] {
-    return shown.asked([&](const Display& d) { return d.render(view); });
-  }));
+/// An array over the rows' member, which is `Element`s one after another.
+/// Nothing is copied: it keeps `owner`, which keeps the rows.
+template <class Element, class Row, class Member>
+py::array column_of(const std::vector<Row>& rows, Member Row::*member,
+                    const py::capsule& owner) {
+  constexpr auto kColumns =
+      static_cast<py::ssize_t>(sizeof(Member) / sizeof(Element));
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows.size())};
+  std::vector<py::ssize_t> strides{sizeof(Row)};
+  if (kColumns > 1) {
+    shape.push_back(kColumns);
+    strides.push_back(sizeof(Element));
+  }
+  const Row empty{};
+  const Row& first = rows.empty() ? empty : rows.front();
+  return py::array_t<Element>(
+      shape, strides, reinterpret_cast<const Element*>(&(first.*member)),
+      rows.empty() ? py::handle() : py::handle(owner));
+}
+
+/// Hands rows over to Python: the rows, and the capsule that keeps them.
+template <class Row>
+std::pair<const std::vector<Row>*, py::capsule> kept(std::vector<Row> rows) {
+  auto owned = std::make_unique<std::vector<Row>>(std::move(rows));
+  const std::vector<Row>* kept = owned.get();
+  py::capsule owner(owned.get(), [](void* vector) {
+    delete static_cast<std::vector<Row>*>(vector);
+  });
+  static_cast<void>(owned.release());
+  return {kept, std::move(owner)};
+}
+
+/// The answer of `question` to a display and a view of Python.
+template <class Question>
+auto asked(const Shown& shown, const py::object& object,
+           const Question& question) {
+  return asked_of_view(object, [&](const View& view) {
+    return shown.asked(
+        [&](const Display& display) { return question(display, view); });
+  });
+}
+
+py::tuple picture_of(Picture picture) {
   return py::make_tuple(image_array<std::int32_t>(std::move(picture.polygons)),
                         image_array<std::uint8_t>(std::move(picture.colors)));
 }
 
+py::tuple render(const Shown& shown, const py::object& object) {
+  return picture_of(
+      asked(shown, object,
+            [](const Display& d, const View& view) { return d.render(view); }));
+}
+
 py::object pick(const Shown& shown, const py::object& object, std::int32_t x,
                 std::int32_t y) {
-  const View view = view_from(object);
-  const std::optional<Pick> pick = value_of(without_lock([&] {
-    return shown.asked([&](const Display& d) { return d.pick(view, x, y); });
-  }));
+  const std::optional<Pick> pick = asked(
+      shown, object,
+      [&](const Display& d, const View& view) { return d.pick(view, x, y); });
   if (!pick) return py::none();
   return py::make_tuple(pick->polygon, pick->solid, triple_of(pick->point),
                         pick->distance);
+}
+
+/// Lines as arrays: their ends, what edges they are, and what hides them.
+py::tuple lines_of(std::vector<DrawnLine> drawn) {
+  const auto [lines, owner] = kept(std::move(drawn));
+  return py::make_tuple(
+      column_of<double>(*lines, &DrawnLine::from, owner),
+      column_of<double>(*lines, &DrawnLine::to, owner),
+      column_of<std::uint8_t>(*lines, &DrawnLine::edge_class, owner),
+      column_of<std::int32_t>(*lines, &DrawnLine::layers, owner));
+}
+
+/// Lines of arrays that lines_of() gave, or the like.
+std::vector<DrawnLine> lines_from(const py::object& object) {
+  if (object.is_none()) return {};
+  const auto from =
+      rows_of<Point2>(object.attr("starts").cast<ArrayOf<double>>(), "starts");
+  const auto to =
+      rows_of<Point2>(object.attr("ends").cast<ArrayOf<double>>(), "ends");
+  const auto classes = rows_of<std::uint8_t>(
+      object.attr("edge_classes").cast<ArrayOf<std::uint8_t>>(),
+      "edge_classes");
+  const auto layers = rows_of<std::int32_t>(
+      object.attr("layers").cast<ArrayOf<std::int32_t>>(), "layers");
+  if (to.size() != from.size() || classes.size() != from.size() ||
+      layers.size() != from.size())
+    throw std::invalid_argument("the arrays of lines differ in length");
+  std::vector<DrawnLine> lines;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    lines.push_back(
+        {from[i], to[i], static_cast<EdgeClass>(classes[i]), layers[i]});
+  return lines;
+}
+
+py::tuple draw(const Shown& shown, const py::object& object,
+               double crease_deg) {
+  return lines_of(asked(shown, object, [&](const Display& d, const View& view) {
+                    return d.draw(view, crease_deg);
+                  }).lines);
+}
+
+void save_drawing(const std::string& path, const py::object& object,
+                  bool with_hidden) {
+  const LineDrawing drawing{object.attr("width_px").cast<std::int32_t>(),
+                            object.attr("height_px").cast<std::int32_t>(),
+                            lines_from(object)};
+  value_of(without_lock([&] { return drawing.save(path, with_hidden); }));
+}
+
+/// Regions as arrays: lists of lists are one array and where each begins.
+py::tuple figure(const Shown& shown, const py::object& object,
+                 const std::string& by) {
+  const FigureKey key = by == "polygon" ? FigureKey::kPolygon
+                        : by == "solid" ? FigureKey::kSolid
+                                        : FigureKey::kColor;
+  const Figure figure = asked(
+      shown, object,
+      [&](const Display& d, const View& view) { return d.figure(view, key); });
+  std::vector<std::int32_t> polygons;
+  std::vector<Rgb> colors;
+  std::vector<std::uint32_t> first_loop = {0}, first_point = {0};
+  std::vector<Point2> points;
+  for (const SeenRegion& region : figure.regions) {
+    polygons.push_back(region.polygon);
+    colors.push_back(region.color);
+    for (const std::vector<Point2>& loop : region.loops) {
+      points.insert(points.end(), loop.begin(), loop.end());
+      first_point.push_back(static_cast<std::uint32_t>(points.size()));
+    }
+    first_loop.push_back(static_cast<std::uint32_t>(first_point.size() - 1));
+  }
+  return py::make_tuple(array_of<std::int32_t>(std::move(polygons)),
+                        array_of<std::uint8_t>(std::move(colors)),
+                        array_of<std::uint32_t>(std::move(first_loop)),
+                        array_of<std::uint32_t>(std::move(first_point)),
+                        array_of<double>(std::move(points)));
+}
+
+/// Writes an object with the attributes of halfspace.Figure.
+void save_figure(const std::string& path, const py::object& object) {
+  Figure figure{object.attr("width_px").cast<std::int32_t>(),
+                object.attr("height_px").cast<std::int32_t>(),
+                {},
+                lines_from(object.attr("lines"))};
+  for (const py::handle region : object) {
+    SeenRegion& seen = figure.regions.emplace_back();
+    seen.polygon = region.attr("polygon").cast<std::int32_t>();
+    seen.color = rgb_of(region.attr("color"));
+    for (const py::handle loop : region.attr("loops"))
+      seen.loops.push_back(
+          rows_of<Point2>(loop.cast<ArrayOf<double>>(), "a loop"));
+  }
+  value_of(without_lock([&] { return figure.save(path); }));
 }
 
 py::tuple hit_tuple(const Hit& hit) {
@@ -120,14 +288,15 @@ struct Order {
   std::vector<Point2> projected;
   std::vector<std::uint32_t> first_span = {0};
   std::vector<PixelSpan> spans;
+  std::vector<Rgb> colors;
 };
 
 py::tuple order(const Shown& shown, const py::object& object,
                 bool front_to_back, bool with_spans) {
-  const View view = view_from(object);
   Order order;
   const auto visit = [&](const SeenPolygon& seen) {
     order.polygons.push_back(seen.polygon);
+    order.colors.push_back(seen.color);
     order.points.insert(order.points.end(), seen.points.begin(),
                         seen.points.end());
     order.first_point.push_back(
@@ -143,12 +312,10 @@ py::tuple order(const Shown& shown, const py::object& object,
     order.first_span.push_back(static_cast<std::uint32_t>(order.spans.size()));
     return true;
   };
-  value_of(without_lock([&] {
-    return shown.asked([&](const Display& display) {
-      return front_to_back ? display.front_to_back(view, visit)
-                           : display.back_to_front(view, visit);
-    });
-  }));
+  asked(shown, object, [&](const Display& display, const View& view) {
+    return front_to_back ? display.front_to_back(view, visit)
+                         : display.back_to_front(view, visit);
+  });
   return py::make_tuple(
       array_of<std::int32_t>(std::move(order.polygons)),
       array_of<std::uint32_t>(std::move(order.first_point)),
@@ -156,21 +323,34 @@ py::tuple order(const Shown& shown, const py::object& object,
       array_of<std::uint32_t>(std::move(order.first_projected)),
       array_of<double>(std::move(order.projected)),
       array_of<std::uint32_t>(std::move(order.first_span)),
-      array_of<std::int32_t>(std::move(order.spans)));
+      array_of<std::int32_t>(std::move(order.spans)),
+      array_of<std::uint8_t>(std::move(order.colors)));
 }
 
-std::unique_ptr<Shown> shown_of(const std::vector<Solid>& solids) {
-  return std::make_unique<Shown>(
+/// What scan() hands out: polygon, line, first and last pixel.
+py::array scan(const Shown& shown, const py::object& object) {
+  std::vector<std::array<std::int32_t, 4>> spans;
+  asked(shown, object, [&](const Display& display, const View& view) {
+    return display.scan(
+        view, [&](const SeenPolygon& seen, const PixelSpan& span) {
+          spans.push_back({seen.polygon, span.line, span.first, span.last});
+        });
+  });
+  return array_of<std::int32_t>(std::move(spans));
+}
+
+std::shared_ptr<Shown> shown_of(const std::vector<Solid>& solids) {
+  return std::make_shared<Shown>(
       value_of(without_lock([&] { return Display::of(solids); })));
 }
 
-std::unique_ptr<Shown> shown_of_mesh(const Mesh& mesh) {
-  return std::make_unique<Shown>(
+std::shared_ptr<Shown> shown_of_mesh(const Mesh& mesh) {
+  return std::make_shared<Shown>(
       value_of(without_lock([&] { return Display::of(mesh); })));
 }
 
-std::unique_ptr<Shown> shown_of_file(const std::string& path) {
-  return std::make_unique<Shown>(
+std::shared_ptr<Shown> shown_of_file(const std::string& path) {
+  return std::make_shared<Shown>(
       value_of(without_lock([&] { return Display::of_file(path); })));
 }
 
@@ -198,12 +378,139 @@ void bind_screen(py::module_& module) {
       .def("is_full", &DynamicScreen::is_full);
 }
 
+/// A cut display, and the display that it is of.
+struct ShownCut {
+  std::shared_ptr<Shown> shown;
+  Shown::Cut cut;
+};
+
+ShownCut cut_of(const std::shared_ptr<Shown>& shown, int threads,
+                const py::object& progress) {
+  Watch watch(progress);
+  auto cut = without_lock([&] {
+    return shown->cut({threads, watch.progress()});
+  });
+  watch.rethrow();
+  return {shown, value_of(std::move(cut))};
+}
+
+py::tuple seen_areas(const ShownCut& cut, const py::object& object) {
+  const auto [areas, owner] = kept(asked_of_view(object, [&](const View& view) {
+    return cut.shown->asked_of(cut.cut, [&](const CutDisplay& display) {
+      return display.seen_areas(view);
+    });
+  }));
+  return py::make_tuple(
+      column_of<std::int32_t>(*areas, &SeenArea::polygon, owner),
+      column_of<double>(*areas, &SeenArea::area_px, owner),
+      column_of<double>(*areas, &SeenArea::solid_angle, owner));
+}
+
+py::tuple vertex_feed(const ShownCut& cut) {
+  VertexFeed feed = without_lock([&] {
+    return cut.shown->asked_of(cut.cut, [](const CutDisplay& display) {
+      return display.vertex_feed();
+    });
+  });
+  return py::make_tuple(array_of<double>(std::move(feed.positions)),
+                        array_of<std::int32_t>(std::move(feed.polygons)));
+}
+
+py::array feed_indices(const ShownCut& cut, const py::object& object,
+                       bool front_to_back) {
+  const FeedOrder order =
+      front_to_back ? FeedOrder::kFrontToBack : FeedOrder::kBackToFront;
+  return array_of<std::uint32_t>(asked_of_view(object, [&](const View& view) {
+    return cut.shown->asked_of(cut.cut, [&](const CutDisplay& display) {
+      return display.feed_indices(view, order);
+    });
+  }));
+}
+
+void bind_cut(py::module_& module) {
+  py::class_<ShownCut>(module, "CutDisplay")
+      .def_static("of", &cut_of)
+      .def("seen_areas", &seen_areas)
+      .def("vertex_feed", &vertex_feed)
+      .def("feed_indices", &feed_indices);
+}
+
+ScalarStyle style_from(const py::object& object) {
+  ScalarStyle style;
+  style.map = object.attr("map").cast<std::string>();
+  style.low = object.attr("low").cast<std::optional<double>>();
+  style.high = object.attr("high").cast<std::optional<double>>();
+  style.logarithmic = object.attr("logarithmic").cast<bool>();
+  style.steps = object.attr("steps").cast<std::int32_t>();
+  style.clamp = object.attr("clamp").cast<bool>();
+  style.no_data = rgb_of(object.attr("no_data"));
+  style.legend = object.attr("legend").cast<bool>();
+  style.title = object.attr("title").cast<std::string>();
+  return style;
+}
+
+void bind_scalars(py::module_& module) {
+  py::class_<ScalarDisplay>(module, "ScalarDisplay")
+      .def_static("of",
+                  [](const Mesh& mesh, std::size_t field) {
+                    return value_of(without_lock(
+                        [&] { return ScalarDisplay::of(mesh, field); }));
+                  })
+      .def("render", [](const ScalarDisplay& display, const py::object& object,
+                        const py::object& style_object) {
+        const ScalarStyle style = style_from(style_object);
+        return picture_of(asked_of_view(object, [&](const View& view) {
+          return display.render(view, style);
+        }));
+      });
+}
+
+/// Binds a function that changes a moving display.
+template <class Answer, class... Arguments>
+void def_change(py::class_<MovingDisplay>& type, const char* name,
+                Result<Answer> (MovingDisplay::*change)(Arguments...)) {
+  type.def(name, [change](MovingDisplay& display,
+                          const std::decay_t<Arguments>&... arguments) {
+    const Answer answer =
+        value_of(without_lock([&] { return (display.*change)(arguments...); }));
+    if constexpr (!std::is_same_v<Answer, Done>) return answer;
+  });
+}
+
+py::tuple render_moving(const MovingDisplay& display,
+                        const py::object& object) {
+  MovingPicture picture = asked_of_view(
+      object, [&](const View& view) { return display.render(view); });
+  return py::make_tuple(image_array<std::int32_t>(std::move(picture.polygons)),
+                        image_array<std::int32_t>(std::move(picture.objects)),
+                        image_array<std::uint8_t>(std::move(picture.colors)));
+}
+
+void bind_moving(py::module_& module) {
+  py::class_<MovingDisplay> type(module, "MovingDisplay");
+  type.def_static("of", [](const Mesh& world) {
+    return value_of(without_lock([&] { return MovingDisplay::of(world); }));
+  });
+  def_change(type, "add_model", &MovingDisplay::add_model);
+  type.def("insert", [](MovingDisplay& display, std::int32_t model,
+                        const ArrayOf<double>& region, std::int32_t owner) {
+    const auto points = rows_of<Point>(region, "a region");
+    return value_of(
+        without_lock([&] { return display.insert(model, points, owner); }));
+  });
+  def_change(type, "remove", &MovingDisplay::remove);
+  def_change(type, "place", &MovingDisplay::place);
+  def_change(type, "hide", &MovingDisplay::hide);
+  type.def("render", &render_moving);
+}
+
 }  // namespace
 
 void bind_display(py::module_& module) {
   static_assert(sizeof(PixelSpan) == 3 * sizeof(std::int32_t));
   static_assert(sizeof(Point2) == 2 * sizeof(double));
-  py::class_<Shown>(module, "Display")
+  static_assert(sizeof(EdgeClass) == 1);
+  py::class_<Shown, std::shared_ptr<Shown>>(module, "Display")
       .def_static("of_solids", &shown_of)
       .def_static("of_mesh", &shown_of_mesh)
       .def_static("of_file", &shown_of_file)
@@ -220,10 +527,27 @@ void bind_display(py::module_& module) {
       .def("hits", &hits)
       .def("see_each_other", &see_each_other)
       .def("order", &order)
-      .def("insert", [](Shown& shown, const Mesh& mesh) {
-        value_of(without_lock([&] { return shown.insert(mesh); }));
+      .def("scan", &scan)
+      .def("draw", &draw)
+      .def("figure", &figure)
+      .def("insert",
+           [](Shown& shown, const Mesh& mesh) {
+             value_of(without_lock([&] {
+               return shown.changed([&](Display& d) { return d.insert(mesh); });
+             }));
+           })
+      .def("remove", [](Shown& shown, const ArrayOf<std::int32_t>& array) {
+        const auto polygons = rows_of<std::int32_t>(array, "polygons");
+        value_of(without_lock([&] {
+          return shown.changed([&](Display& d) { return d.remove(polygons); });
+        }));
       });
   module.def("save_picture", &save_picture);
+  module.def("save_drawing", &save_drawing);
+  module.def("save_figure", &save_figure);
+  bind_cut(module);
+  bind_scalars(module);
+  bind_moving(module);
   bind_screen(module);
 }
 

@@ -1,4 +1,4 @@
-#include <exception>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -7,40 +7,10 @@
 namespace halfspace::python {
 namespace {
 
-/// Progress for Python: calls `callback` if it is one, and stops the work where
-/// that returns False or raises, or where a signal such as Ctrl-C has come.
-class Watch {
- public:
-  explicit Watch(py::object callback) : callback_(std::move(callback)) {}
-
-  /// Called without the interpreter's lock.
-  bool goes_on(double share) {
-    const py::gil_scoped_acquire acquired;
-    if (raised_) return false;
-    try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (callback_.is_none()) return true;
-      const py::object answer = callback_(share);
-      return answer.ptr() != Py_False;
-    } catch (...) {
-      raised_ = std::current_exception();
-      return false;
-    }
-  }
-  void rethrow() const {
-    if (raised_) std::rethrow_exception(raised_);
-  }
-
- private:
-  py::object callback_;
-  std::exception_ptr raised_;
-};
-
 void evaluate(const Solid& solid, int threads, const py::object& progress) {
   Watch watch(progress);
   const Result<Done> done = without_lock([&] {
-    return solid.evaluate(
-        {threads, [&watch](double share) { return watch.goes_on(share); }});
+    return solid.evaluate({threads, watch.progress()});
   });
   watch.rethrow();
   value_of(done);
@@ -49,8 +19,9 @@ void evaluate(const Solid& solid, int threads, const py::object& progress) {
 /// The answer to a question: the solid is worked out first, so that Ctrl-C
 /// stops that.
 template <class Question>
-auto asked(const Solid& solid, const Question& question) {
-  evaluate(solid, 0, py::none());
+auto asked(const Solid& solid, const Question& question, int threads = 0,
+           const py::object& progress = py::none()) {
+  evaluate(solid, threads, progress);
   return value_of(without_lock([&] { return question(solid); }));
 }
 
@@ -59,8 +30,10 @@ OperandOptions operand_options(bool resolve, bool merge_coplanar,
   return {resolve, merge_coplanar, may_round};
 }
 
-MeshOptions mesh_options(const std::string& merge, bool triangles) {
+MeshOptions mesh_options(const std::string& merge, bool triangles,
+                         int threads) {
   MeshOptions options;
+  options.threads = threads;
   options.merge = merge == "plane"  ? MergeFaces::kPlane
                   : merge == "none" ? MergeFaces::kNone
                                     : MergeFaces::kOrigin;
@@ -167,17 +140,26 @@ void bind_algebra(py::class_<Solid>& type) {
 
 void bind_results(py::class_<Solid>& type) {
   type.def("evaluate", &evaluate);
-  type.def("mesh",
-           [](const Solid& solid, const std::string& merge, bool triangles) {
-             return std::make_shared<Mesh>(asked(solid, [&](const Solid& s) {
-               return s.mesh(mesh_options(merge, triangles));
-             }));
-           });
+  type.def("mesh", [](const Solid& solid, const std::string& merge,
+                      bool triangles, int threads, const py::object& progress) {
+    const MeshOptions options = mesh_options(merge, triangles, threads);
+    return std::make_shared<Mesh>(asked(
+        solid, [&](const Solid& s) { return s.mesh(options); }, threads,
+        progress));
+  });
   type.def("save", [](const Solid& solid, const std::string& path,
-                      const std::string& merge, bool triangles) {
-    asked(solid, [&](const Solid& s) {
-      return s.save(path, mesh_options(merge, triangles));
-    });
+                      const std::string& merge, bool triangles, int threads,
+                      const py::object& progress) {
+    const MeshOptions options = mesh_options(merge, triangles, threads);
+    asked(
+        solid, [&](const Solid& s) { return s.save(path, options); }, threads,
+        progress);
+  });
+  type.def("decompose", [](const Solid& solid) {
+    return asked(solid, [](const Solid& s) { return s.decompose(); });
+  });
+  type.def("polygons_by_operand", [](const Solid& solid) {
+    return asked(solid, [](const Solid& s) { return s.polygons_by_operand(); });
   });
   type.def("operands", [](const Solid& solid) {
     return asked(solid, [](const Solid& s) { return s.operands(); });
@@ -253,6 +235,13 @@ void bind_solid(py::module_& module) {
   bind_algebra(type);
   bind_results(type);
   bind_questions(type);
+  module.def("mended", [](const std::string& path, std::optional<double> weld,
+                          bool close_all, std::optional<double> thicken) {
+    Mended result = value_of(without_lock([&] {
+      return mended(path, {weld, close_all, thicken});
+    }));
+    return py::make_tuple(std::move(result.solid), std::move(result.done));
+  });
 }
 
 }  // namespace halfspace::python

@@ -36,7 +36,7 @@ REFERENCE = {"+": ref.Solid.__add__, "-": ref.Solid.__sub__,
              "&": ref.Solid.__and__, "^": ref.Solid.__xor__}
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(SOLIDS, SOLIDS, st.sampled_from(list(OPERATIONS)))
 def test_volumes_are_the_references(a, b, operation):
     ours = OPERATIONS[operation](a, b)
@@ -48,7 +48,7 @@ def test_volumes_are_the_references(a, b, operation):
                            theirs.mesh().vertices.min(0))
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.lists(SOLIDS, min_size=1, max_size=3),
        st.tuples(st.integers(-9, 9), st.integers(-9, 9), st.integers(3, 9)),
        st.booleans())
@@ -59,7 +59,7 @@ def test_pictures_are_the_references(solids, eye, orthographic):
     assert (display.render(view).ids == ref.render(display, view)).all()
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(boxes())
 def test_visible_maps_are_the_references(box):
     display = Display.of(box)
@@ -85,7 +85,7 @@ needs_program = pytest.mark.skipif(
 
 
 @needs_program
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(SOLIDS, SOLIDS, st.sampled_from("+-&^"))
 def test_the_program_writes_the_same_surface(tmp_path_factory, a, b,
                                              operation):
