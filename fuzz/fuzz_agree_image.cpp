@@ -6,6 +6,7 @@
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/ref/depth_sort.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
@@ -14,6 +15,7 @@
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scalars.hpp"
 #include "halfspace/ref/screens.hpp"
+#include "halfspace/ref/shade.hpp"
 #include "views.hpp"
 
 namespace {
@@ -55,6 +57,18 @@ void expect_scalars(const SceneFile& view, const ItemImage& items,
           fast::color_scalars(view.scene, *view.camera, view.options, fine,
                               prepared, how),
       text);
+}
+
+/// What is seen from behind, in a mark's colour.
+void expect_marks(const SceneFile& view, const ItemImage& items,
+                  const ColorImage& colors, std::uint64_t seed,
+                  const std::string& text) {
+  const Rgb mark = {static_cast<std::uint8_t>(seed),
+                    static_cast<std::uint8_t>(seed * 7 + 3), 201};
+  ColorImage marked = colors, fast_marked = colors;
+  ref::mark_back_faces(view.scene, *view.camera, items, mark, marked);
+  fast::mark_back_faces(view.scene, *view.camera, items, mark, 1, fast_marked);
+  HALFSPACE_FUZZ_EXPECT(marked == fast_marked, text);
 }
 
 }  // namespace
@@ -126,6 +140,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   HALFSPACE_FUZZ_EXPECT(means.items == fast_means.items, text);
   HALFSPACE_FUZZ_EXPECT(means.colors == fast_means.colors, text);
   expect_scalars(view, span.items, means.items, samples, options.seed, text);
+  expect_marks(view, span.items, colors, options.seed, text);
   // The same with clip planes, in planes of polygons and through corners.
   SceneFile cut = view;
   for (std::size_t k = 0;

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <type_traits>
 
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
+#include "halfspace/fast/shade/back_faces.hpp"
+#include "halfspace/ref/shade.hpp"
 #include "laws/changed_views.hpp"
 #include "laws/law.hpp"
 
@@ -169,6 +172,63 @@ TYPED_TEST(S5Color, L14TransparentPolygonsAreBlendedFromTheFarthest) {
     }
   });
   EXPECT_GT(deep, 1000u);
+}
+
+template <class Impl>
+void mark_back_faces(const SceneFile& view, const Rgb& mark, Image& image) {
+  if constexpr (std::is_same_v<Impl, Ref>) {
+    ref::mark_back_faces(view.scene, *view.camera, image.items, mark,
+                         image.colors);
+  } else {
+    fast::mark_back_faces(view.scene, *view.camera, image.items, mark, 2,
+                          image.colors);
+  }
+}
+
+/// By polygon: whether there is nothing of it where culling is asked for.
+std::vector<bool> culled(const SceneFile& view) {
+  std::vector<bool> result;
+  ImageOptions options = view.options;
+  options.cull = true;
+  for (const PolygonId id : ids_of(view.scene)) {
+    const ItemImage alone =
+        definition::item_image(chosen(view.scene, {id}), *view.camera, options);
+    result.push_back(
+        std::all_of(alone.pixels.begin(), alone.pixels.end(),
+                    [](PolygonId seen) { return seen == kBackground; }));
+  }
+  return result;
+}
+
+TYPED_TEST(S5Color, L21AMarkColoursWhatCullingWouldLeaveOut) {
+  std::size_t marked = 0, unmarked = 0;
+  law::for_all_views([&](const SceneFile& original) {
+    SceneFile view = gouraud(original);
+    view.options.cull = false;
+    const Image plain = picture<TypeParam>(view);
+    const Rgb mark = {255, 130, 7};
+    Image image = plain;
+    mark_back_faces<TypeParam>(view, mark, image);
+    HALFSPACE_LAW(image.items == plain.items);
+    const std::vector<bool> is_culled = culled(view);
+    for (std::size_t k = 0; k < plain.items.pixels.size(); ++k) {
+      const PolygonId id = plain.items.pixels[k];
+      const Rgb before = plain.colors.pixels[k];
+      if (id == kBackground || !is_culled[static_cast<std::size_t>(id)]) {
+        HALFSPACE_LAW(image.colors.pixels[k] == before);
+        ++unmarked;
+        continue;
+      }
+      const int light = std::max({before.r, before.g, before.b});
+      const Rgb expected = {nearest_255th(mark.r * light),
+                            nearest_255th(mark.g * light),
+                            nearest_255th(mark.b * light)};
+      HALFSPACE_LAW(image.colors.pixels[k] == expected);
+      ++marked;
+    }
+  });
+  EXPECT_GT(marked, 1000u);
+  EXPECT_GT(unmarked, 1000u);
 }
 
 }  // namespace

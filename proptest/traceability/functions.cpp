@@ -26,6 +26,7 @@
 #include "halfspace/fast/scan.hpp"
 #include "halfspace/fast/screen.hpp"
 #include "halfspace/fast/self_intersections.hpp"
+#include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/fast/shade/color_forms.hpp"
 #include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
@@ -255,6 +256,8 @@ void take_all() {
   take(&fast::blend);  // S5.6
   take(&ref::render_samples);  // S5.7
   take(&fast::render_samples);  // S5.7
+  take(&ref::mark_back_faces);  // S5.8
+  take(&fast::mark_back_faces);  // S5.8
   take(&ref::bad_edges);  // S6.1
   take(&fast::bad_edges);  // S6.1
   take(&ref::to_solid);  // S6.2
@@ -389,5 +392,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 187 ? 0 : 1;
+  return halfspace::taken == 189 ? 0 : 1;
 }

@@ -120,4 +120,23 @@ ColorImage colors_of(const Scene& scene, const Camera& camera,
   return colors;
 }
 
+void mark_back_faces(const Scene& scene, const Camera& camera,
+                     const ItemImage& items, const Rgb& mark,
+                     ColorImage& colors) {
+  const std::vector<Plane> planes = planes_of(scene);
+  for (std::size_t k = 0; k < items.pixels.size(); ++k) {
+    const PolygonId seen = items.pixels[k];
+    if (seen == kBackground) continue;
+    const auto p = static_cast<std::size_t>(seen);
+    if (p >= planes.size()) continue;  // a cap
+    if (side_of_eye(planes[p], camera) != Side::kNegative) continue;
+    Rgb& color = colors.pixels[k];
+    const int light = std::max({color.r, color.g, color.b});
+    ExactColor dimmed = exact(mark);
+    for (Rational& channel : dimmed)
+      channel = channel * Rational(light) / Rational(255);
+    color = rounded_color(dimmed);
+  }
+}
+
 }  // namespace halfspace::ref

@@ -39,7 +39,41 @@ expect 0 '6 frames' render cubes.off "${size[@]}" --turntable 6 -o t-%d.png \
 for k in 0 1 2 3 4 5; do [ -s t-$k.png ] || wrong "no frame $k"; done
 cmp -s t-0.npy t-3.npy && wrong "the turntable does not turn"
 expect 2 'needs one %d' render cubes.off --turntable 6 -o t.png
-expect 2 'excludes' render cubes.off --turntable 6 -o t-%d.png --eye 1,2,3
+# It begins at the eye, or at the file's own camera, turns, and keeps the size.
+eye=(--size 40x30 --eye 30,-40,25 --target 1,1,1 --ortho --height 9)
+expect 0 '2 frames' render cubes.off "${eye[@]}" --turntable 2 -o t-%d.png
+expect 0 'span' render cubes.off "${eye[@]}" -o first.png
+expect 0 'span' render cubes.off --size 40x30 --eye=-28,42,25 --target 1,1,1 \
+  --ortho --height 9 -o second.png
+same t-0.png first.png
+same t-1.png second.png
+for camera in "--ortho --height 9" "--fov 30"; do
+  # shellcheck disable=SC2086
+  expect 0 '' scene cubes.off --size 40x30 --eye 30,-40,25 --target 2,2,2 \
+    $camera -o own.scene
+  expect 0 '4 frames' render own.scene --turntable 4 -o t-%d.png
+  expect 0 'span' render own.scene -o first.png
+  same t-0.png first.png
+  cmp -s t-0.png t-1.png && wrong "the turntable of a scene does not turn"
+  cmp -s t-0.png t-2.png && wrong "the turntable of a scene turns too far"
+done
+expect 2 'own camera' render own.scene --turntable 4 -o t-%d.png --size 9x9
+# What is seen from behind is marked: all of a cube from inside, nothing of it
+# from outside, and by both libraries alike.
+inside=(--size 24x18 --eye 0.5,0.5,0.5 --target 1,0.7,0.6)
+"$make_model" cube -o cube.off || exit 1
+for impl in fast ref; do
+  expect 0 'span' render cube.off "${inside[@]}" --back-color 255,0,0 \
+    --impl $impl -o mark-$impl.png
+done
+same mark-fast.png mark-ref.png
+expect 0 'span' render cube.off "${inside[@]}" -o inside.png
+cmp -s inside.png mark-ref.png && wrong "--back-color marks nothing"
+expect 0 'span' render cube.off --size 24x18 --back-color 255,0,0 -o mark.png
+expect 0 'span' render cube.off --size 24x18 -o outside.png
+same mark.png outside.png
+expect 2 'not blended' render cube.off --back-color 255,0,0 --alpha 9 -o no.png
+expect 2 'one sample' render cube.off --back-color 255,0,0 --aa 2 -o no.png
 expect 2 'AZIMUTH,ELEVATION' render cubes.off --orbit 1 -o no.png
 expect 2 'AZIMUTH,ELEVATION' render cubes.off --orbit 1,91 -o no.png
 expect 2 'gradient or none' render cubes.off --background sky -o no.png

@@ -14,6 +14,7 @@
 #include "core/saving.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/solid.hpp"
 
@@ -62,6 +63,18 @@ class ViewerSession : public ::testing::Test {
       session.update();
     }
     ASSERT_TRUE(session.is_settled());
+  }
+
+  static std::optional<ColorImage> finished(const Session& session) {
+    const auto shown = session.shown();
+    return shown ? shown->finished : std::nullopt;
+  }
+
+  static ItemImage items_of(const Session& session) {
+    const PictureRequest picture = session.shown()->picture;
+    return fast::render(picture.model->loaded.file.scene, *picture.model->tree,
+                        picture.camera, picture.options)
+        .items;
   }
 
   /// What `halfspace render` makes of the `.view` file of the state.
@@ -142,7 +155,7 @@ TEST_F(ViewerSession, EveryPictureIsThatOfItsViewFile) {
   for (std::size_t i = 0; i < moves.size(); ++i) {
     moves[i]();
     settle(session);
-    const auto picture = session.finished_picture();
+    const auto picture = finished(session);
     ASSERT_TRUE(picture);
     EXPECT_EQ(*picture, rendered(session.state())) << "after move " << i;
   }
@@ -152,7 +165,7 @@ TEST_F(ViewerSession, ThePolygonUnderTheCursorIsThatOfTheItemImage) {
   Session session(state_of({ball_, box_}), nullptr, ignore);
   session.set_size(97, 71);
   settle(session);
-  const ItemImage items = session.items();
+  const ItemImage items = items_of(session);
   for (std::int32_t y = 0; y < 71; y += 2) {
     for (std::int32_t x = 0; x < 97; x += 3) {
       const auto picked = session.pick(x, y);
@@ -278,7 +291,7 @@ TEST_F(ViewerSession, ASectionMovesWithoutAnotherModel) {
   Session session(state_of({ball_, box_}), nullptr, ignore);
   settle(session);
   const auto model = session.model();
-  const auto whole = session.finished_picture();
+  const auto whole = finished(session);
   for (int i = 0; i < 10; ++i) {
     session.change([i](State& s) {
       s.sections = {{{1, 0.25, 0}, 0.1 * i, true}};
@@ -286,11 +299,11 @@ TEST_F(ViewerSession, ASectionMovesWithoutAnotherModel) {
     EXPECT_FALSE(session.is_loading());
     settle(session);
     EXPECT_EQ(session.model(), model);
-    EXPECT_EQ(*session.finished_picture(), rendered(session.state()));
+    EXPECT_EQ(*finished(session), rendered(session.state()));
   }
   session.change([](State& s) { s.sections[0].is_on = false; });
   settle(session);
-  EXPECT_EQ(session.finished_picture(), whole);
+  EXPECT_EQ(finished(session), whole);
 }
 
 TEST_F(ViewerSession, AnOpenSurfaceIsCutWithoutCaps) {
@@ -301,7 +314,7 @@ TEST_F(ViewerSession, AnOpenSurfaceIsCutWithoutCaps) {
   Session session(state, nullptr, ignore);
   settle(session);
   EXPECT_EQ(session.message(), "");
-  const ItemImage items = session.items();
+  const ItemImage items = items_of(session);
   EXPECT_EQ(*std::max_element(items.pixels.begin(), items.pixels.end()), 0);
 }
 
@@ -313,7 +326,7 @@ TEST_F(ViewerSession, NumbersColourAFile) {
          "end_header\n0 0 0 1\n1 0 0 2\n0 1 0 nan\n3 0 1 2\n";
   Session session(state_of({path("heat.ply")}), nullptr, ignore);
   settle(session);
-  const auto plain = session.finished_picture();
+  const auto plain = finished(session);
   ScalarLook look;
   look.source = "heat";
   look.has_legend = false;
@@ -323,7 +336,7 @@ TEST_F(ViewerSession, NumbersColourAFile) {
   ASSERT_TRUE(session.model()->numbers);
   EXPECT_EQ(session.model()->numbers->extent, (std::array<double, 2>{1, 2}));
   EXPECT_TRUE(session.model()->numbers->has_gaps);
-  const auto colored = session.finished_picture();
+  const auto colored = finished(session);
   EXPECT_NE(colored, plain);
   // The range needs no other model.
   const auto model = session.model();
@@ -331,7 +344,7 @@ TEST_F(ViewerSession, NumbersColourAFile) {
   EXPECT_FALSE(session.is_loading());
   settle(session);
   EXPECT_EQ(session.model(), model);
-  EXPECT_NE(session.finished_picture(), colored);
+  EXPECT_NE(finished(session), colored);
   // What is not there is a message, and the numbers stay.
   session.change([](State& s) { s.looks.scalar->source = "cold"; });
   settle(session);
@@ -339,7 +352,7 @@ TEST_F(ViewerSession, NumbersColourAFile) {
       << session.message();
   session.change([](State& s) { s.looks.scalar.reset(); });
   settle(session);
-  EXPECT_EQ(session.finished_picture(), plain);
+  EXPECT_EQ(finished(session), plain);
 }
 
 TEST_F(ViewerSession, OneDragOfAWidgetIsUndoneAsOne) {
@@ -358,28 +371,96 @@ TEST_F(ViewerSession, OneDragOfAWidgetIsUndoneAsOne) {
   EXPECT_FALSE(session.can_undo());
 }
 
-TEST_F(ViewerSession, EdgeLinesAreThoseOfThePicture) {
+TEST_F(ViewerSession, LinesAreDrawnOverThePicture) {
   Session session(state_of({box_}), nullptr, ignore);
+  session.set_size(160, 120);
   settle(session);
-  const std::vector<fast::Stroke>* lines = nullptr;
-  for (int i = 0; i < 6000 && lines == nullptr; ++i) {
-    lines = session.edge_lines();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const auto plain = finished(session);
+  session.change([](State& s) { s.looks.lines = Lines::kFeatures; });
+  EXPECT_FALSE(session.is_settled());
+  settle(session);
+  const auto shown = session.shown();
+  ASSERT_TRUE(shown && shown->finished);
+  EXPECT_NE(shown->finished, plain);
+  const auto drawing =
+      lines_for(session.model()->loaded.file.scene, shown->picture.camera,
+                Lines::kFeatures, false);
+  ASSERT_TRUE(drawing);
+  ColorImage expected = *plain;
+  fast::add_lines(**drawing, shown->picture.line_style, {}, expected);
+  EXPECT_EQ(*shown->finished, expected);
+  // A cut has none, and lines come back without it.
+  session.change([](State& s) { s.sections = {{{1, 0, 0}, 9, true}}; });
+  settle(session);
+  EXPECT_EQ(finished(session), plain);
+  session.undo();
+  settle(session);
+  EXPECT_EQ(*finished(session), expected);
+}
+
+TEST_F(ViewerSession, ColoursArePartsAndFacesAndBackSides) {
+  Session session(state_of({box_, ball_}), nullptr, ignore);
+  session.set_size(160, 120);
+  settle(session);
+  const auto own = finished(session);
+  const auto tree = session.model()->tree;
+  session.change([](State& s) { s.looks.coloring = Coloring::kParts; });
+  settle(session);
+  const auto parts = finished(session);
+  EXPECT_EQ(*parts, rendered(session.state()));
+  session.change([](State& s) { s.looks.coloring = Coloring::kFaces; });
+  settle(session);
+  const auto faces = finished(session);
+  EXPECT_EQ(*faces, rendered(session.state()));
+  session.change([](State& s) {
+    s.looks.coloring = Coloring::kFile;
+    s.looks.ambient = 0.7;
+  });
+  settle(session);
+  EXPECT_EQ(*finished(session), rendered(session.state()));
+  EXPECT_NE(parts, own);
+  EXPECT_NE(faces, own);
+  EXPECT_NE(faces, parts);
+  EXPECT_NE(finished(session), own);
+  EXPECT_EQ(session.model()->tree, tree);
+  // From inside, all is seen from behind.
+  io::ViewOptions camera = *session.camera();
+  camera.eye = {0.5, 0.25, 0.1};
+  camera.target = {1.5, 1, 0.4};
+  ASSERT_TRUE(session.set_camera(camera));
+  settle(session);
+  const auto inside = finished(session);
+  session.change([](State& s) { s.looks.back_color = Rgb{255, 0, 0}; });
+  settle(session);
+  const auto marked = finished(session);
+  for (std::size_t k = 0; k < marked->pixels.size(); ++k) {
+    const Rgb before = inside->pixels[k];
+    ASSERT_EQ(marked->pixels[k],
+              (Rgb{std::max({before.r, before.g, before.b}), 0, 0}));
   }
-  ASSERT_NE(lines, nullptr);
-  EXPECT_EQ(lines->size(), 9u);  // of twelve edges three are behind
 }
 
 TEST_F(ViewerSession, WhatIsSavedIsWhatItsNameSays) {
   Session session(state_of({box_}), nullptr, ignore);
+  EXPECT_FALSE(session.shown());
   settle(session);
-  for (const char* name : {"a.png", "a.npy", "a.view", "a.scene"}) {
-    const auto saved = save_shown(session, path(name));
+  for (const char* name : {"a.png", "a.npy", "a.scene"}) {
+    EXPECT_TRUE(is_shown_name(name));
+    const auto saved = save_shown(*session.shown(), path(name));
     EXPECT_TRUE(saved) << name;
     EXPECT_GT(fs::file_size(path(name)), 100u);
   }
-  EXPECT_FALSE(save_shown(session, path("a.gif")));
-  EXPECT_FALSE(save_shown(session, path("no/folder.png")));
+  EXPECT_FALSE(is_shown_name("a.gif"));
+  EXPECT_FALSE(save_shown(*session.shown(), path("a.gif")));
+  EXPECT_FALSE(save_shown(*session.shown(), path("no/folder.png")));
+}
+
+TEST(Saving, NumbersStandWhereNamesSay) {
+  EXPECT_EQ(numbered_name("a-%d.png", 7), "a-7.png");
+  EXPECT_EQ(numbered_name("%03d", 7), "007");
+  EXPECT_EQ(numbered_name("a%02db", 123), "a123b");
+  for (const char* name : {"a.png", "%d%d", "%3d", "%s", "a%", "%", "%0"})
+    EXPECT_FALSE(numbered_name(name, 1)) << name;
 }
 
 }  // namespace

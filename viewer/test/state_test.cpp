@@ -14,6 +14,10 @@ State some_state() {
   state.looks = {true, true, {3, 4, 5}, {{1, 2, 3.5}}};
   state.looks.scalar = ScalarLook{"heat", "turbo", {{0.1, 3}}, true, 8, false};
   state.looks.alpha = 90;
+  state.looks.ambient = 0.125;
+  state.looks.coloring = Coloring::kFaces;
+  state.looks.lines = Lines::kWire;
+  state.looks.back_color = Rgb{7, 0, 255};
   io::ViewOptions camera;
   camera.eye = {1.0 / 3, -2e-300, 5e300};
   camera.near = 0.25;
@@ -58,6 +62,10 @@ TEST(State, FaultsNameTheEntry) {
       {R"({"parts": [], "light": [0, 0, 0]})", "light"},
       {R"({"parts": [], "alpha": 256})", "alpha must be a whole number"},
       {R"({"parts": [], "alpha": 0.5})", "alpha must be a whole number"},
+      {R"({"parts": [], "ambient": 2})", "ambient must be from 0 to 1"},
+      {R"({"parts": [], "lines": "all"})", "lines must be one of none"},
+      {R"({"parts": [], "coloring": 3})", "coloring must be a text"},
+      {R"({"parts": [], "back_color": "red"})", "back_color must be a colour"},
       {R"({"parts": [], "combination": "sum"})", "one of none, union"},
       {R"({"parts": [], "sections": [{"normal": [0, 0, 0]}]})",
        "sections[0].normal"},

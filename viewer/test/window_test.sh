@@ -44,7 +44,7 @@ cmp -s out-0.png usual.png && wrong "--alpha changes nothing"
 played 2 box.off --size 200x150 --alpha 120 <<'END'
 key V
 dump
-key M
+key .
 dump
 END
 
@@ -90,12 +90,59 @@ END
 same out-0.png out-3.png
 cmp -s out-1.png out-2.png && wrong 'both files look the same'
 
+# Looks: lines, marks of back sides, colours of parts and faces, and by Alt a
+# file that is moved, which is taken back as one.
+played 8 box.off other.off --size 200x150 --back-color 255,0,0 <<'END'
+key E
+dump
+key W
+dump
+key C
+dump
+key C
+dump
+key Shift+K
+dump
+drag left 100 75 130 60 alt
+dump
+key Ctrl+Z
+dump
+key Shift+7
+dump
+END
+for ((i = 1; i < 8; ++i)); do
+  cmp -s "out-$i.png" "out-$((i - 1)).png" && [ $i != 1 ] && [ $i != 4 ] &&
+    wrong "look $i changes nothing"
+done
+same out-4.png out-6.png
+# From inside, the marks are seen.
+echo dump | played 1 box.off --size 99x70 --eye 1,1,1 --target 2,1.5,1.2
+cp out-0.png plain.png
+echo dump | played 1 box.off --size 99x70 --eye 1,1,1 --target 2,1.5,1.2 \
+  --back-color 255,0,0
+cmp -s out-0.png plain.png && wrong '--back-color marks nothing'
+
+# The film of a turn is that of render.
+played 1 box.off --size 99x70 --view front <<'END'
+key E
+key Ctrl+T
+wait
+key Return
+wait
+dump
+END
+"$program" render out-0.view --turntable 36 --frames 0:36 -o film-%d.png -q ||
+  wrong 'the view makes no film'
+for k in 0 1 17 35; do same "box-$(printf %03d $k).png" "film-$k.png"; done
+same box-000.png out-0.png
+cmp -s box-000.png box-001.png && wrong 'the film does not turn'
+
 # A section is one more clip plane, which other keys move; numbers colour.
 played 4 box.off --size 200x150 <<'END'
 dump
 key V
 dump
-key M
+key .
 dump
 key V
 dump

@@ -147,7 +147,7 @@ Status run_film(Engine& engine, const Subject& subject,
   const io::LoadedScene& loaded = subject.loaded;
   const Result<CameraPath> path =
       arguments.turntable
-          ? turntable(loaded.file.scene, *arguments.turntable,
+          ? turntable(loaded.file, arguments.own_view, *arguments.turntable,
                       beside_legend(subject, arguments))
           : read_camera_path(*arguments.camera_path_file, arguments.view);
   if (!path) {
@@ -180,8 +180,10 @@ Status run_film(Engine& engine, const Subject& subject,
     const std::string name = "frame " + std::to_string(first + k);
     const double done = static_cast<double>(k) / static_cast<double>(count);
     if (!work.report(done)) return stop("interrupted before " + name);
+    const std::optional<ChosenCamera> own = path->camera_at(first + k);
     const Result<ChosenCamera> chosen =
-        choose_wide_camera(subject, path->at(first + k), arguments);
+        own ? Result<ChosenCamera>(*own)
+            : choose_wide_camera(subject, path->at(first + k), arguments);
     if (!chosen)
       return fail(name + ": " + camera_error(arguments.path, chosen.error()));
     Result<Frame> frame =
@@ -200,15 +202,38 @@ Status run_film(Engine& engine, const Subject& subject,
   return conclude(loaded, tree, last, count, max_move, shadow, arguments);
 }
 
-/// The arguments with what a `.view` file says about numbers and alpha.
+/// The lines that a state asks for, in its colour.
+void add_lines_of(const viewer::State& state, LineArguments& lines) {
+  switch (viewer::lines_of(state)) {
+    case viewer::Lines::kNone:
+      return;
+    case viewer::Lines::kOutline:
+      lines.edges = ShownEdges::kOutline;
+      break;
+    case viewer::Lines::kFeatures:
+      lines.edges = ShownEdges::kFeatures;
+      break;
+    case viewer::Lines::kWire:
+      lines.edges = ShownEdges::kWire;
+      break;
+  }
+  if (!lines.color) lines.color = viewer::line_color_of(state);
+}
+
+/// The arguments with what a `.view` file says that a scene does not hold.
 Result<RenderArguments> with_view_file(const RenderArguments& arguments) {
   RenderArguments all = arguments;
-  if (!viewer::is_view_name(arguments.path) || arguments.scalars.source)
-    return all;
+  if (!viewer::is_view_name(arguments.path)) return all;
   const auto state = viewer::read_state(arguments.path);
   if (!state) return state.error();
+  all.own_view = state->camera;
+  if (!all.lines.edges && all.clip.planes.empty() && !all.clip.yon)
+    add_lines_of(*state, all.lines);
+  if (arguments.scalars.source) return all;
   if (!all.alpha && viewer::alpha_of(*state) != kOpaque)
     all.alpha = viewer::alpha_of(*state);
+  if (!all.back_color && !all.alpha)
+    all.back_color = viewer::back_color_of(*state);
   if (!state->looks.scalar || state->parts.empty()) return all;
   const viewer::ScalarLook& look = *state->looks.scalar;
   all.scalars.source = look.source;
@@ -274,9 +299,9 @@ void add_film_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("FILE")
       ->group(group);
   add_number(app, "--turntable", "N", arguments.turntable, 2u, 1'000'000u,
-             "A film of N frames once round the model, about the vertical, "
-             "beginning at --orbit or --view")
-      ->excludes("--eye")
+             "A film of N frames once round the model, about the vertical or "
+             "--up, beginning at --eye, --orbit or --view, or at the file's "
+             "own camera")
       ->excludes("--path")
       ->group(group);
   add_parsed(app, "--frames", "A:B", kRangeForm, arguments.frames, parse_range,
@@ -348,6 +373,7 @@ void add_render(CLI::App& program, Status& status) {
              "Blend the polygons, from the farthest to the nearest: 0 is not "
              "seen, 255 hides what is behind. By the painter's algorithm")
       ->group("Picture");
+  add_back_color_option(*app, arguments->back_color)->group("Picture");
   add_choice(*app, "--aa", kAntiAliasingWords, arguments->anti_aliasing,
              "Anti-aliasing: a pixel's colour is the exact mean of so many "
              "samples each way, or of all that is seen in it; --ids then has "

@@ -25,6 +25,7 @@ struct ViewCommandArguments {
   ViewArguments view;
   ScalarArguments scalars;
   std::optional<std::uint8_t> alpha;
+  std::optional<Rgb> back_color;
   std::optional<double> scale;
   bool watch = false;
   std::optional<std::string> play_file;
@@ -59,6 +60,8 @@ Result<viewer::State> state_of(const ViewCommandArguments& arguments) {
   looks.cull = view.cull.value_or(looks.cull);
   if (view.background) looks.background = view.background->color;
   if (!view.lights.empty()) looks.light = view.lights.front().to_light;
+  if (view.ambient) looks.ambient = view.ambient;
+  if (arguments.back_color) looks.back_color = arguments.back_color;
   looks.alpha = arguments.alpha.value_or(looks.alpha);
   const ScalarArguments& scalars = arguments.scalars;
   if (scalars.source) {
@@ -109,6 +112,7 @@ Status run_view(const ViewCommandArguments& arguments) {
   options.draw_figure = draw_figure;
   options.scale = arguments.scale.value_or(0);
   options.watch = arguments.watch;
+  options.headlight = arguments.view.headlight;
   options.play_file = arguments.play_file;
   options.dump_name = arguments.dump_name;
   options.record_file = arguments.record_file;
@@ -176,6 +180,7 @@ void add_view(CLI::App& program, Status& status) {
   add_number(*app, "--alpha", "A", arguments->alpha, std::uint8_t{0}, kOpaque,
              "Polygons that let what is behind them through: 0 is not seen, "
              "255 hides it");
+  add_back_color_option(*app, arguments->back_color)->group("Picture");
   add_scalar_options(*app, arguments->scalars);
   add_window_options(*app, *arguments);
   add_quiet_option(*app);

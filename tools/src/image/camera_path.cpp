@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numbers>
@@ -190,22 +191,80 @@ std::set<std::string> CameraPath::objects() const {
   return names;
 }
 
-Result<CameraPath> turntable(const Scene& scene, std::uint32_t frames,
-                             const ViewArguments& start) {
+std::optional<ChosenCamera> CameraPath::camera_at(std::int64_t frame) const {
+  const auto found =
+      std::lower_bound(keys_.begin(), keys_.end(), frame,
+                       [](const KeyFrame& key, std::int64_t wanted) {
+                         return key.frame < wanted;
+                       });
+  return found->frame == frame ? found->camera : std::nullopt;
+}
+
+namespace {
+
+/// The angle of a frame of a turn.
+double turntable_angle(std::uint32_t frame, std::uint32_t frames) {
+  return 2 * std::numbers::pi * frame / frames;
+}
+
+/// The turn of a camera, which `camera_of` gives for each angle.
+Result<CameraPath> turntable_of(
+    std::uint32_t frames, const ViewArguments& start,
+    const std::function<Result<ChosenCamera>(double angle)>& camera_of) {
+  std::vector<KeyFrame> keys;
+  for (std::uint32_t k = 0; k < frames; ++k) {
+    const auto camera = camera_of(turntable_angle(k, frames));
+    if (!camera) return camera.error();
+    keys.push_back({std::int64_t{k}, start, {}, *camera});
+  }
+  return CameraPath(std::move(keys));
+}
+
+/// The turn that begins at a view.
+Result<CameraPath> turntable_from(const Scene& scene,
+                                  const io::ViewOptions& first,
+                                  std::uint32_t frames,
+                                  const ViewArguments& start,
+                                  const glm::dvec3& axis) {
+  return turntable_of(frames, start, [&](double angle) -> Result<ChosenCamera> {
+    const auto viewed =
+        io::look_at(scene, io::turned_about(first, axis, angle));
+    if (!viewed) return viewed.error();
+    return ChosenCamera{viewed->camera, viewed->max_move, false};
+  });
+}
+
+/// The turn that begins at the file's own camera.
+Result<CameraPath> turntable_from_own(
+    const SceneFile& file, const std::optional<io::ViewOptions>& own_view,
+    std::uint32_t frames, const ViewArguments& start) {
+  // A part of another camera, or another size, is refused as for a still.
+  const Result<ChosenCamera> first = choose_camera(file, start);
+  if (!first) return first.error();
+  const glm::dvec3 axis(0, 0, 1);
+  if (own_view)
+    return turntable_from(file.scene, *own_view, frames, start, axis);
+  return turntable_of(frames, start, [&](double angle) -> Result<ChosenCamera> {
+    const auto camera =
+        io::turned_about(file.scene, first->camera, axis, angle);
+    if (!camera) return camera.error();
+    return ChosenCamera{*camera, 0, true};
+  });
+}
+
+/// The turn that has all of the scene in every picture.
+Result<CameraPath> turntable_of_all(const Scene& scene, std::uint32_t frames,
+                                    const ViewArguments& start,
+                                    const glm::dvec3& up) {
   const io::ViewDirection first = start.view.value_or(io::ViewDirection());
-  const Size size = start.size.value_or(Size{640, 480});
+  const Size size = start.size.value_or(kUsualSize);
   const bool is_parallel = start.orthographic || start.ortho_height;
   std::vector<glm::dvec3> directions;
   double distance = 0;
   double height = 0;
   double fov_deg = 0;
-  const glm::dvec3 up = start.up.value_or(glm::dvec3(0, 0, 1));
-  if (up == glm::dvec3(0)) {
-    return Error{ErrorCode::kBadCamera,
-                 "the camera's up is zero, which points nowhere"};
-  }
   for (std::uint32_t k = 0; k < frames; ++k) {
-    const double angle = 2 * std::numbers::pi * k / frames;
+    const double angle = turntable_angle(k, frames);
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     const auto turn = [&](const glm::dvec3& v) {
@@ -236,6 +295,29 @@ Result<CameraPath> turntable(const Scene& scene, std::uint32_t frames,
     keys.push_back(std::move(key));
   }
   return CameraPath(std::move(keys));
+}
+
+}  // namespace
+
+Result<CameraPath> turntable(const SceneFile& file,
+                             const std::optional<io::ViewOptions>& own_view,
+                             std::uint32_t frames, const ViewArguments& start) {
+  const glm::dvec3 up = start.up.value_or(glm::dvec3(0, 0, 1));
+  if (up == glm::dvec3(0)) {
+    return Error{ErrorCode::kBadCamera,
+                 "the camera's up is zero, which points nowhere"};
+  }
+  if (start.eye) {
+    ViewArguments sized = start;
+    sized.size = start.size.value_or(kUsualSize);
+    const Result<io::ViewOptions> first = complete_view(file.scene, sized);
+    if (!first) return first.error();
+    return turntable_from(file.scene, *first, frames, start,
+                          glm::normalize(up));
+  }
+  if (file.camera && !start.view)
+    return turntable_from_own(file, own_view, frames, start);
+  return turntable_of_all(file.scene, frames, start, up);
 }
 
 Result<CameraPath> parse_camera_path(const std::string& text,

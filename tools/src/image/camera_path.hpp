@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct KeyFrame {
   std::int64_t frame = 0;
   ViewArguments view;
   std::map<std::string, StandWords> objects = {};
+  /// Instead of what `view` describes.
+  std::optional<ChosenCamera> camera = std::nullopt;
 };
 
 /// The way of a camera: its frames are those from the first key frame to the
@@ -37,6 +40,9 @@ class CameraPath {
   /// to the frames; what a key frame says, exactly.
   /// Requires: first_frame() <= frame <= last_frame().
   ViewArguments at(std::int64_t frame) const;
+  /// The camera of a frame that has one beside what is described.
+  /// Requires: first_frame() <= frame <= last_frame().
+  std::optional<ChosenCamera> camera_at(std::int64_t frame) const;
 
   /// Where an object that stands so at first stands in a frame, likewise.
   Stand stand_at(const std::string& object, std::int64_t frame,
@@ -48,12 +54,17 @@ class CameraPath {
   std::vector<KeyFrame> keys_;
 };
 
-/// The way once round the scene in so many frames, about the z axis or --up,
-/// with all of it in every picture.
+/// The way once round the scene in so many frames, about the z axis or --up.
 ///
-/// Errors: those of io::automatic_options().
-Result<CameraPath> turntable(const Scene& scene, std::uint32_t frames,
-                             const ViewArguments& start);
+/// It begins where the eye is, if that is said; else, unless a direction is
+/// said, at the file's own camera, which is that of `own_view` if there is one.
+/// The first frame is then the still picture of the same arguments. Else all of
+/// the scene is in every picture.
+/// Errors: those of io::automatic_options(), choose_camera() and
+///         io::turned_about().
+Result<CameraPath> turntable(const SceneFile& file,
+                             const std::optional<io::ViewOptions>& own_view,
+                             std::uint32_t frames, const ViewArguments& start);
 
 /// The path that the text describes (docs/guide.md). What its lines do not say
 /// is as the line before says, at first as `start` does.

@@ -188,6 +188,10 @@ class Engine {
   virtual Result<Picture> render_area(const Scene& scene, const Camera& camera,
                                       const Shot& shot) const = 0;
 
+  /// Marks what is seen from behind in a picture of one sample a pixel (S5.8).
+  virtual void mark_back_faces(const Scene& scene, const Camera& camera,
+                               const Rgb& mark, Picture& picture) const = 0;
+
   /// Draws lines over the picture of a scene, or over the rows of it that the
   /// shot asks for (S14).
   /// Errors: those of fast::draw().

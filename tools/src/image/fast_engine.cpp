@@ -12,6 +12,7 @@
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/tree_file.hpp"
@@ -123,6 +124,12 @@ class FastEngine : public Engine {
           fast::render(scene, tree_, camera, shot.options, how).items;
     }
     return picture;
+  }
+
+  void mark_back_faces(const Scene& scene, const Camera& camera,
+                       const Rgb& mark, Picture& picture) const override {
+    fast::mark_back_faces(scene, camera, picture.items, mark, 1,
+                          picture.colors);
   }
 
   Result<Done> add_lines(const Scene& scene, const Camera& camera,

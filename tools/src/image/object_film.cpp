@@ -32,6 +32,7 @@ std::string object_complaint(const RenderArguments& arguments) {
   if (arguments.scalars.source) return not_for("--scalar");
   if (arguments.lines.edges) return not_for("--lines");
   if (arguments.alpha) return not_for("--alpha");
+  if (arguments.back_color) return not_for("--back-color");
   if (arguments.shadow) return not_for("--shadow");
   if (arguments.rows) return not_for("--rows");
   if (arguments.tree_file) return not_for("--tree");

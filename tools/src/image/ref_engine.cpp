@@ -13,6 +13,7 @@
 #include "halfspace/ref/render.hpp"
 #include "halfspace/ref/scalars.hpp"
 #include "halfspace/ref/screens.hpp"
+#include "halfspace/ref/shade.hpp"
 #include "image/engine.hpp"
 
 namespace halfspace::tools {
@@ -95,6 +96,11 @@ class RefEngine : public Engine {
     if (shot.items)
       picture.items = ref::render(scene, tree_, camera, shot.options).items;
     return picture;
+  }
+
+  void mark_back_faces(const Scene& scene, const Camera& camera,
+                       const Rgb& mark, Picture& picture) const override {
+    ref::mark_back_faces(scene, camera, picture.items, mark, picture.colors);
   }
 
   Result<Done> add_lines(const Scene& scene, const Camera& camera,

@@ -97,6 +97,20 @@ std::string scalars_complaint(const RenderArguments& arguments) {
   return {};
 }
 
+/// What is wrong with a colour of back faces among the other options.
+std::string back_color_complaint(const RenderArguments& arguments) {
+  if (!arguments.back_color) return {};
+  if (arguments.alpha) return "--back-color: is not blended; leave out --alpha";
+  if (arguments.anti_aliasing)
+    return "--back-color: marks pixels of one sample; leave out --aa";
+  if (arguments.scalars.source)
+    return "--back-color: not where numbers are the colours; leave out "
+           "--scalar";
+  if (arguments.shadow)
+    return "--shadow: checks a scene's own colours, none by --back-color";
+  return {};
+}
+
 /// What is wrong with lines among the other options.
 std::string lines_complaint(const RenderArguments& arguments) {
   const std::string alone = line_complaint(arguments.lines);
@@ -196,7 +210,7 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   }
   for (const std::string& wrong :
        {priority_complaint(arguments), scalars_complaint(arguments),
-        lines_complaint(arguments)}) {
+        lines_complaint(arguments), back_color_complaint(arguments)}) {
     if (!wrong.empty()) return wrong;
   }
   const std::string simd = simd_complaint(arguments);
@@ -315,6 +329,10 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
     const auto count = engine.count_behind(loaded.file.scene, camera);
     frame.picture.subtrees_behind = count.subtrees;
     frame.picture.fragments_behind = count.fragments;
+  }
+  if (arguments.back_color) {
+    engine.mark_back_faces(loaded.file.scene, camera, *arguments.back_color,
+                           frame.picture);
   }
   add_background(arguments, camera->height_px, frame);
   if (arguments.lines.edges) {

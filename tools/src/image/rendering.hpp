@@ -29,6 +29,7 @@ struct RenderArguments {
   std::optional<Range> frames;
   std::optional<Range> rows;
   std::optional<std::uint8_t> alpha;
+  std::optional<Rgb> back_color;  ///< of what is seen from behind (S5.8)
   std::optional<AntiAliasing> anti_aliasing;
   std::optional<Method> method;
   std::optional<ScreenKind> screen;
@@ -39,6 +40,7 @@ struct RenderArguments {
   std::optional<double> shadow;  ///< the share of the pixels to be checked
   std::string shadow_file = "halfspace-shadow.scene";
   ViewArguments view;
+  std::optional<io::ViewOptions> own_view;  ///< of a .view file
   ClipArguments clip;
   ScalarArguments scalars;
   LineArguments lines;

@@ -332,6 +332,11 @@ void add_view_options(CLI::App& app, ViewArguments& arguments) {
   add_picture_options(app, arguments);
 }
 
+CLI::Option* add_back_color_option(CLI::App& app, std::optional<Rgb>& color) {
+  return add_color(app, "--back-color", color,
+                   "Colour of polygons seen from behind, in their own light");
+}
+
 Result<io::ViewOptions> complete_view(const Scene& scene,
                                       const ViewArguments& arguments) {
   io::ViewOptions view;

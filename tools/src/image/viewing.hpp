@@ -16,7 +16,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace halfspace::tools {
 
@@ -63,6 +64,10 @@ std::optional<Rgb> parse_color(std::string_view text);
 /// Adds the options, each of which fills its member.
 /// Requires: `arguments` outlives the parsing.
 void add_view_options(CLI::App& app, ViewArguments& arguments);
+
+/// Adds --back-color, the mark of what is seen from behind (S5.8).
+/// Requires: `color` outlives the parsing.
+CLI::Option* add_back_color_option(CLI::App& app, std::optional<Rgb>& color);
 
 /// The view that the arguments describe, completed from the automatic view.
 ///

@@ -126,6 +126,39 @@ CombinedMesh joined(const std::vector<ReadPart>& parts) {
 
 namespace {
 
+/// Colours that neighbours are told apart by.
+constexpr Rgb kFaceColors[] = {
+    {0xa6, 0xce, 0xe3}, {0xf7, 0xa8, 0x72}, {0xb2, 0xdf, 0x8a},
+    {0xe7, 0x9c, 0xb7}, {0xf6, 0xd5, 0x7d}, {0xb9, 0xac, 0xdb},
+    {0x8f, 0xd1, 0xc4}, {0xd7, 0xb4, 0x98}, {0x9b, 0xb0, 0xe0},
+    {0xd5, 0xd8, 0x86}, {0xe0, 0x8f, 0x86}};
+
+}  // namespace
+
+void color_faces(const std::vector<ReadPart>& parts, Coloring coloring,
+                 CombinedMesh& mesh) {
+  if (coloring == Coloring::kFile) return;
+  io::Mesh& to = mesh.mesh;
+  to.vertex_colors.clear();
+  to.face_colors.resize(to.face_count());
+  for (std::size_t f = 0; f < to.face_count(); ++f) {
+    const std::uint32_t part = mesh.parts[f];
+    if (part == kCapPart) continue;
+    if (coloring == Coloring::kFaces) {
+      const auto number = static_cast<std::size_t>(mesh.faces[f]) + part;
+      to.face_colors[f] = kFaceColors[number % std::size(kFaceColors)];
+      continue;
+    }
+    const auto from =
+        std::find_if(parts.begin(), parts.end(),
+                     [part](const ReadPart& p) { return p.index == part; });
+    to.face_colors[f] =
+        from->part->color.value_or(kPartColors[part % std::size(kPartColors)]);
+  }
+}
+
+namespace {
+
 /// The solid cut by the planes that are on.
 Solid cut(Solid solid, const State& state) {
   for (const Section& section : state.sections) {

@@ -29,6 +29,10 @@ struct ReadPart {
 /// Exact: yes.
 CombinedMesh joined(const std::vector<ReadPart>& parts);
 
+/// Gives the faces that are none of a cut the colours that the state asks for.
+void color_faces(const std::vector<ReadPart>& parts, Coloring coloring,
+                 CombinedMesh& mesh);
+
 /// What the boolean, and sections of solids, make of the parts, each face in
 /// the colour of the part that it comes from, caps in one of their own.
 /// Exact:  rounded to doubles, once.

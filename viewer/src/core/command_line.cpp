@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "halfspace/line_style.hpp"
+
 namespace halfspace::viewer {
 namespace {
 
@@ -41,6 +43,22 @@ std::string scalar_options(const ScalarLook& look) {
   return text;
 }
 
+/// What is drawn over the picture, or marked in it.
+std::string mark_options(const State& state) {
+  std::string text;
+  if (const auto mark = back_color_of(state))
+    text += " --back-color " + color_text(*mark);
+  const Lines lines = lines_of(state);
+  if (lines == Lines::kNone) return text;
+  text += lines == Lines::kOutline    ? " --lines outline"
+          : lines == Lines::kFeatures ? " --lines features"
+                                      : " --lines wire";
+  const Rgb color = line_color_of(state);
+  return color == LineStyle().color
+             ? text
+             : text + " --line-color " + color_text(color);
+}
+
 const Part* only_part(const State& state) {
   const Part* found = nullptr;
   for (const Part& part : state.parts) {
@@ -57,12 +75,14 @@ bool fits_command_line(const State& state) {
   const Part* part = only_part(state);
   if (part == nullptr || !state.camera ||
       state.combination != Combination::kNone || has_sections(state) ||
-      part->shift != std::array<double, 3>{})
+      part->shift != std::array<double, 3>{} ||
+      (state.looks.coloring != Coloring::kFile && !state.looks.scalar))
     return false;
   // A scene has colours and light of its own.
   const bool is_scene =
       part->path.ends_with(".scene") || part->path.ends_with(".scene.gz");
-  return !is_scene || (!part->color && !state.looks.light);
+  return !is_scene ||
+         (!part->color && !state.looks.light && !state.looks.ambient);
 }
 
 std::string shell_word(const std::string& text) {
@@ -103,6 +123,9 @@ std::string render_command(const State& state, const std::string& output,
       const auto& [x, y, z] = *state.looks.light;
       command += " --light=" + vector_text(x, y, z);
     }
+    if (state.looks.ambient)
+      command += fmt::format(" --ambient {}", *state.looks.ambient);
+    command += mark_options(state);
   }
   if (fits_command_line(state) && state.looks.scalar)
     command += scalar_options(*state.looks.scalar);

@@ -5,9 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/painter.hpp"
-
 namespace halfspace::viewer {
 namespace {
 
@@ -21,25 +18,6 @@ constexpr double kStripMs = 24;
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start)
       .count();
-}
-
-int thread_count() {
-  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
-
-/// Colours the rows from `row` on by numbers.
-void color_numbers(const FrameRequest& request, std::int32_t row, int threads,
-                   fast::Rendering& rendering) {
-  fast::ScalarOptions how;
-  how.top = row;
-  how.threads = threads;
-  fast::color_scalars(request.model->loaded.file.scene, request.camera,
-                      request.options, rendering.items, request.numbers->colors,
-                      how, rendering.colors);
-  if (request.numbers->has_legend) {
-    io::draw_legend(request.numbers->legend, rendering.items,
-                    request.options.background, rendering.colors);
-  }
 }
 
 }  // namespace
@@ -65,10 +43,8 @@ void FrameMaker::request(FrameRequest request) {
   changed_.notify_all();
 }
 
-std::optional<ColorImage> FrameMaker::finished() {
-  std::unique_lock lock(mutex_);
-  if (wanted_ == 0) return std::nullopt;
-  changed_.wait(lock, [this] { return done_ == wanted_; });
+ColorImage FrameMaker::picture() const {
+  const std::lock_guard lock(mutex_);
   ColorImage image(canvas_.width_px, canvas_.height_px, {});
   std::transform(canvas_.pixels.begin(), canvas_.pixels.end(),
                  image.pixels.begin(), [](std::uint32_t pixel) {
@@ -86,6 +62,11 @@ void FrameMaker::read_changes(
   if (dirty_first_ >= dirty_end_) return;
   read(canvas_, dirty_first_, dirty_end_);
   dirty_first_ = dirty_end_ = 0;
+}
+
+void FrameMaker::look(const std::function<void(const Canvas&)>& read) const {
+  const std::lock_guard lock(mutex_);
+  read(canvas_);
 }
 
 bool FrameMaker::is_done() const {
@@ -132,49 +113,25 @@ bool FrameMaker::is_newer_wanted(const FrameRequest& request) const {
   return ends_ || wanted_ != request.number;
 }
 
-void FrameMaker::draw(const FrameRequest& request,
-                      const fast::RenderOptions& how,
-                      fast::Rendering& rendering) {
-  const Scene& scene = request.model->loaded.file.scene;
-  if (request.alpha == kOpaque) {
-    fast::render(scene, *request.model->tree, request.camera, request.options,
-                 how, rendering);
-    return;
-  }
-  if (leafy_ != request.model->tree) {
-    leafy_ = request.model->tree;
-    leafless_ = *leafy_;
-    fast::divide_leaves(leafless_, scene);
-  }
-  rendering = fast::blend(scene, leafless_, request.camera, request.options,
-                          request.alpha, how);
-}
-
 void FrameMaker::make(const FrameRequest& request) {
   const auto start = Clock::now();
-  const std::int32_t height = request.camera->height_px;
-  // A legend stands over the whole picture; and each strip would look for the
-  // caps of all of it.
-  const bool is_whole =
-      (request.numbers && request.numbers->has_legend) || request.options.caps;
+  const PictureRequest& picture = request.picture;
+  const std::int32_t height = picture.camera->height_px;
+  // A legend and lines stand over the whole picture; and each strip would look
+  // for the caps of all of it.
+  const bool is_whole = (picture.numbers && picture.numbers->has_legend) ||
+                        picture.lines || picture.options.caps;
   const double strips = expected_ms_ > kLongFrameMs && !is_whole
                             ? std::ceil(expected_ms_ / kStripMs)
                             : 1;
   const auto strip_height = static_cast<std::int32_t>(
       std::clamp(std::ceil(height / strips), 1.0, double(height)));
-  fast::RenderOptions how;
-  how.threads = thread_count();
-  how.items = request.numbers != nullptr;
-  how.colors = request.numbers == nullptr;
-  fast::Rendering rendering;
   std::int32_t row = next_row_ < height && strips > 1 ? next_row_ : 0;
   for (std::int32_t made = 0; made < height;) {
     const std::int32_t end =
         std::min({row + strip_height, height, row + height - made});
-    how.rectangle = {0, row, request.camera->width_px, end};
-    draw(request, how, rendering);
-    if (request.numbers) color_numbers(request, row, how.threads, rendering);
-    publish(request, rendering.colors, row);
+    maker_.draw(picture, row, end, rendering_);
+    publish(request, rendering_.colors, row);
     made += end - row;
     row = end < height ? end : 0;
     if (made < height && is_newer_wanted(request)) {
@@ -199,10 +156,10 @@ void FrameMaker::publish(const FrameRequest& request, const ColorImage& rows,
                          std::int32_t first_row) {
   {
     const std::lock_guard lock(mutex_);
-    const std::int32_t width = request.camera->width_px;
-    const std::int32_t height = request.camera->height_px;
+    const std::int32_t width = request.picture.camera->width_px;
+    const std::int32_t height = request.picture.camera->height_px;
     if (canvas_.width_px != width || canvas_.height_px != height) {
-      const Rgb color = request.options.background;
+      const Rgb color = request.picture.options.background;
       const std::uint32_t background =
           0xff000000u | static_cast<std::uint32_t>(color.r) << 16 |
           static_cast<std::uint32_t>(color.g) << 8 | color.b;
@@ -231,6 +188,58 @@ void FrameMaker::publish(const FrameRequest& request, const ColorImage& rows,
     }
   }
   wake_();
+}
+
+EdgeLines::EdgeLines(std::function<void()> wake)
+    : wake_(std::move(wake)), thread_([this] { work(); }) {}
+
+EdgeLines::~EdgeLines() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void EdgeLines::request(std::uint64_t number,
+                        std::shared_ptr<const Model> model,
+                        const Camera& camera, Lines lines, bool cull) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (number == asked_) return;
+    asked_ = number;
+    next_ = Job{number, std::move(model), camera, lines, cull};
+  }
+  changed_.notify_all();
+}
+
+std::shared_ptr<const fast::Drawing> EdgeLines::drawing_of(
+    std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  return done_ == number ? drawing_ : nullptr;
+}
+
+void EdgeLines::work() {
+  for (;;) {
+    Job job;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return ends_ || next_.has_value(); });
+      if (ends_) return;
+      job = *std::move(next_);
+      next_.reset();
+    }
+    auto drawing = lines_for(job.model->loaded.file.scene, job.camera,
+                             job.lines, job.cull);
+    {
+      const std::lock_guard lock(mutex_);
+      drawing_ = drawing ? *std::move(drawing)
+                         : std::make_shared<const fast::Drawing>();
+      done_ = job.number;
+    }
+    wake_();
+  }
 }
 
 }  // namespace halfspace::viewer

@@ -9,8 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "core/picture.hpp"
 #include "halfspace/camera.hpp"
-#include "halfspace/fast/build.hpp"
+#include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/viewer/model.hpp"
@@ -20,11 +21,7 @@ namespace halfspace::viewer {
 /// A picture that is wanted.
 struct FrameRequest {
   std::uint64_t number = 0;  ///< above that of requests before
-  std::shared_ptr<const Model> model;
-  Camera camera;
-  ImageOptions options;
-  std::uint8_t alpha = kOpaque;  ///< with numbers: kOpaque
-  std::shared_ptr<const ShownNumbers> numbers;  ///< null: the scene's colours
+  PictureRequest picture;
 };
 
 /// Pixels for a screen: 0xffRRGGBB, row by row. Rows of two pictures may stand
@@ -50,15 +47,17 @@ class FrameMaker {
 
   void request(FrameRequest request);
 
-  /// Waits until the picture that was asked for last is whole, and gives its
-  /// colours; nothing if none was asked for.
-  std::optional<ColorImage> finished();
+  /// The colours of the picture. Requires: is_done(), and one was asked for.
+  ColorImage picture() const;
 
   /// Calls `read` with the canvas and the rows that have changed since the last
   /// call; not at all if none have.
   void read_changes(
       const std::function<void(const Canvas&, std::int32_t first_row,
                                std::int32_t end_row)>& read);
+
+  /// Calls `read` with the canvas as it is.
+  void look(const std::function<void(const Canvas&)>& read) const;
 
   /// Whether the picture that was asked for last is whole.
   bool is_done() const;
@@ -71,9 +70,6 @@ class FrameMaker {
  private:
   void work();
   void make(const FrameRequest& request);
-  /// Draws those rows, blended or not.
-  void draw(const FrameRequest& request, const fast::RenderOptions& how,
-            fast::Rendering& rendering);
   void publish(const FrameRequest& request, const ColorImage& rows,
                std::int32_t first_row);
   bool is_newer_wanted(const FrameRequest& request) const;
@@ -90,10 +86,45 @@ class FrameMaker {
   // Of the thread alone.
   double expected_ms_ = 0;
   std::int32_t next_row_ = 0;
-  /// The model's tree without leaves, which blending goes through; made when a
-  /// picture first needs it.
-  std::shared_ptr<const fast::BspTree> leafy_;
-  fast::BspTree leafless_;
+  PictureMaker maker_;
+  fast::Rendering rendering_;  ///< kept: its memory is touched already
+  std::thread thread_;
+};
+
+/// The drawing whose lines are laid over a picture: silhouettes, borders,
+/// creases and intersections (S9), found in a thread of its own.
+class EdgeLines {
+ public:
+  explicit EdgeLines(std::function<void()> wake);
+  ~EdgeLines();
+  EdgeLines(const EdgeLines&) = delete;
+  EdgeLines& operator=(const EdgeLines&) = delete;
+
+  /// Asks for the drawing of picture `number`, unless it was asked for.
+  void request(std::uint64_t number, std::shared_ptr<const Model> model,
+               const Camera& camera, Lines lines, bool cull);
+
+  /// The drawing of the picture, if it is there. Where there are too many lines
+  /// it has none.
+  std::shared_ptr<const fast::Drawing> drawing_of(std::uint64_t number) const;
+
+ private:
+  struct Job {
+    std::uint64_t number = 0;
+    std::shared_ptr<const Model> model;
+    Camera camera;
+    Lines lines = Lines::kNone;
+    bool cull = false;
+  };
+  void work();
+
+  std::function<void()> wake_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<Job> next_;
+  std::uint64_t asked_ = 0, done_ = 0;
+  std::shared_ptr<const fast::Drawing> drawing_;
+  bool ends_ = false;
   std::thread thread_;
 };
 

@@ -29,6 +29,7 @@ io::ImportOptions import_options(const Looks& looks) {
   options.refine_bits = kRefineBits;
   options.gouraud = looks.is_smooth;
   options.light_colors = true;
+  options.ambient = looks.ambient.value_or(options.ambient);
   if (looks.scalar) {
     // As `halfspace render --scalar` does: the colours are the light alone.
     options.triangles = true;
@@ -168,12 +169,14 @@ Result<Model> make_scene_of(const State& state, Sections sections,
   if (!report("import", 0)) return stopped();
   const ReadPart& first = parts->front();
   const bool is_alone =
-      parts->size() == 1 && first.part->shift == std::array<double, 3>{};
+      parts->size() == 1 && first.part->shift == std::array<double, 3>{} &&
+      (state.looks.coloring == Coloring::kFile || state.looks.scalar);
   Result<Model> model = Error{ErrorCode::kEmpty, ""};
   const bool are_cut = sections == Sections::kOfSolids && has_sections(state);
   if (state.combination != Combination::kNone || are_cut) {
-    const Result<CombinedMesh> all = combined(*parts, state, sections, report);
+    Result<CombinedMesh> all = combined(*parts, state, sections, report);
     if (!all) return all.error();
+    color_faces(*parts, state.looks.coloring, *all);
     model = imported(all->mesh, import_options(state.looks), "");
     if (model) note_parts(*model, *all);
   } else if (is_alone) {
@@ -189,7 +192,8 @@ Result<Model> make_scene_of(const State& state, Sections sections,
       model->numbers = *numbers;
     }
   } else {
-    const CombinedMesh all = joined(*parts);
+    CombinedMesh all = joined(*parts);
+    color_faces(*parts, state.looks.coloring, all);
     model = imported(all.mesh, import_options(state.looks), "");
     if (model) note_parts(*model, all);
   }

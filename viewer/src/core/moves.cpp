@@ -36,6 +36,14 @@ double model_per_px(const io::ViewOptions& camera) {
   return height_at_target(camera) / camera.height_px;
 }
 
+/// The same at the distance of a point.
+double model_per_px_at(const io::ViewOptions& camera, const dvec3& point) {
+  if (camera.orthographic) return model_per_px(camera);
+  const dvec3 forward = glm::normalize(camera.target - camera.eye);
+  return model_per_px(camera) * glm::dot(point - camera.eye, forward) /
+         glm::distance(camera.target, camera.eye);
+}
+
 }  // namespace
 
 CameraAxes axes_of(const io::ViewOptions& camera) {
@@ -89,6 +97,23 @@ io::ViewOptions panned(const io::ViewOptions& camera, dvec2 drag) {
   result.eye += by;
   result.target += by;
   return result;
+}
+
+dvec3 dragged(const io::ViewOptions& camera, const dvec3& point, dvec2 drag) {
+  const CameraAxes axes = axes_of(camera);
+  return model_per_px_at(camera, point) *
+         (drag.x * axes.right - drag.y * axes.up);
+}
+
+double dragged_along(const io::ViewOptions& camera, const dvec3& point,
+                     const dvec3& axis, dvec2 drag) {
+  // Shorter than this in the picture, it is seen from its end.
+  constexpr double kLeastShare = 0.15;
+  const CameraAxes axes = axes_of(camera);
+  const dvec2 seen(glm::dot(axis, axes.right), -glm::dot(axis, axes.up));
+  const double scale = model_per_px_at(camera, point);
+  if (glm::length(seen) < kLeastShare) return -scale * drag.y;
+  return scale * glm::dot(drag, seen) / glm::dot(seen, seen);
 }
 
 io::ViewOptions zoomed(const io::ViewOptions& camera, double factor,

@@ -44,6 +44,16 @@ io::ViewOptions panned(const io::ViewOptions& camera, glm::dvec2 drag);
 io::ViewOptions zoomed(const io::ViewOptions& camera, double factor,
                        glm::dvec2 cursor);
 
+/// How a point of the model moves that is held by the cursor, across the
+/// direction of view. Units: model units.
+glm::dvec3 dragged(const io::ViewOptions& camera, const glm::dvec3& point,
+                   glm::dvec2 drag);
+
+/// How far it moves where it can move along `axis` alone; where that is seen
+/// from its end, by the upward part of the drag. Requires: an axis of length 1.
+double dragged_along(const io::ViewOptions& camera, const glm::dvec3& point,
+                     const glm::dvec3& axis, glm::dvec2 drag);
+
 /// With parallel rays, or without; at the target the same is seen.
 io::ViewOptions with_projection(const io::ViewOptions& camera,
                                 bool orthographic);

@@ -66,6 +66,28 @@ PickedPoint picked_cap(const Scene& scene, const Camera& camera,
   return result;
 }
 
+/// Adds the area of the face, and its polygons.
+void add_face(const Model& model, PickedPoint& result) {
+  // As many as can be told apart on a screen.
+  constexpr std::size_t kMostPolygons = 2000;
+  const Scene& scene = model.loaded.file.scene;
+  const double step = step_of(scene.unit());
+  for (std::size_t p = 0; p < model.faces.size(); ++p) {
+    if (model.faces[p] != result.face || model.parts[p] != result.part)
+      continue;
+    std::vector<dvec3> corners;
+    for (const VertexId corner : scene.corners(static_cast<PolygonId>(p)))
+      corners.push_back(step * vector_of(scene.point(corner)));
+    dvec3 sum(0);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      sum += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+    }
+    result.face_area += glm::length(sum) / 2;
+    if (result.face_polygons.size() < kMostPolygons)
+      result.face_polygons.push_back(std::move(corners));
+  }
+}
+
 }  // namespace
 
 std::string decimal_text(std::int64_t coordinate, const Unit& unit) {
@@ -106,6 +128,7 @@ std::optional<PickedPoint> picked(const Model& model, const Camera& camera,
   }
   result.part = model.parts[p];
   result.face = model.faces[p];
+  add_face(model, result);
   result.point = io::pixel_point(scene, camera, polygon, x, y).point;
   const double step = step_of(scene.unit());
   const dvec3 at = result.point / step;

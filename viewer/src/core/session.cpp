@@ -6,7 +6,6 @@
 
 #include "core/moves.hpp"
 #include "core/picking.hpp"
-#include "halfspace/fast/render.hpp"
 
 namespace halfspace::viewer {
 namespace {
@@ -48,8 +47,29 @@ void Session::note_file_times() { file_times_ = file_times_of(state_); }
 
 bool Session::update() {
   std::optional<Loaded> loaded = loader_.take();
-  if (!loaded) return false;
-  take(*std::move(loaded));
+  if (loaded) take(*std::move(loaded));
+  return add_lines() || loaded;
+}
+
+bool Session::has_its_lines() const {
+  return !model_ || lines_of(state_) == Lines::kNone ||
+         lined_number_ == frame_number_;
+}
+
+bool Session::add_lines() {
+  // Not while the camera moves: they take longer than pictures.
+  if (!camera_ || has_its_lines() || loader_.is_busy() || !frames_.is_done())
+    return false;
+  auto drawing = edges_.drawing_of(frame_number_);
+  if (!drawing) {
+    edges_.request(frame_number_, model_, *camera_, lines_of(state_),
+                   state_.looks.cull);
+    return false;
+  }
+  PictureRequest picture = picture_of(state_, model_, *camera_, numbers_);
+  picture.lines = std::move(drawing);
+  lined_number_ = ++frame_number_;
+  frames_.request({frame_number_, std::move(picture)});
   return true;
 }
 
@@ -161,13 +181,12 @@ void Session::prepare_numbers() {
 void Session::ask_for_frame() {
   if (!model_ || !camera_) return;
   prepare_numbers();
-  frames_.request({++frame_number_, model_, *camera_,
-                   image_options(state_, *model_), alpha_of(state_),
-                   numbers_});
+  frames_.request(
+      {++frame_number_, picture_of(state_, model_, *camera_, numbers_)});
 }
 
 bool Session::is_settled() const {
-  return !loader_.is_busy() && frames_.is_done();
+  return !loader_.is_busy() && frames_.is_done() && has_its_lines();
 }
 
 void Session::change(const std::function<void(State&)>& edit,
@@ -269,26 +288,11 @@ std::optional<PickedPoint> Session::pick(std::int32_t x, std::int32_t y) const {
   return picked(*model_, *camera_, image_options(state_, *model_), x, y);
 }
 
-std::optional<ColorImage> Session::finished_picture() {
-  return camera_ ? frames_.finished() : std::nullopt;
-}
-
-const std::vector<fast::Stroke>* Session::edge_lines() {
-  // Not while the camera moves: they take longer than pictures. Lines are
-  // those of the whole model, so a section has none.
-  static const std::vector<fast::Stroke> kNoLines;
-  if (!model_ || !camera_ || !is_settled()) return nullptr;
-  if (has_sections(state_)) return &kNoLines;
-  edges_.request(frame_number_, model_, *camera_, state_.looks.cull);
-  return edges_.lines_of(frame_number_);
-}
-
-ItemImage Session::items() const {
-  fast::RenderOptions how;
-  how.colors = false;
-  return fast::render(model_->loaded.file.scene, *model_->tree, *camera_,
-                      image_options(state_, *model_), how)
-      .items;
+std::optional<Shown> Session::shown() const {
+  if (!model_ || !camera_) return std::nullopt;
+  Shown shown{state_, picture_of(state_, model_, *camera_, numbers_), {}};
+  if (is_settled()) shown.finished = frames_.picture();
+  return shown;
 }
 
 }  // namespace halfspace::viewer

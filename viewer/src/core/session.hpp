@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "core/edge_lines.hpp"
 #include "core/frame_maker.hpp"
 #include "core/loader.hpp"
 #include "halfspace/viewer/model.hpp"
@@ -27,6 +26,16 @@ struct PickedPoint {
   /// The corner of the polygon that is nearest to it in the picture, exactly.
   glm::dvec3 corner{};
   std::array<std::string, 3> exact_corner;
+  /// Of the part's face, which polygons may be parts of; none of a cap.
+  double face_area = 0;
+  std::vector<std::vector<glm::dvec3>> face_polygons;  ///< the first of them
+};
+
+/// What is shown, to be saved by any thread.
+struct Shown {
+  State state;
+  PictureRequest picture;              ///< without its lines
+  std::optional<ColorImage> finished;  ///< if it is there
 };
 
 /// The viewer without its window: a state, its model and its pictures.
@@ -48,7 +57,7 @@ class Session {
   Progress progress() const { return loader_.progress(); }
   bool is_loading() const { return loader_.is_busy(); }
   void cancel_loading() { loader_.cancel(); }
-  /// Whether the picture is that of the state, in full.
+  /// Whether the picture is that of the state, in full and with its lines.
   bool is_settled() const;
 
   /// The last error, until it is dismissed; empty if there is none.
@@ -86,21 +95,16 @@ class Session {
 
   std::optional<PickedPoint> pick(std::int32_t x, std::int32_t y) const;
 
-  /// Waits for the picture of the state.
-  std::optional<ColorImage> finished_picture();
-  /// The visible lines of the picture; null while they are not known. Asks for
-  /// them.
-  const std::vector<fast::Stroke>* edge_lines();
-  bool is_drawing_edges() const { return edges_.is_busy(); }
-
+  /// What is shown; nothing without a model.
+  std::optional<Shown> shown() const;
   /// The number of the picture that was asked for last.
   std::uint64_t frame_number() const { return frame_number_; }
-  /// The polygon at each pixel of it. Requires: model() and camera().
-  ItemImage items() const;
 
  private:
   void load();
   void ask_for_frame();
+  bool has_its_lines() const;
+  bool add_lines();
   void prepare_numbers();
   void take(Loaded loaded);
   void give_up(const Error& error);
@@ -122,6 +126,7 @@ class Session {
   unsigned gesture_ = 0;
   bool wants_first_view_ = true;
   std::uint64_t frame_number_ = 0;
+  std::uint64_t lined_number_ = 0;  ///< the last picture that has its lines
   std::string file_times_;
   FrameMaker frames_;
   EdgeLines edges_;

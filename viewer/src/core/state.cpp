@@ -28,6 +28,15 @@ constexpr Name<Combination> kCombinations[] = {
     {"intersection", Combination::kIntersection},
     {"symmetric-difference", Combination::kSymmetricDifference}};
 
+constexpr Name<Coloring> kColorings[] = {{"file", Coloring::kFile},
+                                         {"parts", Coloring::kParts},
+                                         {"faces", Coloring::kFaces}};
+
+constexpr Name<Lines> kLines[] = {{"none", Lines::kNone},
+                                  {"outline", Lines::kOutline},
+                                  {"features", Lines::kFeatures},
+                                  {"wire", Lines::kWire}};
+
 template <class T, std::size_t N>
 const char* name_of(const Name<T> (&names)[N], T value) {
   for (const Name<T>& name : names) {
@@ -266,6 +275,15 @@ State parse_all(const json& object, const std::filesystem::path& folder,
     if (to_glm(*state.looks.light) == glm::dvec3(0))
       reader.fail("light", "must not be zero");
   }
+  if (reader.has("ambient")) {
+    state.looks.ambient = reader.number("ambient");
+    if (!(*state.looks.ambient >= 0 && *state.looks.ambient <= 1))
+      reader.fail("ambient", "must be from 0 to 1");
+  }
+  state.looks.coloring = reader.choice("coloring", kColorings, Coloring::kFile);
+  state.looks.lines = reader.choice("lines", kLines, Lines::kNone);
+  if (reader.has("back_color"))
+    state.looks.back_color = reader.color("back_color");
   if (reader.has("scalar"))
     state.looks.scalar = parse_scalar(object["scalar"], folder, fault);
   if (reader.has("sections")) parse_sections(object["sections"], state, fault);
@@ -294,12 +312,29 @@ std::string source_of(const Looks& looks) {
 bool have_same_scene(const State& a, const State& b) {
   return a.parts == b.parts && a.combination == b.combination &&
          a.looks.is_smooth == b.looks.is_smooth &&
-         a.looks.light == b.looks.light &&
+         a.looks.light == b.looks.light && a.looks.ambient == b.looks.ambient &&
+         a.looks.coloring == b.looks.coloring &&
          source_of(a.looks) == source_of(b.looks);
 }
 
 std::uint8_t alpha_of(const State& state) {
   return state.looks.scalar ? kOpaque : state.looks.alpha;
+}
+
+std::optional<Rgb> back_color_of(const State& state) {
+  const bool is_plain = !state.looks.scalar && alpha_of(state) == kOpaque;
+  return is_plain ? state.looks.back_color : std::nullopt;
+}
+
+Lines lines_of(const State& state) {
+  return has_sections(state) ? Lines::kNone : state.looks.lines;
+}
+
+Rgb line_color_of(const State& state) {
+  constexpr int kDark = 3 * 90;
+  const Rgb paper = state.looks.background;
+  const bool is_dark = paper.r + paper.g + paper.b < kDark;
+  return is_dark ? Rgb{235, 238, 242} : Rgb{20, 20, 24};
 }
 
 bool has_sections(const State& state) {
@@ -329,6 +364,13 @@ std::string to_text(const State& state) {
                                   {"on", section.is_on}});
   }
   if (state.looks.light) result["light"] = *state.looks.light;
+  if (state.looks.ambient) result["ambient"] = *state.looks.ambient;
+  if (state.looks.coloring != Coloring::kFile)
+    result["coloring"] = name_of(kColorings, state.looks.coloring);
+  if (state.looks.lines != Lines::kNone)
+    result["lines"] = name_of(kLines, state.looks.lines);
+  if (state.looks.back_color)
+    result["back_color"] = to_json(*state.looks.back_color);
   if (state.looks.scalar) {
     const ScalarLook& look = *state.looks.scalar;
     result["scalar"] = {{"source", look.source},

@@ -10,6 +10,7 @@
 #include "core/combine.hpp"
 #include "core/saving.hpp"
 #include "halfspace/io/figure.hpp"
+#include "halfspace/io/file.hpp"
 #include "window/ui.hpp"
 
 namespace halfspace::viewer {
@@ -85,6 +86,8 @@ const char* title_of(FileQuestion question) {
       return "Save the view";
     case FileQuestion::kExport:
       return "Export the solid";
+    case FileQuestion::kSaveFilm:
+      return "Save the film of a turn";
     case FileQuestion::kNone:
       break;
   }
@@ -99,6 +102,8 @@ const char* hint_of(FileQuestion question) {
       return ".view: files, looks and camera";
     case FileQuestion::kExport:
       return ".stl, .off, .obj or .ply";
+    case FileQuestion::kSaveFilm:
+      return "a .png a frame: %03d is its number";
     default:
       return "";
   }
@@ -109,6 +114,7 @@ std::string first_name(FileQuestion question, const State& state) {
   const std::string stem = fs::path(name_of(state)).stem().string();
   if (question == FileQuestion::kSavePicture) return stem + ".png";
   if (question == FileQuestion::kSaveView) return stem + ".view";
+  if (question == FileQuestion::kSaveFilm) return stem + "-%03d.png";
   return stem + "-result.stl";
 }
 
@@ -127,6 +133,31 @@ Result<Done> begin_figure(Session& session, Background& background,
     if (!drawn) return drawn.error();
     return "Saved " + path;
   });
+  return Done{};
+}
+
+/// Saves the picture or the film beside the pictures that follow.
+Result<Done> begin_saving(Session& session, Background& background,
+                          const Ui& ui, const std::string& path) {
+  std::optional<Shown> shown = session.shown();
+  if (!shown)
+    return Error{ErrorCode::kEmpty, "nothing is shown that could be saved"};
+  const bool is_film = ui.question == FileQuestion::kSaveFilm;
+  if (!is_film && !is_shown_name(path))
+    return Error{ErrorCode::kUnknownFormat, hint_of(ui.question)};
+  if (is_film && !(io::has_extension(path, ".png") && numbered_name(path, 0)))
+    return Error{ErrorCode::kUnknownFormat,
+                 "the name needs one %d or %03d, for the frame's number, and "
+                 "must end in .png"};
+  background.start(
+      [shown = *std::move(shown), path, is_film,
+       frames = ui.film_frames](const Report& report) -> Result<std::string> {
+        if (!is_film) report("saving " + path, 0);
+        const auto saved = is_film ? save_film(shown, path, frames, report)
+                                   : save_shown(shown, path);
+        if (!saved) return saved.error();
+        return "Saved " + path;
+      });
   return Done{};
 }
 
@@ -151,13 +182,18 @@ void answer(Session& session, Background& background, Ui& ui, Browser& b) {
     return;
   }
   if (b.question == FileQuestion::kSavePicture ||
+      b.question == FileQuestion::kSaveFilm ||
       b.question == FileQuestion::kSaveView) {
-    const auto saved = save_shown(session, path);
-    if (!saved) {
-      b.fault = saved.error().message;
+    const bool is_view =
+        b.question == FileQuestion::kSaveView ||
+        (b.question == FileQuestion::kSavePicture && is_view_name(path));
+    const auto begun = is_view ? write_state(path, session.state())
+                               : begin_saving(session, background, ui, path);
+    if (!begun) {
+      b.fault = begun.error().message;
       return;
     }
-    ui.note = "Saved " + path;
+    if (is_view) ui.note = "Saved " + path;
   }
   if (b.question == FileQuestion::kExport) {
     const State state = session.state();
@@ -226,6 +262,11 @@ void draw_file_question(Session& session, Background& background, Ui& ui) {
       ImGui::InputText("##name", &b.name, ImGuiInputTextFlags_EnterReturnsTrue);
   if (const char* hint = hint_of(ui.question); *hint != 0)
     ImGui::TextDisabled("%s", hint);
+  if (ui.question == FileQuestion::kSaveFilm) {
+    ImGui::SetNextItemWidth(140 * scale);
+    ImGui::InputInt("frames once round", &ui.film_frames);
+    ui.film_frames = std::clamp(ui.film_frames, 2, kMostFilmFrames);
+  }
   if (!b.fault.empty())
     ImGui::TextColored({1, 0.6f, 0.5f, 1}, "%s", b.fault.c_str());
   is_answered |= ImGui::Button(is_reading(ui.question) ? "Open" : "Save");

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
+#include <limits>
 
+#include "core/measure.hpp"
 #include "core/moves.hpp"
 #include "window/window.hpp"
 
@@ -98,11 +101,74 @@ void Window::press(int button, int x, int y) {
   drags_axes_ =
       ui_.has_axes && std::hypot(static_cast<float>(x) - axes.x,
                                  static_cast<float>(y) - axes.y) <= axes.radius;
+  grip_.reset();
+  if (held_.alt && button == SDL_BUTTON_LEFT && !drags_axes_) take_hold(x, y);
+}
+
+void Window::take_hold(int x, int y) {
+  const auto point = session_.pick(x - ui_.view.x, y - ui_.view.y);
+  if (!point) return;
+  const State& state = session_.state();
+  Held held;
+  held.point = point->point;
+  held.is_plane = point->part == kCapPart;
+  if (!held.is_plane) {
+    held.index = point->part;
+    held.shift = state.parts[held.index].shift;
+    grip_ = held;
+  } else {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < state.sections.size(); ++i) {
+      const Section& section = state.sections[i];
+      const glm::dvec3 normal(section.normal[0], section.normal[1],
+                              section.normal[2]);
+      const double distance =
+          std::abs(glm::dot(normal, held.point) - section.offset) /
+          glm::length(normal);
+      if (!section.is_on || !(distance < least)) continue;
+      least = distance;
+      held.index = i;
+      held.offset = section.offset;
+      grip_ = held;
+    }
+  }
+  ++grip_count_;
+}
+
+void Window::move_held(const glm::dvec2& drag) {
+  const io::ViewOptions& camera = *session_.camera();
+  const Held& held = *grip_;
+  // Beyond the gestures of keys and of panels, which are hashes.
+  const unsigned gesture = 16 + grip_count_;
+  const State& state = session_.state();
+  if (held.is_plane && held.index < state.sections.size()) {
+    const auto& [a, b, c] = state.sections[held.index].normal;
+    const glm::dvec3 normal(a, b, c);
+    const double by =
+        dragged_along(camera, held.point, glm::normalize(normal), drag) *
+        glm::length(normal);
+    session_.change(
+        [&](State& s) {
+          s.sections[held.index].offset = six_digits(held.offset + by);
+        },
+        gesture);
+  } else if (!held.is_plane && held.index < state.parts.size()) {
+    const glm::dvec3 by = dragged(camera, held.point, drag);
+    session_.change(
+        [&](State& s) {
+          for (int axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<std::size_t>(axis);
+            s.parts[held.index].shift[k] = six_digits(held.shift[k] + by[axis]);
+          }
+        },
+        gesture);
+  }
 }
 
 void Window::release(int button, bool is_double) {
   if (button != button_) return;
   button_ = 0;
+  grip_.reset();
   if (!has_moved_ && !drags_axes_ && button == SDL_BUTTON_LEFT)
     click(pressed_x_ - ui_.view.x, pressed_y_ - ui_.view.y, is_double);
 }
@@ -118,6 +184,10 @@ void Window::move(int x, int y) {
   last_y_ = y;
   if (!session_.camera()) return;
   ui_.flight.reset();
+  if (grip_) {
+    move_held({x - pressed_x_, y - pressed_y_});
+    return;
+  }
   const io::ViewOptions& camera = *session_.camera();
   const Modifiers held = held_;
   if (drags_axes_) {

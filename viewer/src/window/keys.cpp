@@ -128,6 +128,38 @@ void ask(Session&, Ui& ui) {
   ui.question = question;
 }
 
+/// Lines of a kind, or none where they are there.
+template <Lines lines>
+void toggle_lines(Session& session, Ui&) {
+  session.change([](State& state) {
+    Lines& now = state.looks.lines;
+    now = now == lines ? Lines::kNone : lines;
+  });
+}
+
+void toggle_back_color(Session& session, Ui&) {
+  session.change([](State& state) {
+    auto& mark = state.looks.back_color;
+    mark = mark ? std::nullopt : std::optional(kBackColor);
+  });
+}
+
+void show_next_coloring(Session& session, Ui&) {
+  session.change([](State& state) {
+    Coloring& now = state.looks.coloring;
+    now = now == Coloring::kFile    ? Coloring::kParts
+          : now == Coloring::kParts ? Coloring::kFaces
+                                    : Coloring::kFile;
+  });
+}
+
+void toggle_legend(Session& session, Ui&) {
+  session.change([](State& state) {
+    auto& scalar = state.looks.scalar;
+    if (scalar) scalar->has_legend = !scalar->has_legend;
+  });
+}
+
 void escape(Session& session, Ui& ui) {
   if (ui.has_help) {
     ui.has_help = false;
@@ -188,15 +220,25 @@ std::vector<KeyAction> made_actions() {
          session.change(
              [](State& state) { state.looks.cull = !state.looks.cull; });
        }},
-      {"E", "Edges", SDLK_e, kPlain, toggle<&Ui::has_edges>},
+      {"Shift+K", "Mark back sides", SDLK_k, kShift, toggle_back_color},
+      {"E", "Edges", SDLK_e, kPlain, toggle_lines<Lines::kFeatures>},
+      {"W", "All edges: a wire frame", SDLK_w, kPlain,
+       toggle_lines<Lines::kWire>},
+      {"C", "Colours of files, parts, faces", SDLK_c, kPlain,
+       show_next_coloring},
+      {"S", "Colours by the next numbers", SDLK_s, kPlain,
+       [](Session& session, Ui&) { show_next_numbers(session); }},
+      {"B", "Legend of numbers", SDLK_b, kPlain, toggle_legend},
+      {"L", "Light from the eye", SDLK_l, kPlain, toggle<&Ui::has_headlight>},
       {"V", "Cut by a plane, or not", SDLK_v, kPlain, toggle_section},
-      {"B", "Move the cut back", SDLK_b, kPlain, move_section<-1>},
-      {"M", "Move the cut on", SDLK_m, kPlain, move_section<1>},
+      {", .", "Move the cut back, on", SDLK_COMMA, kPlain, move_section<-1>},
+      {".", "", SDLK_PERIOD, kPlain, move_section<1>},
       {"Tab", "Measure: click on points", SDLK_TAB, kPlain,
        toggle<&Ui::measures>},
       {"O", "Turntable or free turning", SDLK_o, kPlain,
        toggle<&Ui::is_trackball>},
       {"X", "Axes", SDLK_x, kPlain, toggle<&Ui::has_axes>},
+      {"G", "Grid below the model", SDLK_g, kPlain, toggle<&Ui::has_grid>},
       {"N", "Name", SDLK_n, kPlain, toggle<&Ui::has_name>},
       {"Z", "Frames a second", SDLK_z, kPlain, toggle<&Ui::has_frame_rate>},
       {"P", "Panel", SDLK_p, kPlain, toggle<&Ui::has_panel>},
@@ -209,6 +251,8 @@ std::vector<KeyAction> made_actions() {
        ask<FileQuestion::kSavePicture>},
       {"Ctrl+Shift+S", "Save the view", SDLK_s, kBoth,
        ask<FileQuestion::kSaveView>},
+      {"Ctrl+T", "Save the film of a turn", SDLK_t, kControl,
+       ask<FileQuestion::kSaveFilm>},
       {"Ctrl+E", "Export the solid", SDLK_e, kControl,
        ask<FileQuestion::kExport>},
       {"Ctrl+C", "Copy as command line", SDLK_c, kControl, copy_command},

@@ -74,22 +74,112 @@ void draw_axes(ImDrawList& list, const Session& session, const Ui& ui) {
   list.AddCircleFilled(middle, width, kInk, 12);
 }
 
-/// The visible lines of the picture, once it is at rest.
-void draw_edges(ImDrawList& list, Session& session, const Ui& ui) {
-  const auto* strokes = session.edge_lines();
-  if (strokes == nullptr) return;
-  const auto x = static_cast<float>(ui.view.x);
-  const auto y = static_cast<float>(ui.view.y);
-  const auto width = static_cast<float>(1.2 * ui.scale);
+/// The width of a square of the grid: 1, 2 or 5 times a power of ten, so that
+/// ten to twenty-five of them are as long as the model.
+double grid_step(double length) {
+  const double least = length / 25;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10 * power;
+}
+
+/// Draws a line where the picture shows nothing, or all of it.
+void draw_where_empty(ImDrawList& list, const Canvas& canvas,
+                      std::uint32_t empty, bool is_in_front,
+                      const ImVec2& origin, const glm::dvec2& from,
+                      const glm::dvec2& to) {
+  constexpr ImU32 kLine = IM_COL32(128, 136, 148, 130);
+  constexpr double kStepPx = 2;
+  const double length = glm::distance(from, to);
+  const int steps = std::max(
+      1, static_cast<int>(std::min(std::ceil(length / kStepPx), 4000.0)));
+  const auto at = [&](int i) { return from + double(i) / steps * (to - from); };
+  const auto is_empty = [&](int i) {
+    const auto x = static_cast<std::int32_t>(std::floor(at(i).x));
+    const auto y = static_cast<std::int32_t>(std::floor(at(i).y));
+    return x >= 0 && y >= 0 && x < canvas.width_px && y < canvas.height_px &&
+           (is_in_front ||
+            canvas.pixels[static_cast<std::size_t>(y) *
+                              static_cast<std::size_t>(canvas.width_px) +
+                          static_cast<std::size_t>(x)] == empty);
+  };
+  const auto place = [&](int i) {
+    return origin +
+           ImVec2(static_cast<float>(at(i).x), static_cast<float>(at(i).y));
+  };
+  for (int i = 0; i < steps;) {
+    const int first = i;
+    while (i <= steps && is_empty(i)) ++i;
+    if (i - 1 > first) list.AddLine(place(first), place(i - 1), kLine);
+    i = std::max(i, first + 1);
+  }
+}
+
+/// A grid on the floor: the plane below the model. Where the eye is above it,
+/// all of the model hides what it covers.
+void draw_grid(ImDrawList& list, const Session& session, const Ui& ui) {
+  const Model& model = *session.model();
+  const io::ViewOptions& camera = *session.camera();
+  const double size =
+      std::max(model.high[0] - model.low[0], model.high[1] - model.low[1]);
+  if (!(size > 0) || !std::isfinite(size)) return;
+  const double step = grid_step(size);
+  const double floor = model.low[2];
+  const bool is_in_front =
+      camera.orthographic ? axes_of(camera).back.z < 0 : camera.eye.z < floor;
   const Rgb paper = session.state().looks.background;
-  const bool is_dark = paper.r + paper.g + paper.b < 3 * 90;
-  const ImU32 ink = is_dark ? IM_COL32(235, 238, 242, 230) : kInk;
-  for (const fast::Stroke& stroke : *strokes) {
-    list.AddLine({x + static_cast<float>(stroke.from.x),
-                  y + static_cast<float>(stroke.from.y)},
-                 {x + static_cast<float>(stroke.to.x),
-                  y + static_cast<float>(stroke.to.y)},
-                 ink, width);
+  const std::uint32_t empty =
+      0xff000000u | static_cast<std::uint32_t>(paper.r) << 16 |
+      static_cast<std::uint32_t>(paper.g) << 8 | paper.b;
+  const auto ends = [&](std::size_t axis) {
+    const double middle = (model.low[axis] + model.high[axis]) / 2;
+    return std::array<double, 2>{
+        std::floor((middle - 0.75 * size) / step) * step,
+        std::ceil((middle + 0.75 * size) / step) * step};
+  };
+  const auto [x_low, x_high] = ends(0);
+  const auto [y_low, y_high] = ends(1);
+  const ImVec2 origin = {static_cast<float>(ui.view.x),
+                         static_cast<float>(ui.view.y)};
+  session.frames().look([&](const Canvas& canvas) {
+    const auto line = [&](const dvec3& a, const dvec3& b) {
+      const auto from = projected(camera, a);
+      const auto to = projected(camera, b);
+      if (from && to)
+        draw_where_empty(list, canvas, empty, is_in_front, origin, *from, *to);
+    };
+    for (int i = 0; i <= std::lround((x_high - x_low) / step); ++i)
+      line({x_low + i * step, y_low, floor}, {x_low + i * step, y_high, floor});
+    for (int i = 0; i <= std::lround((y_high - y_low) / step); ++i)
+      line({x_low, y_low + i * step, floor}, {x_high, y_low + i * step, floor});
+  });
+  const std::string text = fmt::format("squares of {:.6g}", step);
+  const ImVec2 half = ImGui::CalcTextSize(text.c_str());
+  const auto pad = static_cast<float>(12 * ui.scale);
+  draw_label(
+      list,
+      origin + ImVec2(static_cast<float>(ui.view.width) - pad - half.x / 2,
+                      static_cast<float>(ui.view.height) - pad - half.y / 2),
+      text, ui.scale);
+}
+
+/// The faces that were clicked.
+void draw_faces(ImDrawList& list, const Session& session, const Ui& ui) {
+  for (const PickedPoint& picked : ui.points) {
+    for (const auto& polygon : picked.face_polygons) {
+      std::vector<ImVec2> places;
+      for (const dvec3& corner : polygon) {
+        const auto at = projected(*session.camera(), corner);
+        if (!at) break;
+        places.push_back({static_cast<float>(ui.view.x + at->x),
+                          static_cast<float>(ui.view.y + at->y)});
+      }
+      if (places.size() < polygon.size()) continue;
+      list.AddConvexPolyFilled(places.data(), static_cast<int>(places.size()),
+                               IM_COL32(217, 95, 2, 70));
+    }
   }
 }
 
@@ -217,6 +307,7 @@ void draw_help(Ui& ui) {
     draw_row("Middle drag", "pan");
     draw_row("Shift+drag", "pan");
     draw_row("Ctrl+drag", "turn the picture");
+    draw_row("Alt+drag", "move a file or a cut");
     draw_row("Shift+wheel", "pan");
     draw_row("Click", "what is there");
     draw_row("Double click", "turn about it");
@@ -268,7 +359,8 @@ void draw_overlay(Session& session, Background& background, Ui& ui) {
   list.PushClipRect(low, low + ImVec2(static_cast<float>(ui.view.width),
                                       static_cast<float>(ui.view.height)));
   if (session.camera() && session.model()) {
-    if (ui.has_edges) draw_edges(list, session, ui);
+    if (ui.has_grid) draw_grid(list, session, ui);
+    draw_faces(list, session, ui);
     draw_points(list, session, ui);
     if (ui.has_axes) draw_axes(list, session, ui);
     draw_corner_texts(list, session, ui);

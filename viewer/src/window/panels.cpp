@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <set>
+#include <utility>
 
 #include "core/command_line.hpp"
 #include "core/measure.hpp"
@@ -90,6 +92,31 @@ void draw_files(Session& session, Ui& ui) {
   if (edit) change(session, edit);
 }
 
+/// What is nearer to the eye than this is not seen.
+void draw_near(Session& session) {
+  io::ViewOptions camera = *session.camera();
+  bool has_near = camera.near.has_value();
+  const double distance = glm::distance(camera.eye, camera.target);
+  if (ImGui::Checkbox("Near", &has_near)) {
+    camera.near.reset();
+    if (has_near) camera.near = six_digits(distance);
+    session.set_camera(camera);
+  }
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("What is not farther from the eye is not seen");
+  if (!camera.near) return;
+  ImGui::SameLine();
+  auto near = static_cast<float>(*camera.near);
+  ImGui::SetNextItemWidth(-1);
+  const float least =
+      camera.orthographic ? static_cast<float>(-distance) : 0.0f;
+  if (ImGui::DragFloat("##near", &near, static_cast<float>(distance / 400),
+                       least, static_cast<float>(100 * distance), "%.6g")) {
+    camera.near = six_digits(near);
+    session.set_camera(camera);
+  }
+}
+
 void draw_view(Session& session, Ui& ui) {
   const struct {
     const char* name;
@@ -116,6 +143,7 @@ void draw_view(Session& session, Ui& ui) {
   if (is_other)
     session.set_camera(
         with_projection(*session.camera(), is_orthographic == 1));
+  draw_near(session);
   if (!session.camera()->orthographic) {
     auto degrees = static_cast<float>(session.camera()->fov_deg);
     if (ImGui::SliderFloat("Field", &degrees, 5, 120, "%.0f deg",
@@ -125,11 +153,45 @@ void draw_view(Session& session, Ui& ui) {
   ImGui::Checkbox("Free turning", &ui.is_trackball);
   ImGui::SameLine();
   ImGui::Checkbox("Axes", &ui.has_axes);
+  ImGui::SameLine();
+  ImGui::Checkbox("Grid", &ui.has_grid);
 }
 
-void draw_light(Session& session, Looks& looks) {
+void draw_lines(const State& state, Looks& looks) {
+  int lines = static_cast<int>(looks.lines);
+  ImGui::BeginDisabled(has_sections(state));
+  if (ImGui::Combo("Edges", &lines, "none\0outline\0features\0all\0"))
+    looks.lines = static_cast<Lines>(lines);
+  ImGui::EndDisabled();
+}
+
+void draw_back_sides(Looks& looks) {
+  int sides = looks.cull ? 1 : looks.back_color ? 2 : 0;
+  if (ImGui::Combo("Back sides", &sides, "as fronts\0left out\0marked\0")) {
+    looks.cull = sides == 1;
+    looks.back_color = sides == 2 ? std::optional(kBackColor) : std::nullopt;
+  }
+  if (!looks.back_color) return;
+  Rgb color = *looks.back_color;
+  if (choose_color("Mark", color)) looks.back_color = color;
+}
+
+void draw_coloring(Looks& looks) {
+  if (looks.scalar) return;
+  int coloring = static_cast<int>(looks.coloring);
+  if (ImGui::Combo("Colours", &coloring,
+                   "of the files\0one a file\0one a face\0"))
+    looks.coloring = static_cast<Coloring>(coloring);
+}
+
+void draw_light(Session& session, Ui& ui, Looks& looks) {
+  ImGui::Checkbox("Headlight", &ui.has_headlight);
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("The light follows the eye when it rests");
+  ImGui::SameLine();
   bool has_own = looks.light.has_value();
   if (ImGui::Checkbox("Light from here", &has_own)) {
+    ui.has_headlight = false;
     looks.light.reset();
     if (has_own && session.camera()) {
       const glm::dvec3 back = axes_of(*session.camera()).back;
@@ -138,6 +200,12 @@ void draw_light(Session& session, Looks& looks) {
   }
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip("The light comes from where the eye is now");
+  constexpr float kUsualAmbient = 0.22f;
+  auto ambient =
+      looks.ambient ? static_cast<float>(*looks.ambient) : kUsualAmbient;
+  if (ImGui::SliderFloat("Ambient", &ambient, 0, 1, "%.2f",
+                         ImGuiSliderFlags_AlwaysClamp))
+    looks.ambient = six_digits(ambient);
 }
 
 /// The properties of the only file, read when it is another one.
@@ -204,10 +272,10 @@ void draw_looks(Session& session, Ui& ui) {
   ImGui::SameLine();
   ImGui::RadioButton("Smooth", &is_smooth, 1);
   looks.is_smooth = is_smooth == 1;
-  ImGui::Checkbox("Edges", &ui.has_edges);
-  ImGui::SameLine();
-  ImGui::Checkbox("No back sides", &looks.cull);
-  draw_light(session, looks);
+  draw_lines(session.state(), looks);
+  draw_back_sides(looks);
+  draw_light(session, ui, looks);
+  draw_coloring(looks);
   if (!looks.scalar) {
     int alpha = looks.alpha;
     if (ImGui::SliderInt("Opacity", &alpha, 0, kOpaque, "%d",
@@ -230,6 +298,31 @@ void draw_looks(Session& session, Ui& ui) {
   if (looks != session.state().looks)
     change(session, [&looks](State& state) { state.looks = looks; });
 }
+
+}  // namespace
+
+void show_next_numbers(Session& session) {
+  const auto& names = properties_of(session.state());
+  if (names.empty()) return;
+  session.change([&names](State& state) {
+    auto& scalar = state.looks.scalar;
+    const auto now = scalar
+                         ? std::find(names.begin(), names.end(), scalar->source)
+                         : names.end();
+    const auto next = now == names.end() ? names.begin() : now + 1;
+    if (next == names.end()) {
+      scalar.reset();
+      return;
+    }
+    ScalarLook look = scalar.value_or(ScalarLook());
+    look.source = *next;
+    look.range.reset();
+    look.is_logarithmic = false;
+    scalar = look;
+  });
+}
+
+namespace {
 
 std::string face_text(const State& state, const PickedPoint& point) {
   if (point.part >= state.parts.size()) return "The cap of a section";
@@ -266,6 +359,21 @@ void draw_distances(const std::vector<PickedPoint>& points) {
   ImGui::Text("Triangle  %s", area.c_str());
 }
 
+/// How many faces were clicked, and their area.
+void draw_chosen_faces(const std::vector<PickedPoint>& points) {
+  std::set<std::pair<std::uint32_t, std::int32_t>> faces;
+  double area = 0;
+  for (const PickedPoint& point : points) {
+    if (point.part == kCapPart) continue;
+    if (faces.insert({point.part, point.face}).second) area += point.face_area;
+  }
+  if (faces.empty()) return;
+  const std::string text =
+      fmt::format("{} {}, area {:.9g}", faces.size(),
+                  faces.size() == 1 ? "face" : "faces", area);
+  ImGui::TextUnformatted(text.c_str());
+}
+
 void draw_measures(Session& session, Background& background, Ui& ui) {
   ImGui::Checkbox("Keep points that are clicked", &ui.measures);
   if (ui.points.empty()) {
@@ -276,6 +384,7 @@ void draw_measures(Session& session, Background& background, Ui& ui) {
     ImGui::TextUnformatted(face_text(session.state(), point).c_str());
     draw_point(point);
     draw_distances(ui.points);
+    draw_chosen_faces(ui.points);
     if (ImGui::SmallButton("Forget points")) ui.points.clear();
   }
   if (wide_button("Volume and area", 1) && !session.state().parts.empty()) {
@@ -344,6 +453,8 @@ void draw_saving(Session& session, Ui& ui) {
   if (wide_button("Picture...", 2)) ui.question = FileQuestion::kSavePicture;
   ImGui::SameLine();
   if (wide_button("View...", 2)) ui.question = FileQuestion::kSaveView;
+  if (wide_button("Film of a turn...", 1))
+    ui.question = FileQuestion::kSaveFilm;
   if (wide_button("Copy as command line", 1)) copy_command(session, ui);
 }
 

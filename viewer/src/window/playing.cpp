@@ -43,9 +43,7 @@ Result<Done> Window::play() {
                      event.kind == Kind::kShot;
   if (waits) {
     update();
-    if (!session_.is_settled() || background_.is_busy() ||
-        (ui_.has_edges && session_.is_drawing_edges()))
-      return Done{};
+    if (!session_.is_settled() || background_.is_busy()) return Done{};
   }
   // A picture of the window is taken when panels have settled.
   if (event.kind == Kind::kShot && redraws_ > 0) return Done{};
@@ -121,11 +119,12 @@ Result<Done> Window::dump() {
                  "the events ask for `dump`, but --dump names no file"};
   // A state that shows nothing is numbered, too.
   const std::string path = numbered(*options_.dump_name, dump_count_++);
-  if (!session_.model()) return Done{};
+  const auto shown = session_.shown();
+  if (!shown) return Done{};
   const std::size_t dot = path.rfind(".png");
-  const auto view = save_shown(session_, path.substr(0, dot) + ".view");
+  const auto view = write_state(path.substr(0, dot) + ".view", shown->state);
   if (!view) return view.error();
-  return save_shown(session_, path);
+  return save_shown(*shown, path);
 }
 
 Result<Done> Window::shoot(const std::string& path) {

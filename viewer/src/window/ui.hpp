@@ -14,6 +14,9 @@
 
 namespace halfspace::viewer {
 
+/// The mark of back sides, where none is chosen.
+constexpr Rgb kBackColor = {226, 88, 62};
+
 /// A rectangle of the window. Units: pixels of the renderer.
 struct Area {
   int x = 0;
@@ -40,6 +43,7 @@ enum class FileQuestion : std::uint8_t {
   kSavePicture,
   kSaveView,
   kExport,  ///< the solid
+  kSaveFilm,
 };
 
 /// What the window shows beside the picture.
@@ -49,7 +53,7 @@ struct Ui {
   bool has_panel = true;
   bool has_help = false;
   bool has_axes = true;
-  bool has_edges = false;
+  bool has_grid = false;
   bool has_frame_rate = false;
   bool has_name = false;
   bool is_fullscreen = false;
@@ -61,7 +65,9 @@ struct Ui {
   std::vector<PickedPoint> points;    ///< that were clicked, the last one last
   std::optional<glm::ivec2> hovered;  ///< pixel of the view
   FileQuestion question = FileQuestion::kNone;
-  std::string note;  ///< of what was done last, for the status line
+  int film_frames = 36;
+  bool has_headlight = false;  ///< the light follows the eye
+  std::string note;            ///< of what was done last, for the status line
   std::vector<std::string> recent;
   /// Draws a figure of a `.view` file, as `halfspace draw` does.
   std::function<Result<Done>(const std::string& view_file,
@@ -107,6 +113,9 @@ const std::vector<KeyAction>& key_actions();
 /// Does what the key is for; whether it is for anything.
 bool act_on_key(SDL_Keycode key, const Modifiers& modifiers, Session& session,
                 Ui& ui);
+
+/// Colours the file by the next of its numbers, and after the last by none.
+void show_next_numbers(Session& session);
 
 /// Copies the command that makes the picture; where options do not say all of
 /// the state, it is saved first.

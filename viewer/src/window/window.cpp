@@ -62,6 +62,7 @@ Window::Window(const WindowOptions& options, SDL_Window* window,
   ui_.scale = scale;
   ui_.animates = player == nullptr;
   ui_.draw_figure = options.draw_figure;
+  ui_.has_headlight = options.headlight;
   if (player == nullptr) ui_.recent = read_recent(recent_file());
   lay_out();
 }
@@ -140,7 +141,7 @@ void Window::update() {
     lay_out();
     note_opened();
   }
-  if (auto result = background_.take()) {
+  while (auto result = background_.take()) {
     if (!*result) {
       if (result->error().code != ErrorCode::kStopped)
         session_.say(result->error().message);
@@ -156,6 +157,7 @@ void Window::update() {
     session_.reload_if_changed();
   }
   fly();
+  follow_eye();
   if (ui_.is_fullscreen != is_fullscreen_) {
     is_fullscreen_ = ui_.is_fullscreen;
     SDL_SetWindowFullscreen(window_,
@@ -188,6 +190,21 @@ void Window::fly() {
   session_.set_camera(between(ui_.flight->from, to, eased));
   if (share >= 1) ui_.flight.reset();
   redraws_ = std::max(redraws_, 1);
+}
+
+void Window::follow_eye() {
+  // Colours hold the light, so it follows when the camera rests.
+  if (!ui_.has_headlight || button_ != 0 || ui_.flight ||
+      !session_.is_settled() || !session_.camera() ||
+      !session_.message().empty())
+    return;
+  const glm::dvec3 back = axes_of(*session_.camera()).back;
+  constexpr unsigned kGesture = 2;  // all its lights are taken back as one
+  session_.change(
+      [&back](State& state) {
+        state.looks.light = {back.x, back.y, back.z};
+      },
+      kGesture);
 }
 
 void Window::show_title() {

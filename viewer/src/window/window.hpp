@@ -2,9 +2,13 @@
 
 #include <SDL.h>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +50,8 @@ class Window {
   void press(int button, int x, int y);
   void release(int button, bool is_double);
   void move(int x, int y);
+  void take_hold(int x, int y);
+  void move_held(const glm::dvec2& drag);
   void wheel(const SDL_MouseWheelEvent& wheel);
   void key(const SDL_KeyboardEvent& key);
   void click(int x, int y, bool is_double);
@@ -56,6 +62,7 @@ class Window {
   void lay_out();
   void update();
   void fly();
+  void follow_eye();
   void note_opened();
   void draw();
   void draw_view();
@@ -85,6 +92,16 @@ class Window {
   // The button that moves the camera now, and where it was pressed.
   int button_ = 0;
   bool drags_axes_ = false;
+  /// What is held by Alt and moves instead of the camera.
+  struct Held {
+    bool is_plane = false;             ///< else a part
+    std::size_t index = 0;             ///< of the section or the part
+    glm::dvec3 point{};                ///< that the cursor holds
+    double offset = 0;                 ///< of the plane, when it was pressed
+    std::array<double, 3> shift = {};  ///< of the part, likewise
+  };
+  std::optional<Held> grip_;
+  unsigned grip_count_ = 0;
   int pressed_x_ = 0, pressed_y_ = 0, last_x_ = 0, last_y_ = 0;
   bool has_moved_ = false;
   Modifiers held_;

@@ -69,6 +69,21 @@ Result<ViewOptions> automatic_options(const Scene& scene,
                                       std::int32_t height_px,
                                       bool orthographic = false);
 
+/// The view turned about the line through its target along `axis`,
+/// counterclockwise as seen from the axis's end, as a model on a turntable is
+/// seen; by an angle of 0 the view itself.
+/// Requires: an axis of length 1. Units: radians.
+ViewOptions turned_about(const ViewOptions& view, const glm::dvec3& axis,
+                         double angle);
+
+/// The same for a camera that is there already, about that point of the middle
+/// ray of its image which is next to the middle of the scene. It is rounded to
+/// the lattice; by an angle of 0 it is the camera itself.
+///
+/// Errors: those of make_camera().
+Result<Camera> turned_about(const Scene& scene, const Camera& camera,
+                            const glm::dvec3& axis, double angle);
+
 /// The middle of the box round the scene's polygons. Units: model units.
 /// Requires: there are polygons.
 glm::dvec3 middle_of(const Scene& scene);

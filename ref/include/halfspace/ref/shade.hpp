@@ -22,11 +22,12 @@ std::array<Rational, 3> corner_shares(const Scene& scene, const Camera& camera,
                                       PolygonId triangle,
                                       const ImagePoint& point);
 
-/// The colour of a polygon at an image point (S5.4, S5.7, S5.8), as color_at()
+/// The colour of a polygon at an image point (S5.4, S5.7), as color_at()
 /// without the rounding.
 ///
 /// Requires: the ray of the point meets the polygon's plane in front of the
-/// eye. Exact:    yes.
+///           eye.
+/// Exact:    yes.
 ExactColor exact_color_at(const Scene& scene, const Camera& camera,
                           PolygonId polygon, const ImagePoint& point,
                           Shading shading);
@@ -50,5 +51,13 @@ Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
 /// background's (S5.4).
 ColorImage colors_of(const Scene& scene, const Camera& camera,
                      const ItemImage& items, const ImageOptions& options);
+
+/// Colours what is seen from behind by a mark, in its own light (S5.8).
+///
+/// Requires: colours of these items, which are of the scene and the camera.
+/// Exact:    yes.
+void mark_back_faces(const Scene& scene, const Camera& camera,
+                     const ItemImage& items, const Rgb& mark,
+                     ColorImage& colors);
 
 }  // namespace halfspace::ref

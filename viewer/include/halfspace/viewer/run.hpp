@@ -21,8 +21,9 @@ struct WindowOptions {
   FirstView first_view;  ///< where the state has no camera
   /// Columns and rows of the picture; the window has room for it.
   std::optional<std::array<std::int32_t, 2>> picture_px;
-  double scale = 0;    ///< of letters and panels; 0: as the display says
-  bool watch = false;  ///< reads files that change again
+  double scale = 0;        ///< of letters and panels; 0: as the display says
+  bool watch = false;      ///< reads files that change again
+  bool headlight = false;  ///< the light follows the eye, when it rests
   std::optional<std::string> play_file;  ///< events to play, then to end
   std::optional<std::string> dump_name;  ///< with %d: pictures of `dump`
   /// Draws a figure of a `.view` file, such as SVG or PDF.

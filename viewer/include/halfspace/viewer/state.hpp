@@ -56,13 +56,28 @@ struct ScalarLook {
   friend bool operator==(const ScalarLook&, const ScalarLook&) = default;
 };
 
+/// What decides the colours of surfaces, where no numbers do.
+enum class Coloring : std::uint8_t {
+  kFile,   ///< the files' own colours
+  kParts,  ///< each file has one
+  kFaces,  ///< each face has one, so that neighbours are told apart
+};
+
+/// Which visible edges are drawn over the picture (S14), as `halfspace render
+/// --lines` draws them.
+enum class Lines : std::uint8_t { kNone, kOutline, kFeatures, kWire };
+
 /// How the parts look.
 struct Looks {
   bool is_smooth = false;  ///< Gouraud shading
   bool cull = false;       ///< polygons seen from behind are not there
   Rgb background = {255, 255, 255};
   std::optional<std::array<double, 3>> light;  ///< nothing: the usual one
-  std::optional<ScalarLook> scalar = {};       ///< of a file that is alone
+  std::optional<double> ambient = {};          ///< nothing: the usual share
+  Coloring coloring = Coloring::kFile;
+  Lines lines = Lines::kNone;          ///< none where planes cut the parts
+  std::optional<Rgb> back_color = {};  ///< of what is seen from behind (S5.8)
+  std::optional<ScalarLook> scalar = {};  ///< of a file that is alone
   /// How much polygons hide of what is behind them (S5.6), where no numbers
   /// colour them.
   std::uint8_t alpha = kOpaque;
@@ -87,6 +102,15 @@ bool have_same_scene(const State& a, const State& b);
 
 /// The alpha of the state's picture (S5.6): numbers are not blended.
 std::uint8_t alpha_of(const State& state);
+
+/// The mark of the state's picture (S5.8): numbers and what lets light through
+/// have none.
+std::optional<Rgb> back_color_of(const State& state);
+
+/// The lines of the state's picture, and their colour, which the background is
+/// seen beside.
+Lines lines_of(const State& state);
+Rgb line_color_of(const State& state);
 
 /// Whether any plane cuts the parts.
 bool has_sections(const State& state);

@@ -1,0 +1,106 @@
+#include "core/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <thread>
+#include <utility>
+
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/painter.hpp"
+#include "halfspace/fast/shade/back_faces.hpp"
+#include "halfspace/fast/shade/lines.hpp"
+
+namespace halfspace::viewer {
+namespace {
+
+/// Two faces that meet at more than this make a line, as `halfspace render
+/// --lines features` has it, and how wide lines are there.
+constexpr double kCreaseDeg = 20;
+constexpr std::int32_t kLineWidth = 20;
+
+int thread_count() {
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// Colours the rows from `row` on by numbers.
+void color_numbers(const PictureRequest& request, std::int32_t row, int threads,
+                   fast::Rendering& rendering) {
+  fast::ScalarOptions how;
+  how.top = row;
+  how.threads = threads;
+  fast::color_scalars(request.model->loaded.file.scene, request.camera,
+                      request.options, rendering.items, request.numbers->colors,
+                      how, rendering.colors);
+}
+
+}  // namespace
+
+PictureRequest picture_of(const State& state,
+                          std::shared_ptr<const Model> model,
+                          const Camera& camera,
+                          std::shared_ptr<const ShownNumbers> numbers) {
+  PictureRequest request;
+  request.options = image_options(state, *model);
+  request.model = std::move(model);
+  request.camera = camera;
+  request.alpha = alpha_of(state);
+  request.numbers = std::move(numbers);
+  request.back_color = back_color_of(state);
+  request.line_style.width = kLineWidth;
+  request.line_style.color = line_color_of(state);
+  if (lines_of(state) == Lines::kOutline)
+    request.line_style.classes &= ~set_of(EdgeClass::kCrease);
+  return request;
+}
+
+Result<std::shared_ptr<const fast::Drawing>> lines_for(const Scene& scene,
+                                                       const Camera& camera,
+                                                       Lines lines, bool cull) {
+  DrawingOptions options;
+  options.cull = cull;
+  if (lines != Lines::kWire) {
+    options.crease_cosine = static_cast<std::int32_t>(std::lround(std::ldexp(
+        std::cos(kCreaseDeg * std::numbers::pi / 180), kCosineBits)));
+  }
+  Result<fast::Drawing> drawing = fast::draw(scene, camera, options);
+  if (!drawing) return drawing.error();
+  return std::shared_ptr<const fast::Drawing>(
+      std::make_shared<fast::Drawing>(*std::move(drawing)));
+}
+
+void PictureMaker::draw(const PictureRequest& request, std::int32_t first_row,
+                        std::int32_t end_row, fast::Rendering& rendering) {
+  const Scene& scene = request.model->loaded.file.scene;
+  fast::RenderOptions how;
+  how.threads = thread_count();
+  how.items = request.numbers != nullptr || request.back_color;
+  how.colors = request.numbers == nullptr;
+  how.rectangle = {0, first_row, request.camera->width_px, end_row};
+  if (request.alpha == kOpaque) {
+    fast::render(scene, *request.model->tree, request.camera, request.options,
+                 how, rendering);
+  } else {
+    if (leafy_ != request.model->tree) {
+      leafy_ = request.model->tree;
+      leafless_ = *leafy_;
+      fast::divide_leaves(leafless_, scene);
+    }
+    rendering = fast::blend(scene, leafless_, request.camera, request.options,
+                            request.alpha, how);
+  }
+  if (request.numbers)
+    color_numbers(request, first_row, how.threads, rendering);
+  if (request.back_color) {
+    fast::mark_back_faces(scene, request.camera, rendering.items,
+                          *request.back_color, how.threads, rendering.colors);
+  }
+  if (request.lines)
+    fast::add_lines(*request.lines, request.line_style, {}, rendering.colors);
+  if (request.numbers && request.numbers->has_legend) {
+    io::draw_legend(request.numbers->legend, rendering.items,
+                    request.options.background, rendering.colors);
+  }
+}
+
+}  // namespace halfspace::viewer
