@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <iterator>
 
 #include "window/fonts.hpp"
@@ -47,6 +48,30 @@ void set_key_map(ImGuiIO& io) {
                {ImGuiKey_Y, SDL_SCANCODE_Y},
                {ImGuiKey_Z, SDL_SCANCODE_Z}};
   for (const auto& [key, code] : kKeys) io.KeyMap[key] = code;
+}
+
+/// Eight bytes at a time, as splitmix64 mixes them.
+std::uint64_t hash_of(const void* data, std::size_t bytes, std::uint64_t hash) {
+  const char* at = static_cast<const char*>(data);
+  while (bytes > 0) {
+    const std::size_t count = std::min(bytes, sizeof(std::uint64_t));
+    std::uint64_t word = count;
+    std::memcpy(&word, at, count);
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 29;
+    at += count;
+    bytes -= count;
+  }
+  return hash;
+}
+
+/// The rectangle beyond which the command draws nothing.
+SDL_Rect clip_of(const ImDrawCmd& command) {
+  const ImVec4& box = command.ClipRect;
+  const int left = std::max(0, static_cast<int>(box.x));
+  const int top = std::max(0, static_cast<int>(box.y));
+  return {left, top, static_cast<int>(box.z) - left,
+          static_cast<int>(box.w) - top};
 }
 
 }  // namespace
@@ -173,9 +198,36 @@ void ImguiBackend::show_cursor() {
   SDL_SetCursor(cursor != nullptr ? cursor : cursors_[ImGuiMouseCursor_Arrow]);
 }
 
-void ImguiBackend::end_frame() {
+ImguiBackend::Changes ImguiBackend::end_frame(const SDL_Rect& area) {
   ImGui::Render();
-  draw(*ImGui::GetDrawData());
+  const ImDrawData& data = *ImGui::GetDrawData();
+  std::uint64_t inside = hash_of(&data.DisplaySize, sizeof(ImVec2), 1);
+  std::uint64_t outside = inside;
+  for (int l = 0; l < data.CmdListsCount; ++l) {
+    const ImDrawList& list = *data.CmdLists[l];
+    const bool is_inside =
+        std::all_of(list.CmdBuffer.begin(), list.CmdBuffer.end(),
+                    [&area](const ImDrawCmd& command) {
+                      const SDL_Rect clip = clip_of(command);
+                      SDL_Rect both;
+                      SDL_UnionRect(&clip, &area, &both);
+                      return command.ElemCount == 0 ||
+                             SDL_RectEquals(&both, &area) == SDL_TRUE;
+                    });
+    std::uint64_t& hash = is_inside ? inside : outside;
+    hash =
+        hash_of(list.VtxBuffer.Data,
+                static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()), hash);
+    hash =
+        hash_of(list.IdxBuffer.Data,
+                static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()), hash);
+    for (const ImDrawCmd& command : list.CmdBuffer)
+      hash = hash_of(&command.ClipRect, sizeof command.ClipRect, hash);
+  }
+  const Changes changes = {inside != inside_hash_, outside != outside_hash_};
+  inside_hash_ = inside;
+  outside_hash_ = outside;
+  return changes;
 }
 
 void ImguiBackend::draw(const ImDrawList& list, const ImDrawCmd& command) {
@@ -211,18 +263,15 @@ void ImguiBackend::draw(const ImDrawList& list, const ImDrawCmd& command) {
   }
 }
 
-void ImguiBackend::draw(const ImDrawData& data) {
+void ImguiBackend::paint(const SDL_Rect& region) {
+  const ImDrawData& data = *ImGui::GetDrawData();
   for (int l = 0; l < data.CmdListsCount; ++l) {
     const ImDrawList& list = *data.CmdLists[l];
     for (const ImDrawCmd& command : list.CmdBuffer) {
       if (command.UserCallback != nullptr || command.ElemCount == 0) continue;
-      const ImVec4& box = command.ClipRect;
-      const SDL_Rect clip = {
-          std::max(0, static_cast<int>(box.x)),
-          std::max(0, static_cast<int>(box.y)),
-          static_cast<int>(box.z) - std::max(0, static_cast<int>(box.x)),
-          static_cast<int>(box.w) - std::max(0, static_cast<int>(box.y))};
-      if (clip.w <= 0 || clip.h <= 0) continue;
+      const SDL_Rect own = clip_of(command);
+      SDL_Rect clip;
+      if (SDL_IntersectRect(&own, &region, &clip) == SDL_FALSE) continue;
       SDL_RenderSetClipRect(renderer_, &clip);
       draw(list, command);
     }

@@ -21,15 +21,21 @@ class ImguiBackend {
   void handle(const SDL_Event& event);
 
   void begin_frame();
-  /// Draws what ImGui was told since begin_frame().
-  void end_frame();
+  /// Where a frame is to be drawn otherwise than the frame before.
+  struct Changes {
+    bool inside = false;   ///< in lists that stay in an area
+    bool outside = false;  ///< in those that do not
+  };
+  /// Ends what ImGui was told since begin_frame().
+  Changes end_frame(const SDL_Rect& area);
+  /// Draws what of it is in a region.
+  void paint(const SDL_Rect& region);
 
   /// Renderer pixels in a unit of mouse positions.
   double pixel_ratio() const { return pixel_ratio_; }
 
  private:
   void make_font_texture();
-  void draw(const ImDrawData& data);
   void draw(const ImDrawList& list, const ImDrawCmd& command);
   void show_cursor();
 
@@ -40,6 +46,7 @@ class ImguiBackend {
   ImGuiMouseCursor shown_cursor_ = ImGuiMouseCursor_Arrow;
   double pixel_ratio_ = 1;
   std::uint64_t last_count_ = 0;
+  std::uint64_t inside_hash_ = 0, outside_hash_ = 0;
 };
 
 }  // namespace halfspace::viewer

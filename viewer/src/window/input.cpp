@@ -33,7 +33,10 @@ void Window::handle(const SDL_Event& event) {
   }
   if (player_ == nullptr) held_ = modifiers_of(SDL_GetModState());
   imgui_.handle(event);
-  redraws_ = std::max(redraws_, 3);
+  // Panels settle in three frames; while the cursor turns the model they have
+  // nothing to settle.
+  const bool is_turning = event.type == SDL_MOUSEMOTION && button_ != 0;
+  redraws_ = std::max(redraws_, is_turning ? 1 : 3);
   const double ratio = imgui_.pixel_ratio();
   const auto pixel = [ratio](int at) {
     return static_cast<int>(std::floor(at * ratio));
@@ -88,6 +91,10 @@ void Window::drop() {
 void Window::handle_window(const SDL_WindowEvent& event) {
   if (event.event == SDL_WINDOWEVENT_CLOSE) ui_.wants_to_quit = true;
   if (event.event == SDL_WINDOWEVENT_SIZE_CHANGED) lay_out();
+  // Shown, uncovered, of another size: what was drawn may be gone.
+  if (event.event != SDL_WINDOWEVENT_ENTER &&
+      event.event != SDL_WINDOWEVENT_LEAVE)
+    is_exposed_ = true;
 }
 
 void Window::press(int button, int x, int y) {

@@ -129,6 +129,7 @@ Result<Done> Window::dump() {
 
 Result<Done> Window::shoot(const std::string& path) {
   redraws_ = 1;
+  is_exposed_ = true;
   draw();
   int width = 0, height = 0;
   SDL_GetRendererOutputSize(renderer_, &width, &height);

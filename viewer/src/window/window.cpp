@@ -64,6 +64,9 @@ Window::Window(const WindowOptions& options, SDL_Window* window,
   ui_.draw_figure = options.draw_figure;
   ui_.has_headlight = options.headlight;
   if (player == nullptr) ui_.recent = read_recent(recent_file());
+  SDL_RendererInfo info;
+  is_kept_ = SDL_GetRendererInfo(renderer, &info) == 0 &&
+             (info.flags & SDL_RENDERER_SOFTWARE) != 0;
   lay_out();
 }
 
@@ -215,9 +218,11 @@ void Window::show_title() {
   SDL_SetWindowTitle(window_, title.c_str());
 }
 
-void Window::draw_view() {
-  session_.frames().read_changes([this](const Canvas& canvas,
-                                        std::int32_t first, std::int32_t end) {
+bool Window::take_rows() {
+  bool is_changed = false;
+  session_.frames().read_changes([this, &is_changed](const Canvas& canvas,
+                                                     std::int32_t first,
+                                                     std::int32_t end) {
     if (texture_ == nullptr || texture_width_ != canvas.width_px ||
         texture_height_ != canvas.height_px) {
       if (texture_ != nullptr) SDL_DestroyTexture(texture_);
@@ -229,6 +234,7 @@ void Window::draw_view() {
       first = 0;
       end = canvas.height_px;
     }
+    is_changed = true;
     if (texture_ == nullptr) return;
     const SDL_Rect rows = {0, first, canvas.width_px, end - first};
     SDL_UpdateTexture(
@@ -237,24 +243,48 @@ void Window::draw_view() {
                                    static_cast<std::size_t>(canvas.width_px),
         4 * canvas.width_px);
   });
-  const Rgb paper = session_.state().looks.background;
-  SDL_SetRenderDrawColor(renderer_, paper.r, paper.g, paper.b, 255);
-  SDL_RenderClear(renderer_);
-  if (texture_ == nullptr || !session_.model()) return;
+  return is_changed;
+}
+
+void Window::paint(const SDL_Rect& region) {
   const SDL_Rect place = {ui_.view.x, ui_.view.y, texture_width_,
                           texture_height_};
-  SDL_SetTextureBlendMode(texture_, SDL_BLENDMODE_NONE);
-  SDL_RenderCopy(renderer_, texture_, nullptr, &place);
+  const bool has_picture = texture_ != nullptr && session_.model();
+  if (!has_picture || SDL_RectEquals(&place, &region) == SDL_FALSE) {
+    const Rgb paper = session_.state().looks.background;
+    SDL_SetRenderDrawColor(renderer_, paper.r, paper.g, paper.b, 255);
+    SDL_RenderFillRect(renderer_, &region);
+  }
+  if (has_picture) {
+    SDL_SetTextureBlendMode(texture_, SDL_BLENDMODE_NONE);
+    SDL_RenderCopy(renderer_, texture_, nullptr, &place);
+  }
+  imgui_.paint(region);
 }
 
 void Window::draw() {
   if (redraws_ <= 0) return;
   --redraws_;
-  draw_view();
+  const bool has_rows = take_rows();
   imgui_.begin_frame();
   draw_panels(session_, background_, ui_);
   draw_overlay(session_, background_, ui_);
-  imgui_.end_frame();
+  const SDL_Rect view = {ui_.view.x, ui_.view.y, ui_.view.width,
+                         ui_.view.height};
+  const ImguiBackend::Changes changes = imgui_.end_frame(view);
+  // Panels are asked a few times, but mostly look as they did; and while the
+  // model turns they are on the screen already.
+  if (is_exposed_ || changes.outside) {
+    int width = 0, height = 0;
+    SDL_GetRendererOutputSize(renderer_, &width, &height);
+    paint({0, 0, width, height});
+  } else if (has_rows || changes.inside) {
+    paint(view);
+  } else {
+    return;
+  }
+  // Only what is drawn by software stays there for the next frame.
+  is_exposed_ = !is_kept_;
   SDL_RenderPresent(renderer_);
   if (first_draw_ms_ < 0) first_draw_ms_ = window_now_ms();
 }

@@ -65,7 +65,8 @@ class Window {
   void follow_eye();
   void note_opened();
   void draw();
-  void draw_view();
+  bool take_rows();
+  void paint(const SDL_Rect& region);
   void show_title();
   bool is_drawn_later() const;
   Result<Done> play();
@@ -88,7 +89,9 @@ class Window {
   Player* player_;
   SDL_Texture* texture_ = nullptr;
   int texture_width_ = 0, texture_height_ = 0;
-  int redraws_ = 3;  ///< ImGui settles in a few
+  bool is_exposed_ = true;  ///< the screen has lost what was drawn
+  bool is_kept_ = false;    ///< what is drawn stays until it is drawn over
+  int redraws_ = 3;         ///< ImGui settles in a few
   // The button that moves the camera now, and where it was pressed.
   int button_ = 0;
   bool drags_axes_ = false;
