@@ -220,9 +220,13 @@ TYPED_TEST(S5Color, L21AMarkColoursWhatCullingWouldLeaveOut) {
         continue;
       }
       const int light = std::max({before.r, before.g, before.b});
-      const Rgb expected = {nearest_255th(mark.r * light),
-                            nearest_255th(mark.g * light),
-                            nearest_255th(mark.b * light)};
+      // The v next to m (255 + light) / 510, the greater of two.
+      const auto dimmed = [light](int m) {
+        int v = 0;
+        while (510 * (2 * v + 1) <= 2 * m * (255 + light)) ++v;
+        return static_cast<std::uint8_t>(v);
+      };
+      const Rgb expected = {dimmed(mark.r), dimmed(mark.g), dimmed(mark.b)};
       HALFSPACE_LAW(image.colors.pixels[k] == expected);
       ++marked;
     }

@@ -134,7 +134,7 @@ void mark_back_faces(const Scene& scene, const Camera& camera,
     const int light = std::max({color.r, color.g, color.b});
     ExactColor dimmed = exact(mark);
     for (Rational& channel : dimmed)
-      channel = channel * Rational(light) / Rational(255);
+      channel = channel * Rational(255 + light) / Rational(510);
     color = rounded_color(dimmed);
   }
 }

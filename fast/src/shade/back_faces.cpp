@@ -16,7 +16,7 @@ constexpr std::size_t kMarkedPixels = 1 << 14;
 /// The mark where a polygon has a colour with that greatest channel.
 Rgb dimmed_mark(const Rgb& mark, int light) {
   const auto channel = [light](int full) {
-    return static_cast<std::uint8_t>((2 * full * light + 255) / 510);
+    return static_cast<std::uint8_t>((full * (255 + light) + 255) / 510);
   };
   return {channel(mark.r), channel(mark.g), channel(mark.b)};
 }

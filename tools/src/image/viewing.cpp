@@ -333,8 +333,9 @@ void add_view_options(CLI::App& app, ViewArguments& arguments) {
 }
 
 CLI::Option* add_back_color_option(CLI::App& app, std::optional<Rgb>& color) {
-  return add_color(app, "--back-color", color,
-                   "Colour of polygons seen from behind, in their own light");
+  return add_color(
+      app, "--back-color", color,
+      "Colour of polygons seen from behind, half dimmed by their light");
 }
 
 Result<io::ViewOptions> complete_view(const Scene& scene,

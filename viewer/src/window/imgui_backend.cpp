@@ -134,15 +134,24 @@ void ImguiBackend::handle(const SDL_Event& event) {
   const auto ratio = static_cast<float>(pixel_ratio_);
   switch (event.type) {
     case SDL_MOUSEMOTION:
-      io.MousePos = {static_cast<float>(event.motion.x) * ratio,
-                     static_cast<float>(event.motion.y) * ratio};
+      cursor_ = {static_cast<float>(event.motion.x) * ratio,
+                 static_cast<float>(event.motion.y) * ratio};
+      io.MousePos = cursor_;
       break;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP: {
-      const bool is_down = event.type == SDL_MOUSEBUTTONDOWN;
-      if (event.button.button == SDL_BUTTON_LEFT) io.MouseDown[0] = is_down;
-      if (event.button.button == SDL_BUTTON_RIGHT) io.MouseDown[1] = is_down;
-      if (event.button.button == SDL_BUTTON_MIDDLE) io.MouseDown[2] = is_down;
+      const auto button = event.button.button;
+      const int code = button == SDL_BUTTON_LEFT     ? 0
+                       : button == SDL_BUTTON_RIGHT  ? 1
+                       : button == SDL_BUTTON_MIDDLE ? 2
+                                                     : -1;
+      if (code < 0) break;
+      pending_.push_back({false,
+                          code,
+                          event.type == SDL_MOUSEBUTTONDOWN,
+                          {static_cast<float>(event.button.x) * ratio,
+                           static_cast<float>(event.button.y) * ratio},
+                          0});
       break;
     }
     case SDL_MOUSEWHEEL:
@@ -154,26 +163,58 @@ void ImguiBackend::handle(const SDL_Event& event) {
       break;
     case SDL_KEYDOWN:
     case SDL_KEYUP: {
-      const auto held = event.key.keysym.mod;
-      io.KeysDown[event.key.keysym.scancode] = event.type == SDL_KEYDOWN;
-      io.KeyShift = (held & KMOD_SHIFT) != 0;
-      io.KeyCtrl = (held & KMOD_CTRL) != 0;
-      io.KeyAlt = (held & KMOD_ALT) != 0;
+      pending_.push_back({true,
+                          static_cast<int>(event.key.keysym.scancode),
+                          event.type == SDL_KEYDOWN,
+                          {},
+                          event.key.keysym.mod});
       break;
     }
     case SDL_WINDOWEVENT:
       if (event.window.event == SDL_WINDOWEVENT_LEAVE)
-        io.MousePos = {-FLT_MAX, -FLT_MAX};
-      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST)
+        io.MousePos = cursor_ = {-FLT_MAX, -FLT_MAX};
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
+        pending_.clear();
         std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+      }
       break;
     default:
       break;
   }
 }
 
+void ImguiBackend::take_pending() {
+  ImGuiIO& io = ImGui::GetIO();
+  for (std::size_t taken = 0; !pending_.empty(); ++taken) {
+    const Change& change = pending_.front();
+    bool& is_down =
+        change.is_key ? io.KeysDown[change.code] : io.MouseDown[change.code];
+    const auto is_same = [&change](const Change& other) {
+      return other.is_key == change.is_key && other.code == change.code;
+    };
+    if (std::any_of(taken_.begin(), taken_.end(), is_same)) break;
+    // What was pressed elsewhere is another frame, too.
+    if (!change.is_key && taken > 0 &&
+        (io.MousePos.x != change.at.x || io.MousePos.y != change.at.y))
+      break;
+    if (change.is_key) {
+      io.KeyShift = (change.held & KMOD_SHIFT) != 0;
+      io.KeyCtrl = (change.held & KMOD_CTRL) != 0;
+      io.KeyAlt = (change.held & KMOD_ALT) != 0;
+    } else {
+      io.MousePos = change.at;
+    }
+    is_down = change.is_down;
+    taken_.push_back(change);
+    pending_.pop_front();
+  }
+  taken_.clear();
+}
+
 void ImguiBackend::begin_frame() {
   ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = cursor_;
+  take_pending();
   int width = 0, height = 0, window_width = 0, window_height = 0;
   SDL_GetRendererOutputSize(renderer_, &width, &height);
   SDL_GetWindowSize(window_, &window_width, &window_height);

@@ -3,7 +3,10 @@
 #include <SDL.h>
 #include <imgui.h>
 
+#include <cfloat>
 #include <cstdint>
+#include <deque>
+#include <vector>
 
 namespace halfspace::viewer {
 
@@ -20,7 +23,11 @@ class ImguiBackend {
   /// Tells ImGui of an event. Mouse positions become pixels of the renderer.
   void handle(const SDL_Event& event);
 
+  /// Begins a frame with the presses and releases since the last one, but with
+  /// one of a button or key at most: a quick click is two frames.
   void begin_frame();
+  /// Whether presses or releases are left for another frame.
+  bool has_pending() const { return !pending_.empty(); }
   /// Where a frame is to be drawn otherwise than the frame before.
   struct Changes {
     bool inside = false;   ///< in lists that stay in an area
@@ -38,7 +45,20 @@ class ImguiBackend {
   void make_font_texture();
   void draw(const ImDrawList& list, const ImDrawCmd& command);
   void show_cursor();
+  void take_pending();
 
+  /// A button or key that went down or up.
+  struct Change {
+    bool is_key = false;
+    int code = 0;
+    bool is_down = false;
+    ImVec2 at;     ///< of the cursor, for buttons
+    int held = 0;  ///< of SDL's modifiers, for keys
+  };
+
+  std::deque<Change> pending_;
+  std::vector<Change> taken_;  ///< in the frame that begins
+  ImVec2 cursor_ = {-FLT_MAX, -FLT_MAX};
   SDL_Window* window_;
   SDL_Renderer* renderer_;
   SDL_Texture* font_texture_ = nullptr;

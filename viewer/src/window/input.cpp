@@ -32,6 +32,12 @@ void Window::handle(const SDL_Event& event) {
     return;
   }
   if (player_ == nullptr) held_ = modifiers_of(SDL_GetModState());
+  if (event.type == SDL_MOUSEMOTION) is_hover_known_ = false;
+  if (event.type == SDL_MOUSEBUTTONDOWN && !is_hover_known_ && button_ == 0) {
+    // Panels must know where the cursor is to say whether the press is theirs.
+    redraws_ = std::max(redraws_, 1);
+    draw();
+  }
   imgui_.handle(event);
   // Panels settle in three frames; while the cursor turns the model they have
   // nothing to settle.

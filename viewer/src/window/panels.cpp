@@ -535,14 +535,16 @@ bool begin_section(const char* name, bool is_open = true) {
 
 void draw_undo(Session& session, Ui& ui) {
   ImGui::BeginDisabled(!session.can_undo());
-  if (wide_button("Undo", 3)) session.undo();
+  if (wide_button("Undo", 4)) session.undo();
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!session.can_redo());
-  if (wide_button("Redo", 3)) session.redo();
+  if (wide_button("Redo", 4)) session.redo();
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (wide_button("Keys", 3)) ui.has_help = !ui.has_help;
+  if (wide_button("Save...", 4)) ui.question = FileQuestion::kSavePicture;
+  ImGui::SameLine();
+  if (wide_button("Keys", 4)) ui.has_help = !ui.has_help;
 }
 
 void draw_side_panel(Session& session, Background& background, Ui& ui) {

@@ -267,6 +267,8 @@ void Window::draw() {
   --redraws_;
   const bool has_rows = take_rows();
   imgui_.begin_frame();
+  is_hover_known_ = true;
+  if (imgui_.has_pending()) redraws_ = std::max(redraws_, 3);
   draw_panels(session_, background_, ui_);
   draw_overlay(session_, background_, ui_);
   const SDL_Rect view = {ui_.view.x, ui_.view.y, ui_.view.width,

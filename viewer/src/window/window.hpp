@@ -107,6 +107,7 @@ class Window {
   unsigned grip_count_ = 0;
   int pressed_x_ = 0, pressed_y_ = 0, last_x_ = 0, last_y_ = 0;
   bool has_moved_ = false;
+  bool is_hover_known_ = false;  ///< to the panels, of the cursor's place
   Modifiers held_;
   int played_x_ = 0, played_y_ = 0;
   std::vector<std::string> dropped_;
