@@ -23,7 +23,8 @@ BOX = """OFF
 KEYS = ["1", "3", "5", "7", "9", "Space", "Return", "Left", "Right", "Up", "A",
         "D", "K", "Tab", "O", "X", "N", "Z", "P", "H", "+", "-", "E", "S", "B",
         "G", "V", "T", "Shift+1", "Shift+7", "Shift+Left", "Ctrl+Up", "Ctrl+Z",
-        "Ctrl+Y", "Backspace", "F1"]
+        "Ctrl+Y", "Backspace", "F1", "W", "C", "L", "Shift+K", ",", ".",
+        "Ctrl+S", "Ctrl+E", "Escape"]
 
 
 def made_line(chance, width, height):

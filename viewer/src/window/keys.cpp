@@ -161,7 +161,9 @@ void toggle_legend(Session& session, Ui&) {
 }
 
 void escape(Session& session, Ui& ui) {
-  if (ui.has_help) {
+  if (ui.has_popup) {
+    ui.closes_popups = true;
+  } else if (ui.has_help) {
     ui.has_help = false;
   } else if (ui.question != FileQuestion::kNone) {
     ui.question = FileQuestion::kNone;
@@ -171,8 +173,6 @@ void escape(Session& session, Ui& ui) {
     ui.points.clear();
   } else if (ui.is_fullscreen) {
     ui.is_fullscreen = false;
-  } else {
-    ui.wants_to_quit = true;
   }
 }
 
@@ -260,7 +260,7 @@ std::vector<KeyAction> made_actions() {
        [](Session& session, Ui&) { session.undo(); }},
       {"Ctrl+Y", "", SDLK_y, kControl,
        [](Session& session, Ui&) { session.redo(); }},
-      {"Escape", "Close, forget, quit", SDLK_ESCAPE, kPlain, escape},
+      {"Escape", "Close, forget", SDLK_ESCAPE, kPlain, escape},
       {"Ctrl+Q", "Quit", SDLK_q, kControl, toggle<&Ui::wants_to_quit>},
   };
 }

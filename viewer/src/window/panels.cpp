@@ -58,10 +58,22 @@ bool wide_button(const char* name, int count) {
   return ImGui::Button(name, {(all - (n - 1) * space) / n, 0});
 }
 
+/// What was open before, to be opened again.
+void draw_recent(Session& session, const Ui& ui) {
+  if (ui.recent.empty()) return;
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##recent", "Recent")) return;
+  for (const std::string& path : ui.recent) {
+    if (ImGui::Selectable(path.c_str())) session.open({path});
+  }
+  ImGui::EndCombo();
+}
+
 void draw_files(Session& session, Ui& ui) {
   if (wide_button("Open...", 2)) ui.question = FileQuestion::kOpen;
   ImGui::SameLine();
   if (wide_button("Add...", 2)) ui.question = FileQuestion::kAdd;
+  draw_recent(session, ui);
   const State& state = session.state();
   Edit edit;
   for (std::size_t i = 0; i < state.parts.size(); ++i) {
@@ -601,10 +613,14 @@ void draw_status_line(Session& session, const Ui& ui) {
 }  // namespace
 
 void draw_panels(Session& session, Background& background, Ui& ui) {
+  if (ui.closes_popups) ImGui::ClosePopupToLevel(0, true);
+  ui.closes_popups = false;
   if (ui.has_panel && !ui.is_fullscreen)
     draw_side_panel(session, background, ui);
   if (!ui.is_fullscreen) draw_status_line(session, ui);
   draw_file_question(session, background, ui);
+  ui.has_popup = ImGui::IsPopupOpen(
+      "", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 }  // namespace halfspace::viewer

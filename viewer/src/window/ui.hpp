@@ -60,6 +60,8 @@ struct Ui {
   bool is_trackball = false;
   bool measures = false;
   bool wants_to_quit = false;
+  bool has_popup = false;      ///< a list to choose from is open
+  bool closes_popups = false;  ///< in the next frame
   bool animates = true;  ///< not while events are played
   std::optional<CameraFlight> flight;
   std::vector<PickedPoint> points;    ///< that were clicked, the last one last
