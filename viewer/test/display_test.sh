@@ -50,6 +50,13 @@ hand mouseup 1
 hand click 4
 hand windowsize "$window" 1000 600
 hand key 7
+# A click whose press and release come at once is one, also in the panel: on
+# `Front`, in the middle of the first button of the view.
+hand mousemove --window "$window" 740 184
+hand click 1
+sleep 1
+hand key ctrl+shift+s
+hand key Return
 
 # Ticks of the processor, of all threads.
 ticks() { awk '{ print $14 + $15 }' /proc/$viewer/stat; }
@@ -74,6 +81,11 @@ if kill -0 $viewer 2>/dev/null; then
   kill -9 $viewer
 fi
 wait $viewer || wrong "it ended with $?"
+python3 -c 'import json
+camera = json.load(open("box.view"))["camera"]
+(ex, ey, _), (tx, ty, _) = camera["eye"], camera["target"]
+assert abs(ex - tx) < 1e-9 and ey < ty - 1' ||
+  wrong 'the view that was saved is not from the front'
 [ -s stderr ] && grep -v XDG_RUNTIME_DIR stderr | grep -q . &&
   wrong "it complained: $(cat stderr)"
 grep -qx "$PWD/box.off" state/halfspace/recent ||

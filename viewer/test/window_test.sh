@@ -92,7 +92,7 @@ cmp -s out-1.png out-2.png && wrong 'both files look the same'
 
 # Looks: lines, marks of back sides, colours of parts and faces, and by Alt a
 # file that is moved, which is taken back as one.
-played 8 box.off other.off --size 200x150 --back-color 255,0,0 <<'END'
+played 9 box.off other.off --size 200x150 --back-color 255,0,0 <<'END'
 key E
 dump
 key W
@@ -109,8 +109,10 @@ key Ctrl+Z
 dump
 key Shift+7
 dump
+key L
+dump
 END
-for ((i = 1; i < 8; ++i)); do
+for ((i = 1; i < 9; ++i)); do
   cmp -s "out-$i.png" "out-$((i - 1)).png" && [ $i != 1 ] && [ $i != 4 ] &&
     wrong "look $i changes nothing"
 done
