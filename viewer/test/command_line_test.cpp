@@ -24,6 +24,16 @@ TEST(CommandLine, SaysEveryNumberOfTheState) {
             "--eye=0.3333333333333333,-2,0 --target=0,0,0 --up=0,0,1 --fov 40 "
             "--ortho --height 2 --shade flat --no-cull --background "
             "255,255,255 --alpha 90 --color 1,2,3 --light=1,2,-3 -o out.png");
+  state = one_part();
+  state.looks.background = {0, 0, 9};
+  state.looks.ambient = 0.5;
+  state.looks.back_color = Rgb{9, 8, 7};
+  state.looks.lines = Lines::kWire;
+  const std::string command = render_command(state, "out.png", "");
+  EXPECT_TRUE(command.ends_with(
+      " --background 0,0,9 --ambient 0.5 --back-color 9,8,7 --lines wire "
+      "--line-color 235,238,242 -o out.png"))
+      << command;
 }
 
 TEST(CommandLine, WhatOptionsDoNotSayIsInAView) {
@@ -40,6 +50,9 @@ TEST(CommandLine, WhatOptionsDoNotSayIsInAView) {
   EXPECT_FALSE(fits_command_line(state));
   state = one_part();
   state.combination = Combination::kUnion;
+  EXPECT_FALSE(fits_command_line(state));
+  state = one_part();
+  state.looks.coloring = Coloring::kFaces;
   EXPECT_FALSE(fits_command_line(state));
 }
 

@@ -38,6 +38,12 @@ echo dump | played 1 box.off --size 301x203 --view front --shade gouraud \
   --background 10,20,30 --color 200,100,50 --light 1,2,3 --fov 50 -o usual.png
 same out-0.png usual.png
 
+printf 'key E\ndump\n' | played 1 box.off --size 301x203 --view front \
+  --background 10,20,30 --ambient 0.5
+"$program" render box.off --size 301x203 --view front -q --lines features \
+  --line-color 235,238,242 --background 10,20,30 --ambient 0.5 -o usual.png
+same out-0.png usual.png
+
 # What lets light through is blended; sections of it have no caps.
 echo dump | played 1 box.off --size 301x203 --alpha 90
 cmp -s out-0.png usual.png && wrong "--alpha changes nothing"
