@@ -4,6 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "halfspace/io/number.hpp"
 
@@ -50,21 +53,162 @@ Result<std::int64_t> parse_integer(std::string_view token) {
   return value;
 }
 
+std::errc read_double(std::string_view token, double& value) {
+#if defined(__cpp_lib_to_chars)
+  const char* const end = token.data() + token.size();
+  const auto [at, code] = std::from_chars(token.data(), end, value);
+  return at == end ? code : std::errc::invalid_argument;
+#else
+  const bool is_negative = token.starts_with('-');
+  const std::string_view word = token.substr(is_negative ? 1 : 0);
+  const double sign = is_negative ? -1 : 1;
+  if (is_word(word, "nan")) {
+    value = std::numeric_limits<double>::quiet_NaN();
+    return {};
+  }
+  if (is_word(word, "inf") || is_word(word, "infinity")) {
+    value = sign * std::numeric_limits<double>::infinity();
+    return {};
+  }
+  if (word.starts_with('+') || word.starts_with('-'))
+    return std::errc::invalid_argument;
+  const Result<Number> number = parse_number(word);
+  if (!number) {
+    return number.error().code == ErrorCode::kOutOfRange
+               ? std::errc::result_out_of_range
+               : std::errc::invalid_argument;
+  }
+  const double read = to_double(*number);
+  const bool is_zero =
+      word.substr(0, word.find_first_of("eE")).find_first_of("123456789") ==
+      std::string_view::npos;
+  if (!std::isfinite(read) || (read == 0 && !is_zero))
+    return std::errc::result_out_of_range;
+  value = sign * read;
+  return {};
+#endif
+}
+
 double value_or_none(std::string_view token) {
   if (token.starts_with('+')) token.remove_prefix(1);
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   double value = 0;
-#if defined(__cpp_lib_to_chars)
-  const char* const end = token.data() + token.size();
-  const auto [at, code] = std::from_chars(token.data(), end, value);
-  if (code != std::errc{} || at != end) return kNone;
-#else
-  // Not every library has that for doubles.
-  const Result<Number> number = parse_number(token);
-  if (!number) return kNone;
-  value = to_double(*number);
-#endif
+  if (read_double(token, value) != std::errc{}) return kNone;
   return std::isfinite(value) ? value : kNone;
+}
+
+namespace {
+
+/// A natural number, in digits of base 10^9, the least first.
+using Digits = std::vector<std::uint32_t>;
+constexpr std::uint32_t kBase = 1'000'000'000;
+
+void multiply(Digits& digits, std::uint32_t by) {
+  std::uint64_t carry = 0;
+  for (std::uint32_t& digit : digits) {
+    carry += std::uint64_t{digit} * by;
+    digit = static_cast<std::uint32_t>(carry % kBase);
+    carry /= kBase;
+  }
+  for (; carry > 0; carry /= kBase)
+    digits.push_back(static_cast<std::uint32_t>(carry % kBase));
+}
+
+/// Multiplies by base^power, where `step` is base^per_step below 2^32.
+void multiply_by_power(Digits& digits, std::uint32_t base, int power,
+                       std::uint32_t step, int per_step) {
+  for (; power >= per_step; power -= per_step) multiply(digits, step);
+  for (; power > 0; --power) multiply(digits, base);
+}
+
+std::string text_of(const Digits& digits) {
+  std::string text;
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
+    const std::string part = std::to_string(*digit);
+    if (!text.empty()) text.append(9 - part.size(), '0');
+    text += part;
+  }
+  return text;
+}
+
+/// Adds 1 to the last digit.
+void count_up(std::string& digits) {
+  std::size_t at = digits.size();
+  while (at > 0 && digits[at - 1] == '9') digits[--at] = '0';
+  if (at == 0) {
+    digits.insert(digits.begin(), '1');
+  } else {
+    ++digits[at - 1];
+  }
+}
+
+/// The same where the digits are an integer of 64 bits, as those of images and
+/// models are; nothing where they may be more.
+std::optional<std::string> short_fixed_point(std::uint64_t mantissa,
+                                             int exponent, int decimals) {
+  constexpr int kMost = 19;  // for 10^19 < 2^64
+  if (exponent >= 0 || exponent < -116 || decimals > kMost) return std::nullopt;
+  __extension__ using Wide = unsigned __int128;
+  std::uint64_t power = 1;
+  for (int k = 0; k < decimals; ++k) power *= 10;
+  // Below 2^(53 + 64).
+  const Wide product = Wide{mantissa} * power;
+  const Wide unit = Wide{1} << -exponent;
+  Wide whole = product / unit;
+  const Wide rest = product % unit;
+  const Wide half = unit / 2;
+  if (rest > half || (rest == half && whole % 2 != 0)) ++whole;
+  if (whole >> 64 != 0) return std::nullopt;
+  return std::to_string(static_cast<std::uint64_t>(whole));
+}
+
+/// Digits with a point before the last `decimals`.
+std::string with_point(std::string digits, std::size_t decimals) {
+  if (digits.size() <= decimals)
+    digits.insert(0, decimals + 1 - digits.size(), '0');
+  if (decimals > 0) digits.insert(digits.size() - decimals, 1, '.');
+  return digits;
+}
+
+/// The digits of mantissa 2^exponent to that many after the point.
+std::string long_fixed_point(std::uint64_t mantissa, int exponent,
+                             std::size_t decimals) {
+  for (; mantissa != 0 && mantissa % 2 == 0; ++exponent) mantissa /= 2;
+  Digits number;
+  for (; mantissa > 0; mantissa /= kBase)
+    number.push_back(static_cast<std::uint32_t>(mantissa % kBase));
+  // With k = -exponent > 0 there are k digits after the point, those of
+  // mantissa 5^k.
+  const int places = number.empty() ? 0 : std::max(0, -exponent);
+  multiply_by_power(number, 5, places, 1'220'703'125, 13);
+  multiply_by_power(number, 2, number.empty() ? 0 : exponent, 1u << 31, 31);
+  std::string digits = text_of(number);
+  const auto had = static_cast<std::size_t>(places);
+  if (had <= decimals) return digits.append(decimals - had, '0');
+  const std::size_t dropped = had - decimals;
+  if (digits.size() <= dropped)
+    digits.insert(0, dropped + 1 - digits.size(), '0');
+  const std::size_t kept = digits.size() - dropped;
+  const char next = digits[kept];
+  const bool is_half = next == '5' && digits.find_first_not_of('0', kept + 1) ==
+                                          std::string::npos;
+  const bool is_odd = (digits[kept - 1] - '0') % 2 != 0;
+  digits.erase(kept);
+  if (is_half ? is_odd : next >= '5') count_up(digits);
+  return digits;
+}
+
+}  // namespace
+
+std::string fixed_point(double value, int decimals) {
+  int exponent = 0;
+  const double share = std::frexp(std::abs(value), &exponent);
+  const auto mantissa = static_cast<std::uint64_t>(std::ldexp(share, 53));
+  const auto after = static_cast<std::size_t>(decimals);
+  std::optional<std::string> digits =
+      short_fixed_point(mantissa, exponent - 53, decimals);
+  if (!digits) digits = long_fixed_point(mantissa, exponent - 53, after);
+  return (std::signbit(value) ? "-" : "") + with_point(*digits, after);
 }
 
 std::string joined(std::span<const std::string_view> tokens) {

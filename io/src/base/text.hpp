@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "halfspace/message.hpp"
@@ -25,9 +26,22 @@ std::optional<Error> not_plain_text(std::string_view bytes);
 /// Errors: kSyntax, kOutOfRange (beyond 63 bits).
 Result<std::int64_t> parse_integer(std::string_view token);
 
+/// Reads the double that all of `token` spells, as std::from_chars() does: also
+/// where the standard library has that for integers alone.
+/// Errors: invalid_argument; result_out_of_range, where `value` stays.
+std::errc read_double(std::string_view token, double& value);
+
 /// The double that all of `token` spells; NaN where that is none, or not
 /// finite.
 double value_or_none(std::string_view token);
+
+/// A number with so many digits after its point, as printf's "%.*f" has it:
+/// the nearest such decimal, and of two the even one. Exact.
+///
+/// It stands in for std::to_chars(), whose tables for this are a sixteenth of
+/// the web's module.
+/// Requires: the value is finite; decimals >= 0.
+std::string fixed_point(double value, int decimals);
 
 /// The tokens with one blank between them.
 std::string joined(std::span<const std::string_view> tokens);

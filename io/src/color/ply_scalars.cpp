@@ -1,4 +1,3 @@
-#include <charconv>
 #include <cmath>
 
 #include "base/binary.hpp"
@@ -55,10 +54,7 @@ class PlyValues {
     if (!text_.next(word)) return std::nullopt;
     if (word.starts_with('+')) word.remove_prefix(1);
     double value = 0;
-    const auto [end, code] =
-        std::from_chars(word.data(), word.data() + word.size(), value);
-    if (code != std::errc() || end != word.data() + word.size())
-      return std::nullopt;
+    if (read_double(word, value) != std::errc{}) return std::nullopt;
     return value;
   }
 

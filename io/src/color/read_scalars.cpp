@@ -49,10 +49,8 @@ std::optional<double> number_in(std::string_view cell) {
     return kNoData;
   if (cell.starts_with('+')) cell.remove_prefix(1);
   double value = 0;
-  const auto [end, code] =
-      std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (code == std::errc::invalid_argument || end != cell.data() + cell.size())
-    return std::nullopt;
+  const std::errc code = read_double(cell, value);
+  if (code == std::errc::invalid_argument) return std::nullopt;
   // Too small a number is 0, too great a one infinite, as NumPy reads them.
   if (code == std::errc::result_out_of_range) {
     const bool is_small = cell.find("e-") != std::string_view::npos ||

@@ -1,15 +1,13 @@
 #include "figure/writers.hpp"
 
 #include <algorithm>
-#include <charconv>
+
+#include "base/text.hpp"
 
 namespace halfspace::io {
 
 std::string decimal(double value, int decimals) {
-  char text[64];
-  const auto end = std::to_chars(text, text + sizeof text, value,
-                                 std::chars_format::fixed, decimals);
-  std::string number(text, end.ptr);
+  std::string number = fixed_point(value, decimals);
   if (number.find('.') != std::string::npos) {
     number.erase(number.find_last_not_of('0') + 1);
     if (number.back() == '.') number.pop_back();

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "base/text.hpp"
@@ -34,10 +34,15 @@ ChannelKind kind_named(const std::string& name, std::size_t width) {
 /// others.
 std::vector<std::string> words_about(const std::string& comment,
                                      std::string_view what) {
-  std::istringstream stream(comment);
+  constexpr std::string_view kBlank = " \t\n\v\f\r";
   std::vector<std::string> words;
-  std::string word;
-  while (stream >> word) words.push_back(word);
+  std::size_t at = comment.find_first_not_of(kBlank);
+  while (at != std::string::npos) {
+    const std::size_t end =
+        std::min(comment.find_first_of(kBlank, at), comment.size());
+    words.push_back(comment.substr(at, end - at));
+    at = comment.find_first_not_of(kBlank, end);
+  }
   if (words.size() < 4 || words[0] != "halfspace" || words[1] != what)
     return {};
   words.erase(words.begin(), words.begin() + 2);
@@ -265,16 +270,17 @@ void PlyChannels::add_to_faces(const std::vector<std::string>& comments,
 }
 
 std::string ply_material_comment(std::size_t index, const Material& material) {
-  std::ostringstream text;
-  text << "halfspace material " << index << ' ';
+  std::string text = "halfspace material " + std::to_string(index) + ' ';
   if (material.color) {
-    text << int{material.color->r} << ' ' << int{material.color->g} << ' '
-         << int{material.color->b};
+    text += std::to_string(material.color->r) + ' ' +
+            std::to_string(material.color->g) + ' ' +
+            std::to_string(material.color->b);
   } else {
-    text << "none";
+    text += "none";
   }
-  text << ' ' << material.opacity << ' ' << material.name;
-  return text.str();
+  char opacity[32];
+  std::snprintf(opacity, sizeof opacity, " %.6g ", material.opacity);
+  return text + opacity + material.name;
 }
 
 }  // namespace halfspace::io

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/text.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/number.hpp"
 #include "mesh/format_table.hpp"
@@ -19,12 +20,7 @@ std::string all_digits(double value) {
   const double rest = std::frexp(value, &exponent);
   auto mantissa = static_cast<std::int64_t>(std::ldexp(rest, 53));
   for (exponent -= 53; mantissa % 2 == 0; ++exponent) mantissa /= 2;
-  char digits[1500];
-  const auto end =
-      std::to_chars(digits, digits + sizeof digits, value,
-                    std::chars_format::fixed, std::max(0, -exponent))
-          .ptr;
-  std::string text(digits, end);
+  std::string text = fixed_point(value, std::max(0, -exponent));
   const bool negative = text[0] == '-';
   if (negative) text.erase(0, 1);
   // Zeros after the point are an exponent, where they are many.

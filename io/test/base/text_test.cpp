@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <random>
+#include <string>
+
 #include "mesh/samples.hpp"
 
 namespace halfspace::io {
@@ -20,6 +27,38 @@ TEST(Text, WordsDifferByLettersAlone) {
   EXPECT_FALSE(is_word("@", "`"));
   EXPECT_FALSE(is_word("[", "{"));
   EXPECT_FALSE(is_word("\x12", "2"));
+}
+
+/// The standard library's text of a number with digits after its point.
+std::string standard_text(double value, int decimals) {
+  std::array<char, 1500> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::fixed, decimals)
+                       .ptr;
+  return {text.data(), end};
+}
+
+TEST(Text, DigitsAfterThePointAreTheStandardLibrarys) {
+  for (const double value :
+       {0.0, -0.0, 0.5, 1.5, 2.5, -0.5, 0.125, 0.375, 9.5, 99.995, 0.9999, 1e22,
+        -1e23, 0x1p53, 0x1p-1074, 0x1.fffffffffffffp1023, 640.0625, -1e-9}) {
+    for (const int decimals : {0, 1, 2, 3, 17, 400, 1100})
+      EXPECT_EQ(fixed_point(value, decimals), standard_text(value, decimals));
+  }
+  std::mt19937_64 random(7);
+  int halves = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const std::uint64_t bits = random();
+    // Any double; one of an image's size; one in the middle of two decimals.
+    double value = std::bit_cast<double>(bits);
+    if (k % 3 == 1) value = std::ldexp(static_cast<double>(bits >> 11), -43);
+    if (k % 3 == 2) value = static_cast<double>(bits % 4000) / 16 - 100;
+    if (!std::isfinite(value)) continue;
+    const int decimals = static_cast<int>(random() % 12);
+    halves += k % 3 == 2 && decimals < 4 ? 1 : 0;
+    ASSERT_EQ(fixed_point(value, decimals), standard_text(value, decimals));
+  }
+  EXPECT_GT(halves, 1000);
 }
 
 TEST(Text, TellsWhatIsNoText) {
