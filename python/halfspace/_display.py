@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._figure import Figure, FigureKey, LineDrawing
-from ._mesh import Floats, Ints, Mesh, MeshLike, mesh_of
+from ._mesh import Floats, Ints, Mesh, MeshLike, fraction_of, mesh_of
 from ._solid import Path, Plane, Progress, Solid, Vector, _triple
 
 __all__ = ["CapStyle", "Display", "DynamicScreen", "Hit", "Pick", "Picture",
@@ -189,7 +189,7 @@ def _hit(parts: Any) -> Hit:
     polygon, solid, point, distance, parameter, fraction = parts
     x, y, z = point
     return Hit(polygon, solid, (x, y, z), distance, parameter,
-               Fraction(fraction))
+               fraction_of(fraction))
 
 
 class SeenPolygon(NamedTuple):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any, Iterator, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -212,6 +213,25 @@ def mesh_of(thing: MeshLike) -> Mesh:
         return Mesh(*thing)
     raise TypeError(f"{type(thing).__name__} is no mesh: a Mesh, a pair of "
                     "vertices and faces, a meshio mesh or a trimesh is")
+
+
+def _integer(digits: str) -> int:
+    """int(), which refuses numbers of more than 4,300 digits."""
+    if len(digits) <= 4000:
+        return int(digits or "0")
+    low = len(digits) // 2
+    ten: int = 10 ** low
+    return _integer(digits[:-low]) * ten + _integer(digits[-low:])
+
+
+def fraction_of(text: str) -> Fraction:
+    """The number that the library writes as a decimal or as a fraction, of
+    however many digits."""
+    sign = -1 if text.startswith("-") else 1
+    above, _, below = text.lstrip("-").partition("/")
+    whole, _, rest = above.partition(".")
+    return Fraction(sign * _integer(whole + rest),
+                    _integer(below or "1") * 10 ** len(rest))
 
 
 def points_2d(points: npt.ArrayLike) -> Floats:

@@ -13,7 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._mesh import Floats, Mesh, MeshLike, holes_2d, mesh_of, points_2d
+from ._mesh import (Floats, Mesh, MeshLike, fraction_of, holes_2d, mesh_of,
+                    points_2d)
 
 __all__ = ["Plane", "Region", "RoundingReport", "Solid"]
 
@@ -745,12 +746,12 @@ class Solid:
         >>> a.exact_volume()
         Fraction(1, 1000)
         """
-        return Fraction(self._core.exact_volume())
+        return fraction_of(self._core.exact_volume())
 
     def exact_area(self) -> Optional[Fraction]:
         """The area in full, where it is rational; None where it is not."""
         text = self._core.exact_area()
-        return None if text is None else Fraction(text)
+        return None if text is None else fraction_of(text)
 
     def bounds(self) -> Floats:
         """The bounding box, to the nearest doubles.

@@ -19,7 +19,7 @@ from typing import List, NamedTuple
 
 from . import _core
 from ._display import Display, View
-from ._mesh import Ints, Mesh, MeshLike, mesh_of
+from ._mesh import Ints, Mesh, MeshLike, fraction_of, mesh_of
 
 __all__ = ["Arc", "Solid", "render", "visible_map"]
 
@@ -62,7 +62,7 @@ class Solid:
 
     def exact_volume(self) -> Fraction:
         """The volume. Units: cubic model units."""
-        return Fraction(self._core.volume6()) / 6
+        return fraction_of(self._core.volume6()) / 6
 
     def bad_edge_count(self) -> int:
         """How many edges keep the surface from being closed."""
@@ -100,6 +100,7 @@ def render(display: Display, view: View = View()) -> Ints:
 
 def visible_map(display: Display, view: View = View()) -> List[Arc]:
     """The arcs of the visible map, exactly, in the order of their ends."""
-    return [Arc(Fraction(x0), Fraction(y0), Fraction(x1), Fraction(y1), a, b)
+    return [Arc(fraction_of(x0), fraction_of(y0), fraction_of(x1),
+                fraction_of(y1), a, b)
             for x0, y0, x1, y1, a, b in
             _core.ref_visible_map(display._core, view)]

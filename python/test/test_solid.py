@@ -8,6 +8,7 @@ import pytest
 
 import halfspace
 from halfspace import Error, ErrorCode, Mesh, Plane, Solid
+from halfspace._mesh import fraction_of
 
 CUBE = Solid.box((0, 0, 0), (1, 1, 1))
 
@@ -55,6 +56,16 @@ def test_measures_are_arrays():
     assert np.allclose(CUBE.inertia(), np.eye(3) / 6)
     assert CUBE.exact_area() == 6
     assert Solid.sphere(1, 8).exact_area() is None
+
+
+def test_volumes_may_have_more_digits_than_python_reads():
+    third = "3" * 9000
+    one = Fraction(int("3" * 4000) * 10 ** 5000 + int("3" * 4000) * 10 ** 1000 +
+                   int("3" * 1000), 10 ** 9000)
+    assert fraction_of("0." + third) == one
+    assert fraction_of(f"-{third}/1" + "0" * 9000) == -one
+    assert fraction_of("-12.50") == Fraction(-25, 2)
+    assert fraction_of("7") == 7 and fraction_of("-1/3") == Fraction(-1, 3)
 
 
 def test_sections_have_holes():
