@@ -16,10 +16,12 @@ set(CMAKE_EXECUTABLE_SUFFIX .wasm)
 # No exceptions are thrown (STYLE 5); where memory ends, the module stops.
 set(CMAKE_CXX_FLAGS_INIT
     "-msimd128 -mnontrapping-fptoint -mbulk-memory -msign-ext -mmutable-globals \
--fno-exceptions -fno-rtti -ffunction-sections -fdata-sections \
+-fno-exceptions -fno-rtti -fno-threadsafe-statics \
+-ffunction-sections -fdata-sections \
 -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION -DBOOST_NO_EXCEPTIONS \
--DBOOST_NO_RTTI -DBOOST_NO_TYPEID \
--include ${CMAKE_CURRENT_LIST_DIR}/wasm_boost.hpp")
+-DBOOST_NO_RTTI -DBOOST_NO_TYPEID -DBOOST_LEXICAL_CAST_ASSUME_C_LOCALE \
+-include ${CMAKE_CURRENT_LIST_DIR}/wasm_boost.hpp \
+-include ${CMAKE_CURRENT_LIST_DIR}/wasm_sort.hpp")
 # What a page loads is to be small; web/CMakeLists.txt has what is to be fast.
 set(CMAKE_CXX_FLAGS_RELEASE "-Oz -DNDEBUG" CACHE STRING "")
 

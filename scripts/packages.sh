@@ -145,5 +145,6 @@ need_web_packages() {
   need libclang-rt-19-dev-wasm32 "128-bit integers of WebAssembly"
   command -v node >/dev/null || need nodejs "runs the package for the web"
   command -v npm >/dev/null || need npm "packs it"
+  need binaryen "makes the module small"
   need chromium "shows its page"
 }

@@ -70,6 +70,7 @@ function say(text, isWrong = false) {
 // State.
 
 let parts = [];
+let numbers = null;  // a file of numbers for a mesh that is there alone
 let nextPart = 1;
 let box = null;
 let camera = { azimuth: 30, elevation: 25, zoom: 1, x: 0, y: 0 };
@@ -78,10 +79,12 @@ let fitted = null;  // the view from the camera's direction in which all fits
 async function load(next) {
   const before = parts;
   parts = next;
+  if (next.length === 0) numbers = null;
   showParts();
   try {
-    const answer = await ask("load", { parts });
+    const answer = await ask("load", { parts, numbers });
     box = answer.box ?? null;
+    showSources(answer.sources);
     $("hint").hidden = parts.length > 0;
     say(parts.length ? `${answer.polygons} polygons` : "");
     await ask("section", { section: sectionOf() });
@@ -93,8 +96,10 @@ async function load(next) {
     if (next.length > before.length || error.code === "LOST") {
       parts = error.code === "LOST" && next === before ? [] : before;
       showParts();
+      numbers = null;
       const answer = await ask("load", { parts }).catch(() => null);
       box = answer?.box ?? null;
+      showSources(answer?.sources ?? []);
       await render().catch(() => {});
       say(error.message, true);
     }
@@ -102,12 +107,61 @@ async function load(next) {
   }
 }
 
-function open(files) {
-  const added = [...files].map((file) => ({
+const isNumbers = (name) => /\.(csv|txt|npy)$/i.test(name);
+
+async function open(files) {
+  const all = [...files].map((file) => ({
     id: nextPart++, name: file.name, file,
     operation: "show",
   }));
-  return load([...parts, ...added]);
+  const added = all.filter((part) => !isNumbers(part.name));
+  const found = all.find((part) => isNumbers(part.name));
+  if (found) numbers = found;
+  await load([...parts, ...added]);
+  if (!found) return;
+  $("numbers").value = found.name;
+  if ($("numbers").value === found.name) return changeColors();
+  $("numbers").value = "";
+  say(`${found.name}: numbers are shown on one mesh alone`, true);
+}
+
+/** Offers what the mesh can be coloured by; it has its own colours again. */
+function showSources(sources) {
+  $("numbers").replaceChildren(new Option("own colours", ""),
+    ...sources.map((name) => new Option(name, name)));
+  $("numbers").disabled = sources.length === 0;
+  showScale(null);
+}
+function showScale(scale) {
+  $("legend").hidden = scale === null;
+  if (scale === null) return;
+  const bands = [];
+  const count = scale.colors.length / 3;
+  for (let k = 0; k < count; ++k) {
+    const [r, g, b] = scale.colors.subarray(3 * k, 3 * k + 3);
+    bands.push(`rgb(${r} ${g} ${b}) ${100 * k / count}% ` +
+      `${100 * (k + 1) / count}%`);
+  }
+  $("low").textContent = Number(scale.low.toPrecision(6));
+  $("high").textContent = Number(scale.high.toPrecision(6));
+  $("scale").style.background = `linear-gradient(90deg, ${bands.join()})`;
+}
+const colorsOf = () => $("numbers").value === "" ? null
+  : { source: $("numbers").value, map: $("map").value,
+    logarithmic: $("logarithmic").checked };
+async function changeColors() {
+  try {
+    const { scale } = await ask("colors", { colors: colorsOf() });
+    showScale(scale);
+    say("");
+    await render();
+  } catch (error) {
+    say(error.message, true);
+    $("numbers").value = "";
+    await ask("colors", { colors: null }).then(render).catch(() => {});
+    showScale(null);
+    say(error.message, true);
+  }
 }
 
 const OPERATIONS = { show: "shown", add: "+ union", subtract: "\u2212 difference",
@@ -222,6 +276,11 @@ function showCommand(view) {
   const quoted = (name) => `'${name.replaceAll("'", "'\\''")}'`;
   const list = (v) => v.join(",");
   const section = sectionOf();
+  const cameraWords = `--size ${view.width}x${view.height} ` +
+    `--eye ${list(view.eye)} --target ${list(view.target)} ` +
+    `--up ${list(view.up)} ` +
+    (view.orthographic ? `--ortho --height ${view.orthoHeight}`
+      : `--fov ${view.fov}`);
   const isSolid = section || parts.some((p) => p.operation !== "show");
   let lines = "";
   let files = parts.map((p) => quoted(p.name)).join(" ");
@@ -241,11 +300,18 @@ function showCommand(view) {
   const lineOptions = { none: "none", edges: "edges",
     "hidden-dashed": "edges --hidden dashed" }[$("lines").value];
   lines += `halfspace draw ${files} -o figure.svg ` +
-    `--size ${view.width}x${view.height} --eye ${list(view.eye)} ` +
-    `--target ${list(view.target)} --up ${list(view.up)} ` +
-    (view.orthographic ? `--ortho --height ${view.orthoHeight}`
-      : `--fov ${view.fov}`) +
-    ` --fill ${$("fill").value} --lines ${lineOptions}`;
+    `${cameraWords} --fill ${$("fill").value} --lines ${lineOptions}`;
+  const colors = colorsOf();
+  if (colors) {
+    lines += `\nhalfspace render ${quoted(parts[0].name)} -o picture.png ` +
+      `${cameraWords} --scalar ${quoted(colors.source)} --map ${colors.map}` +
+      (colors.logarithmic ? " --log" : "") +
+      (view.samples > 1 ? ` --aa ${view.samples}` : "");
+    if (section) {
+      lines += ` --clip ${list([...section.normal.map((c) => -c),
+        section.offset])} --cap 200,80,40`;
+    }
+  }
   $("command").textContent = lines;
 }
 
@@ -346,6 +412,8 @@ $("views").onclick = ({ target }) => {
 };
 for (const id of ["orthographic", "smooth", "fill", "lines"])
   $(id).onchange = () => tryRender();
+for (const id of ["numbers", "map", "logarithmic"])
+  $(id).onchange = () => changeColors();
 async function changeSection() {
   await ask("section", { section: sectionOf() });
   await render();
@@ -379,7 +447,7 @@ start();
 
 /** For scripts, and for tests. */
 window.halfspacePage = {
-  open, load, render, saved, ask, lose, changeSection, viewOf,
+  open, load, render, saved, ask, lose, changeSection, changeColors, viewOf,
   get parts() { return parts; },
   get camera() { return camera; },
   set camera(value) { camera = value; },

@@ -3,7 +3,7 @@
 
 const most = 1 << 30;
 const bytesOf = new Map();  // by number of the part
-let state = { parts: [], section: null };
+let state = { parts: [], section: null, numbers: null, colors: null };
 let made = null;            // what the state comes to
 
 function say(doing) {
@@ -54,10 +54,35 @@ function dispose() {
   made = null;
 }
 
+const fileOf = (part) => ({ bytes: bytesOf.get(part.id),
+  format: formatOf(part.name), name: part.name.replace(/\.\w+(\.gz)?$/, "") });
+
+/** By what a mesh that is there alone can be coloured: its properties, and the
+ *  file of numbers beside it. */
+function sourcesOf({ parts, numbers }) {
+  if (parts.length !== 1) return [];
+  const own = formatOf(parts[0].name) === "ply"
+    ? Scene.scalarNames(bytesOf.get(parts[0].id)) : [];
+  return numbers ? [...own, numbers.name] : own;
+}
+
+/** A scene coloured by numbers, and its scale. */
+function coloredScene({ parts, numbers, colors }) {
+  const [, name, format] = /^(.*)\.(\w+)$/.exec(numbers?.name ?? "") ?? [];
+  const source = colors.source === numbers?.name
+    ? { bytes: bytesOf.get(numbers.id), format, name } : colors.source;
+  return Scene.byScalars(fileOf(parts[0]), source, { ...colors, progress });
+}
+
 /** The scene, and the solid where there is one; made when it is asked for. */
 function scene() {
   if (made?.scene) return made.scene;
   made ??= {};
+  if (state.colors) {
+    say("building the scene");
+    made.scene = coloredScene(state);
+    return made.scene;
+  }
   if (isBoolean(state.parts)) {
     say("working the solid out");
     made.solid ??= solidOf(state).evaluate({ progress });
@@ -65,9 +90,7 @@ function scene() {
     made.scene = Scene.of(made.solid, { progress });
   } else {
     say("building the scene");
-    made.scene = Scene.ofFiles(state.parts.map((p) => ({
-      bytes: bytesOf.get(p.id), format: formatOf(p.name),
-      name: p.name.replace(/\.\w+(\.gz)?$/, "") })), { progress });
+    made.scene = Scene.ofFiles(state.parts.map(fileOf), { progress });
   }
   return made.scene;
 }
@@ -88,21 +111,39 @@ function clipped(view) {
   const { section } = state;
   if (!section) return view;
   const clips = [[...section.normal.map((c) => -c), section.offset]];
-  return { ...view, clips, caps: [200, 80, 40], samples: 1 };
+  return { ...view, clips, caps: [200, 80, 40] };
 }
 
 const questions = {
-  async load({ parts }) {
+  async load({ parts, numbers = null }) {
     dispose();
-    const kept = new Set(parts.map((p) => p.id));
+    const files = numbers ? [...parts, numbers] : parts;
+    const kept = new Set(files.map((p) => p.id));
     for (const id of [...bytesOf.keys()]) if (!kept.has(id)) bytesOf.delete(id);
-    state = { ...state, parts };
-    for (const part of parts) await read(part);
-    if (parts.length === 0) return { polygons: 0 };
+    state = { ...state, parts, numbers, colors: null };
+    for (const file of files) await read(file);
+    if (parts.length === 0) return { polygons: 0, sources: [] };
     const shown = scene();
     const view = shown.view({ width: 100, height: 100 });
     const box = boxOf();
-    return { polygons: shown.polygonCount, view, box };
+    return { polygons: shown.polygonCount, view, box,
+      sources: sourcesOf(state) };
+  },
+  /** Colours by numbers, or by what the mesh has itself: the scale, if any. */
+  colors({ colors }) {
+    const before = made?.scene;
+    const next = { ...state, colors };
+    let scale = null;
+    let shown = null;
+    if (colors) {
+      say("building the scene");
+      shown = coloredScene(next);
+      scale = shown.colorBy(colors);
+    }
+    before?.dispose();
+    state = next;
+    made = { ...made, scene: shown };
+    return { scale };
   },
   section({ section }) {
     state = { ...state, section };
@@ -126,8 +167,10 @@ const questions = {
   },
   draw({ view, options }) {
     say("drawing the figure");
-    if (!state.section) return scene().draw(view, options);
-    const cut = Scene.of(cutSolid());
+    if (!state.section && !state.colors) return scene().draw(view, options);
+    // Figures show what the mesh has itself.
+    const cut = state.section ? Scene.of(cutSolid())
+      : Scene.ofFiles(state.parts.map(fileOf));
     try {
       return cut.draw(view, options);
     } finally {

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "answer.hpp"
+#include "figure/figure_scene.hpp"
+#include "figure/figures.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/csg/exact.hpp"
 #include "halfspace/fast/display_tree.hpp"
@@ -16,13 +18,14 @@
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/clip.hpp"
+#include "halfspace/io/color_map.hpp"
 #include "halfspace/io/figure.hpp"
 #include "halfspace/io/ray.hpp"
+#include "halfspace/io/scalars.hpp"
 #include "halfspace/io/view.hpp"
-#include "figure/figure_scene.hpp"
-#include "figure/figures.hpp"
 
 namespace halfspace::tools {
 
@@ -44,6 +47,8 @@ struct WebScene {
   std::optional<fast::BspTree> divided;  ///< without leaves
   std::optional<bool> is_closed;
   fast::FragmentVertices fragments;
+  std::optional<ScalarField> field;           ///< of a mesh with numbers
+  std::optional<fast::ScalarColors> scalars;  ///< its colours
   ColorImage colors;
   ItemImage items;
 
@@ -165,22 +170,24 @@ Result<Done> rendered(WebScene& shown, const AskedView& view, int samples) {
   if (!options) return options.error();
   const fast::BspTree* tree = shown.picture_tree();
   if (tree == nullptr) return stopped();
-  if (samples > 1 && !options->clips.empty()) {
-    return Error{ErrorCode::kOutOfRange,
-                 "anti-aliasing is not for clip planes; leave out either"};
-  }
   if (std::max(view.camera.width_px, view.camera.height_px) >
       kMaxImageSize / samples)
     return Error{ErrorCode::kOutOfRange, "the picture is too large"};
   fast::RenderOptions how;
   how.threads = 1;
   how.items = true;
-  how.colors = true;
+  how.colors = !shown.scalars;
   fast::Rendering image =
       samples == 1
           ? fast::render(shown.scene(), *tree, viewed->camera, *options, how)
           : fast::render_samples(shown.scene(), *tree, viewed->camera, *options,
                                  samples, how);
+  if (shown.scalars) {
+    fast::ScalarOptions by;
+    by.samples = samples;
+    image.colors = fast::color_scalars(shown.scene(), viewed->camera, *options,
+                                       image.items, *shown.scalars, by);
+  }
   shown.items = std::move(image.items);
   shown.colors = std::move(image.colors);
   return Done{};
@@ -234,6 +241,54 @@ Result<std::string> drawn(WebScene& shown, const AskedView& view,
   return io::figure_bytes(ending, figure, {asked.decimals});
 }
 
+/// What a file has to say, in place of the range that is asked for.
+Result<io::ScaleRange> whole_range(const ScalarField& field,
+                                   io::ScaleRange range) {
+  std::optional<double> low, high;
+  for (const double value : field.values) {
+    if (std::isnan(value) || (range.logarithmic && !(value > 0))) continue;
+    low = std::min(low.value_or(value), value);
+    high = std::max(high.value_or(value), value);
+  }
+  const bool asks = std::isnan(range.low) || std::isnan(range.high);
+  if (asks && !low)
+    return Error{ErrorCode::kEmpty, "there is no number to make a range of"};
+  // One number alone is in the middle of a range.
+  if (asks && *low == *high) {
+    const double half = *low == 0 ? 1 : std::abs(*low) / 2;
+    low = *low - half;
+    high = *high + half;
+  }
+  if (std::isnan(range.low)) range.low = *low;
+  if (std::isnan(range.high)) range.high = *high;
+  return range;
+}
+
+Result<std::unique_ptr<WebScene>> scene_by_scalars(const std::string& path,
+                                                   const std::string& source) {
+  io::ImportOptions options;
+  options.refine_bits = 20;
+  // As color_by_scalars() in tools/src/image/scalars.cpp.
+  options.triangles = true;
+  options.keep_vertices = true;
+  options.surface = Rgb{255, 255, 255};
+  options.light_colors = true;
+  Result<io::LoadedScene> loaded = tools::load(path, options);
+  if (!loaded) return loaded.error();
+  const bool is_file = io::is_scalar_file_name(source);
+  const Result<io::ScalarColumn> column =
+      is_file ? io::read_scalars(source) : io::read_ply_scalars(path, source);
+  if (!column) return column.error();
+  Result<ScalarField> field = io::scalars_of(*loaded, *column);
+  if (!field) return io::error_about(is_file ? source : path, field.error());
+  auto shown = std::make_unique<WebScene>();
+  shown->figure.name = path;
+  shown->figure.file = std::move(loaded->file);
+  shown->figure.files.assign(shown->scene().polygon_count(), 0);
+  shown->field = *std::move(field);
+  return shown;
+}
+
 double step_of_scene(const Scene& scene) {
   return std::pow(static_cast<double>(scene.unit().base),
                   static_cast<double>(scene.unit().exponent));
@@ -261,6 +316,56 @@ int hs_scene(const char* names, std::uint32_t size) {
                     shown->figure = std::move(figure);
                     answer().integers = {handle_of(shown.release())};
                   });
+}
+/// Loads a mesh in memory with numbers: a property of the PLY file that it is,
+/// or a file of numbers in memory.
+HALFSPACE_EXPORT(hs_scene_by_scalars)
+int hs_scene_by_scalars(const char* name, std::uint32_t size,
+                        const char* source, std::uint32_t source_size) {
+  return answered(scene_by_scalars({name, size}, {source, source_size}),
+                  [](std::unique_ptr<WebScene> shown) {
+                    answer().integers = {handle_of(shown.release())};
+                  });
+}
+/// The properties of a PLY file in memory, a line each.
+HALFSPACE_EXPORT(hs_scalar_names)
+void hs_scalar_names(const char* name, std::uint32_t size) {
+  begin_answer();
+  for (const std::string& property :
+       io::ply_scalar_names(std::string(name, size)))
+    answer().bytes += property + "\n";
+}
+/// Colours a scene with numbers by a map, of NaN: from the least to the
+/// greatest number. The answer has the range, and the map's colours as bytes.
+/// Error: kEmpty, too (the scene has no numbers).
+HALFSPACE_EXPORT(hs_scene_colors)
+int hs_scene_colors(WebScene* shown, const char* map, std::uint32_t size,
+                    double low, double high, int logarithmic, int steps,
+                    int clamp) {
+  if (!shown->field)
+    return fail_with({ErrorCode::kEmpty, "the scene has no numbers"});
+  const auto colors = io::named_color_map({map, size});
+  if (!colors) {
+    return fail_with(
+        {ErrorCode::kUnknownFormat,
+         std::string(map, size) + " is no map: " + io::color_map_names()});
+  }
+  io::ScaleRange asked;
+  asked.low = low;
+  asked.high = high;
+  asked.logarithmic = logarithmic != 0;
+  asked.steps = steps;
+  asked.clamp = clamp != 0;
+  const auto range = whole_range(*shown->field, asked);
+  if (!range) return fail_with(range.error());
+  return answered(io::make_scale(*colors, *range), [&](ColorScale scale) {
+    answer().numbers = {range->low, range->high};
+    for (const Rgb& c : scale.colors)
+      answer().bytes += {static_cast<char>(c.r), static_cast<char>(c.g),
+                         static_cast<char>(c.b)};
+    shown->scalars =
+        fast::prepare_scalars(shown->scene(), *shown->field, std::move(scale));
+  });
 }
 HALFSPACE_EXPORT(hs_free_scene) void hs_free_scene(WebScene* shown) {
   delete shown;

@@ -7,6 +7,7 @@ import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
+import { heatedWave, pixelsOf } from "./png.mjs";
 
 const [packageDir, program, work] = process.argv.slice(2).map(
   (p) => path.resolve(p));
@@ -175,6 +176,11 @@ await test("pictures and figures are those of the program", () => {
   const clip = bytesOf("clip.npy");
   same(new Uint8Array(cut.ids.buffer),
     clip.subarray(clip.length - cut.ids.byteLength), "ids of a section");
+  native("render", "part.obj", "-o", "clip.png", ...camera, "--clip",
+    "-1,0,0,2.5", "--cap", "200,80,40", "--aa", "2");
+  same(scene.render({ ...view, clips: [[-1, 0, 0, 2.5]], caps: [200, 80, 40],
+    samples: 2 }).rgba.filter((_, k) => k % 4 !== 3),
+  pixelsOf(fs.readFileSync("clip.png")).rgb, "a section in samples");
   const all = scene.view({ azimuth: 30, elevation: 25, width: 100,
     height: 100 });
   assert.ok(all.eye && all.target);
@@ -182,6 +188,45 @@ await test("pictures and figures are those of the program", () => {
   assert.equal(seen.polygon, ids[120 * 320 + 160]);
   assert.equal(scene.render({ ...view, samples: 2 }).rgba.length,
     4 * 320 * 240);
+});
+
+await test("colours by numbers are the program's", () => {
+  fs.writeFileSync("wave.ply", heatedWave());
+  const numbers = Array.from({ length: 2 * 24 * 24 }, (_, k) => 1 + k % 50);
+  fs.writeFileSync("faces.csv", numbers.join("\n") + "\n");
+  const view = { eye: [14, -9, 12], target: [3, 3, 0], up: [0, 0, 1], fov: 30,
+    width: 160, height: 120 };
+  const words = ["--size", "160x120", "--eye", "14,-9,12", "--target", "3,3,0",
+    "--up", "0,0,1", "--fov", "30"];
+  assert.deepEqual(Scene.scalarNames(bytesOf("wave.ply")),
+    ["x", "y", "z", "heat"]);
+  for (const [source, style, options] of [
+    ["heat", { map: "turbo" }, ["--map", "turbo"]],
+    ["heat", { map: "coolwarm_r", low: 20, high: 300, steps: 7, clamp: false },
+      ["--map", "coolwarm_r", "--range", "20,300", "--steps", "7",
+        "--no-clamp"]],
+    ["faces.csv", { logarithmic: true }, ["--log"]],
+  ]) {
+    const scene = Scene.byScalars(
+      { bytes: bytesOf("wave.ply"), format: "ply", name: "wave" },
+      source === "heat" ? source
+        : { bytes: bytesOf(source), format: "csv", name: "faces" }, style);
+    const scale = scene.colorBy(style);
+    assert.ok(scale.low < scale.high && scale.colors.length > 6);
+    for (const samples of [1, 2]) {
+      native("render", "wave.ply", "-o", "scalars.png", ...words, "--scalar",
+        source, ...options, ...(samples > 1 ? ["--aa", "2"] : []));
+      const picture = scene.render({ ...view, samples });
+      const expected = pixelsOf(fs.readFileSync("scalars.png"));
+      same(picture.rgba.filter((_, k) => k % 4 !== 3), expected.rgb,
+        `colours by ${source}, ${samples} samples`);
+    }
+    scene.dispose();
+  }
+  fails("BAD_INDEX", () => Scene.byScalars(
+    { bytes: bytesOf("wave.ply"), format: "ply" }, "cold"));
+  const plain = Scene.of(Solid.sphere(1, 8));
+  fails("EMPTY", () => plain.colorBy());
 });
 
 await test("an order feed is a permutation of what is seen", () => {

@@ -31,8 +31,8 @@ for (const entry of Object.values(described.exports)) {
     assert.ok(fs.existsSync(path.join(packageDir, file)), file);
 }
 
-// The budget: what a page loads, compressed.
-const budget = 600 * 1000;
+// The budget: what a page loads, compressed (docs/decisions/0110).
+const budget = 545 * 1000;
 const size = zlib.gzipSync(
   fs.readFileSync(path.join(packageDir, "halfspace.js")), { level: 9 }).length;
 console.log(`halfspace.js: ${size} bytes gzipped, of ${budget}`);

@@ -9,6 +9,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
+import { heatedWave, pixelsOf } from "./png.mjs";
 
 const [page, chromium, program, work] = process.argv.slice(2).map(
   (p) => path.resolve(p));
@@ -114,6 +115,35 @@ try {
   same(await saved("svg"), read("figure.svg"), "SVG of a section");
   await choose("axis", "");
   await inPage(() => halfspacePage.changeSection());
+
+  // Colours by a property, and by a file of numbers beside the mesh.
+  fs.writeFileSync("wave.ply", heatedWave());
+  fs.writeFileSync("wave.csv",
+    Array.from({ length: 25 * 25 }, (_, k) => `${k % 25}\n`).join(""));
+  const heat = async () => {
+    await inPage(() => halfspacePage.changeColors());
+    await runCommand();
+    const { width, height, rgb } = pixelsOf(read("picture.png"));
+    const shown = pixelsOf(await saved("png"));
+    assert.deepEqual([shown.width, shown.height], [width, height]);
+    same(Buffer.from(shown.rgb), Buffer.from(rgb), "colours by numbers");
+  };
+  await inPage(() => halfspacePage.load([]));
+  await open("wave.ply");
+  const sources = () => inPage(() => [...document.getElementById("numbers")
+    .options].map((o) => o.value));
+  assert.deepEqual(await sources(), ["", "x", "y", "z", "heat"]);
+  await inPage(() => { document.getElementById("numbers").value = "heat"; });
+  await heat();
+  await browser.screenshot("colours.png");
+  await open("wave.csv");
+  assert.equal(await inPage(() => document.getElementById("numbers").value),
+    "wave.csv");
+  await inPage(() => { document.getElementById("map").value = "turbo"; });
+  await heat();
+  await inPage(() => { document.getElementById("numbers").value = ""; });
+  await inPage(() => halfspacePage.changeColors());
+  assert.ok(await inPage(() => document.getElementById("legend").hidden));
 
   // Crossing surfaces as a figure, in time.
   fs.writeFileSync("waves.obj", waves());

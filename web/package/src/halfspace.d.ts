@@ -243,6 +243,20 @@ export interface SceneFile {
   name?: string;
 }
 
+/** How numbers become colours. */
+export interface ScalarStyle {
+  /** heated, grey, viridis, cividis, turbo or coolwarm, with _r in reverse. */
+  map?: string;
+  /** Nothing: the least number, and the greatest. */
+  low?: number;
+  high?: number;
+  logarithmic?: boolean;
+  /** So many bands; 0: one a colour. */
+  steps?: number;
+  /** false: what is outside has the colour of no data. */
+  clamp?: boolean;
+}
+
 /** Solids, or meshes that need be none, to look at. */
 export class Scene implements Owned {
   static of(solids: Solid | Iterable<Solid>,
@@ -250,6 +264,17 @@ export class Scene implements Owned {
   /** What the program's `render` and `draw` show of these files. */
   static ofFiles(files: Iterable<SceneFile>,
     options?: { progress?: Progress }): Scene;
+  /** A mesh coloured by numbers: a property of the PLY file that it is, or a
+   *  file of numbers (csv, txt, npy), one a vertex or one a polygon. What is
+   *  interpolated is the number. */
+  static byScalars(file: SceneFile, source: string | SceneFile,
+    options?: ScalarStyle & { progress?: Progress }): Scene;
+  /** The properties of a PLY file by which byScalars() colours it. */
+  static scalarNames(bytes: ArrayBufferView | ArrayBuffer): string[];
+  /** Chooses the colours of a scene of byScalars(): the range that it has, and
+   *  the colours of its bands from the least number on, three bytes each. */
+  colorBy(style?: ScalarStyle): { low: number; high: number;
+    colors: Uint8Array };
   readonly polygonCount: number;
   /** By polygon the solid or file that it is of. */
   sources(): Int32Array;

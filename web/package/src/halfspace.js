@@ -872,6 +872,9 @@ function viewNumbers(view) {
 
 const LINES = { none: 0, regions: 1, edges: 2, "hidden-dashed": 3 };
 
+const viewOfBytes = (bytes) => new Uint8Array(bytes.buffer ?? bytes,
+  bytes.byteOffset ?? 0, bytes.byteLength);
+
 /** Solids or meshes to look at. */
 export class Scene extends Owner {
   #names;
@@ -909,6 +912,52 @@ export class Scene extends Owner {
     } finally {
       if (broken === null) for (const name of names) takeFile(name);
     }
+  }
+
+  /** A mesh file coloured by numbers: a property of a PLY, or another file. */
+  static byScalars(file, source, options = {}) {
+    const name = (file.name ?? "file") + formatName(file.format);
+    const from = typeof source === "string" ? source
+      : (source.name ?? "numbers") + formatName(source.format);
+    putFile(name, viewOfBytes(file.bytes));
+    if (from !== source) putFile(from, viewOfBytes(source.bytes));
+    try {
+      return withCopies([name, from], (n, f) =>
+        withProgress(options.progress, () => {
+          ask("hs_scene_by_scalars", n.at, n.size, f.at, f.size);
+          const scene = new Scene(answerIntegers()[0], [name]);
+          scene.colorBy(options);
+          return scene;
+        }));
+    } finally {
+      if (broken === null) {
+        takeFile(name);
+        if (from !== source) takeFile(from);
+      }
+    }
+  }
+  /** The properties of a PLY file by which byScalars() colours it. */
+  static scalarNames(bytes) {
+    const name = "file.ply";
+    putFile(name, viewOfBytes(bytes));
+    try {
+      return withCopies([name], (n) => {
+        call("hs_scalar_names", n.at, n.size);
+        return answerText().split("\n").filter((line) => line !== "");
+      });
+    } finally {
+      if (broken === null) takeFile(name);
+    }
+  }
+  /** Chooses the colours of a scene by numbers; gives the scale. */
+  colorBy(style = {}) {
+    return withCopies([style.map ?? "viridis"], (m) => {
+      ask("hs_scene_colors", this._at, m.at, m.size, style.low ?? NaN,
+        style.high ?? NaN, style.logarithmic ? 1 : 0, style.steps ?? 0,
+        style.clamp === false ? 0 : 1);
+      const [low, high] = answerNumbers();
+      return { low, high, colors: answerBytes() };
+    });
   }
 
   get polygonCount() {
