@@ -176,6 +176,29 @@ TEST_F(ViewerSession, ThePolygonUnderTheCursorIsThatOfTheItemImage) {
   EXPECT_FALSE(session.pick(97, 3));
 }
 
+TEST_F(ViewerSession, ExactSolidsAreShownAndCombined) {
+  const std::string exact = path("box.hsolid");
+  ASSERT_TRUE(
+      (Solid::box({0, 0, 0}, {1, 3, 1}) & Solid::box({0, 0, 0}, {2, 2, 2}))
+          .save(exact));
+  Session session(state_of({exact}), nullptr, ignore);
+  session.set_size(90, 70);
+  settle(session);
+  EXPECT_EQ(session.message(), "");
+  EXPECT_EQ(*finished(session), rendered(session.state()));
+  session.add({ball_});
+  session.change([](State& s) { s.combination = Combination::kDifference; });
+  settle(session);
+  EXPECT_EQ(session.message(), "");
+  EXPECT_EQ(*finished(session), rendered(session.state()));
+  // What is no solid is a message.
+  std::ofstream(path("bad.hsolid")) << "nonsense";
+  session.open({path("bad.hsolid")});
+  settle(session);
+  EXPECT_NE(session.message().find("bad.hsolid"), std::string::npos)
+      << session.message();
+}
+
 TEST_F(ViewerSession, CornersArePickedInFull) {
   Session session(state_of({box_}), nullptr, ignore);
   settle(session);

@@ -174,7 +174,8 @@ void add_view(CLI::App& program, Status& status) {
                                          "measure and combine them");
   const auto arguments = std::make_shared<ViewCommandArguments>();
   app->add_option("FILE", arguments->paths,
-                  "Meshes, a .scene, or a .view that the window saved")
+                  "Meshes, .hsolid files, a .scene, or a .view that the window "
+                  "saved")
       ->type_name("");
   add_view_options(*app, arguments->view);
   add_number(*app, "--alpha", "A", arguments->alpha, std::uint8_t{0}, kOpaque,

@@ -247,6 +247,21 @@ Result<Done> save_combined(const State& state,
   return solid.save(path);
 }
 
+Result<io::Mesh> mesh_of_solid(const std::string& path) {
+  const Result<Mesh> from = Solid::from_file(path).mesh();
+  if (!from) return from.error();
+  io::Mesh mesh;
+  for (const Point& p : from->vertices) {
+    mesh.vertices.push_back(
+        {io::number_of(p.x), io::number_of(p.y), io::number_of(p.z)});
+  }
+  mesh.first_corner = from->first_corner;
+  mesh.corners = from->corners;
+  if (from->colors.size() == from->polygon_count())
+    mesh.face_colors.assign(from->colors.begin(), from->colors.end());
+  return mesh;
+}
+
 io::Mesh mesh_of(const Scene& scene) {
   io::Mesh mesh;
   const Unit unit = scene.unit();

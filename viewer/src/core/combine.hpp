@@ -50,6 +50,10 @@ Result<Done> save_combined(const State& state,
                            const std::filesystem::path& path,
                            const Report& report);
 
+/// The surface of the exact solid in a `.hsolid` file, in doubles.
+/// Errors: those of Solid::mesh(), which name the file.
+Result<io::Mesh> mesh_of_solid(const std::string& path);
+
 /// The polygons of a scene as a mesh.
 io::Mesh mesh_of(const Scene& scene);
 

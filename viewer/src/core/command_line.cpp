@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "halfspace/io/load_scene.hpp"
 #include "halfspace/line_style.hpp"
 
 namespace halfspace::viewer {
@@ -76,7 +77,8 @@ bool fits_command_line(const State& state) {
   if (part == nullptr || !state.camera ||
       state.combination != Combination::kNone || has_sections(state) ||
       part->shift != std::array<double, 3>{} ||
-      (state.looks.coloring != Coloring::kFile && !state.looks.scalar))
+      (state.looks.coloring != Coloring::kFile && !state.looks.scalar) ||
+      io::is_solid_name(part->path))
     return false;
   // A scene has colours and light of its own.
   const bool is_scene =

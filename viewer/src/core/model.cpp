@@ -124,7 +124,10 @@ Result<std::shared_ptr<const io::Mesh>> MeshCache::mesh_of(
     result =
         std::make_shared<const io::Mesh>(viewer::mesh_of(loaded->file.scene));
   } else {
-    Result<io::Mesh> mesh = io::read_mesh(path);
+    const bool is_solid = io::is_solid_name(path);
+    Result<io::Mesh> mesh =
+        is_solid ? mesh_of_solid(path) : io::read_mesh(path);
+    if (!mesh && is_solid) return mesh.error();
     if (!mesh) return io::error_about(path, mesh.error());
     result = std::make_shared<const io::Mesh>(*std::move(mesh));
   }

@@ -45,7 +45,8 @@ bool is_shown_file(const fs::path& path) {
     return static_cast<char>(std::tolower(c));
   });
   if (name.ends_with(".gz")) name.resize(name.size() - 3);
-  for (const char* end : {".stl", ".obj", ".ply", ".off", ".scene", ".view"}) {
+  for (const char* end : {".stl", ".obj", ".ply", ".off", ".3mf", ".glb",
+                          ".gltf", ".hsolid", ".scene", ".view"}) {
     if (name.ends_with(end)) return true;
   }
   return false;

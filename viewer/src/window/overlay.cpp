@@ -277,7 +277,7 @@ void draw_welcome(Session& session, Ui& ui) {
   const auto x = static_cast<float>(ui.view.x + ui.view.width / 2);
   const auto y = static_cast<float>(ui.view.y + ui.view.height / 2);
   begin_card("welcome", x, y, 0.5f, 0.5f);
-  ImGui::TextUnformatted("Drop a mesh here: STL, OBJ, PLY, OFF");
+  ImGui::TextUnformatted("Drop a mesh here: STL, OBJ, PLY, OFF, 3MF, GLB");
   if (ImGui::Button("Open...")) ui.question = FileQuestion::kOpen;
   for (const std::string& path : ui.recent) {
     if (ImGui::Selectable(path.c_str())) session.open({path});

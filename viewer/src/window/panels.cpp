@@ -314,7 +314,12 @@ void draw_looks(Session& session, Ui& ui) {
 }  // namespace
 
 void show_next_numbers(Session& session) {
-  const auto& names = properties_of(session.state());
+  std::vector<std::string> names = properties_of(session.state());
+  // Coordinates come last: they are seen without colours.
+  std::stable_partition(names.begin(), names.end(),
+                        [](const std::string& name) {
+                          return name != "x" && name != "y" && name != "z";
+                        });
   if (names.empty()) return;
   session.change([&names](State& state) {
     auto& scalar = state.looks.scalar;

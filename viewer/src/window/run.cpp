@@ -54,6 +54,18 @@ double scale_of_display() {
   return scale >= 1.25 && scale <= 3 ? scale : 1;
 }
 
+/// Lets SDL draw without OpenGL where it can, unless the environment says
+/// otherwise: where processors draw for OpenGL, a frame took three times as
+/// long and the window came 240 ms later. Wayland has no other way to the
+/// screen.
+void avoid_opengl() {
+  const char* driver = SDL_GetCurrentVideoDriver();
+  if (driver == nullptr || std::string_view(driver) != "x11") return;
+  SDL_SetHintWithPriority(SDL_HINT_RENDER_DRIVER, "software", SDL_HINT_DEFAULT);
+  SDL_SetHintWithPriority(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0",
+                          SDL_HINT_DEFAULT);
+}
+
 Result<std::unique_ptr<Player>> player_of(const WindowOptions& options) {
   if (!options.play_file) return std::unique_ptr<Player>();
   const auto text = io::read_file(*options.play_file);
@@ -104,11 +116,6 @@ Result<WindowReport> run(const WindowOptions& options) {
   const auto player = player_of(options);
   if (!player) return player.error();
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-  // Without OpenGL: where processors draw for it, its frames took three times
-  // as long, and its start 240 ms.
-  SDL_SetHintWithPriority(SDL_HINT_RENDER_DRIVER, "software", SDL_HINT_DEFAULT);
-  SDL_SetHintWithPriority(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0",
-                          SDL_HINT_DEFAULT);
   SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "0");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   const Sdl sdl;
@@ -116,6 +123,7 @@ Result<WindowReport> run(const WindowOptions& options) {
       sdl.is_there && !options.play_file.has_value() && is_unseen();
   if (for_nobody) SDL_SetError("neither X11 nor Wayland is there");
   if (for_nobody || !sdl.is_there) return sdl_error("there is no display");
+  avoid_opengl();
   const double scale = options.scale > 0 ? options.scale : scale_of_display();
   const SDL_Point size = window_size(options, scale);
   const std::unique_ptr<SDL_Window, DestroyWindow> window(SDL_CreateWindow(
