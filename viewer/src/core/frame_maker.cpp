@@ -76,6 +76,11 @@ void FrameMaker::read_changes(
   dirty_first_ = dirty_end_ = 0;
 }
 
+bool FrameMaker::has_changes() const {
+  const std::lock_guard lock(mutex_);
+  return dirty_first_ < dirty_end_;
+}
+
 void FrameMaker::look(const std::function<void(const Canvas&)>& read) const {
   const std::lock_guard lock(mutex_);
   read(canvas_);

@@ -56,6 +56,9 @@ class FrameMaker {
       const std::function<void(const Canvas&, std::int32_t first_row,
                                std::int32_t end_row)>& read);
 
+  /// Whether read_changes() has something to read.
+  bool has_changes() const;
+
   /// Calls `read` with the canvas as it is.
   void look(const std::function<void(const Canvas&)>& read) const;
 

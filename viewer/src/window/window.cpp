@@ -133,8 +133,8 @@ void Window::wait() {
 bool Window::is_drawn_later() const {
   // While a picture is on its way, panels wait for it: one frame shows both.
   return first_draw_ms_ >= 0 && !session_.is_settled() &&
-         !session_.is_loading() && window_now_ms() - asked_ms_ < kPatienceMs &&
-         player_ == nullptr;
+         !session_.is_loading() && !session_.frames().has_changes() &&
+         window_now_ms() - asked_ms_ < kPatienceMs && player_ == nullptr;
 }
 
 void Window::update() {
@@ -235,6 +235,8 @@ bool Window::take_rows() {
       end = canvas.height_px;
     }
     is_changed = true;
+    // The next rows are waited for anew.
+    asked_ms_ = window_now_ms();
     if (texture_ == nullptr) return;
     const SDL_Rect rows = {0, first, canvas.width_px, end - first};
     SDL_UpdateTexture(
