@@ -199,6 +199,27 @@ try {
   assert.match(await said(), /polygons/);
   assert.ok((await saved("stl")).length > 84);
 
+  // Solids that are made and dropped leave no memory behind.
+  const grown = await inPage(async () => {
+    const text = document.getElementById("library").textContent
+      .replaceAll("<\\/script", "</script");
+    const library = await import(URL.createObjectURL(
+      new Blob([text], { type: "text/javascript" })));
+    await library.init();
+    const loop = (count) => {
+      for (let k = 0; k < count; ++k) {
+        library.scope(() => library.Solid.box([0, 0, 0], [1, 1, 1])
+          .subtract(library.Solid.box([0, 0, 0], [0.5, 0.5, 1 + k % 2]))
+          .mesh());
+      }
+    };
+    loop(1000);
+    const before = library.memoryBytes();
+    loop(10000);
+    return library.memoryBytes() - before;
+  });
+  assert.equal(grown, 0);
+
   // A phone.
   await browser.send("Emulation.setDeviceMetricsOverride",
     { width: 390, height: 780, deviceScaleFactor: 2, mobile: true });
