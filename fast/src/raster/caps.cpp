@@ -10,14 +10,6 @@
 namespace halfspace::fast {
 namespace {
 
-/// A change of the winding number in a row, from a column on.
-struct Change {
-  std::int32_t row;
-  std::int32_t column;
-  std::int32_t by;
-  friend auto operator<=>(const Change&, const Change&) = default;
-};
-
 /// The functions of space by which a point is placed in the image, in halves of
 /// lattice steps: the row's plane through the eye is `row(j)`, its function
 /// positive below the row; `front` is positive where points are seen.
@@ -130,9 +122,8 @@ class CapRows {
         side_(sign(seen_.eye)) {}
 
   int side() const { return side_; }
-  const ProjectedPlane<kBits>& seen() const { return seen_; }
 
-  std::vector<Change> changes(const std::vector<PolygonId>& polygons) {
+  std::vector<CapChange> changes(const std::vector<PolygonId>& polygons) {
     for (const PolygonId polygon : polygons) add(polygon);
     std::sort(changes_.begin(), changes_.end());
     return std::move(changes_);
@@ -254,7 +245,7 @@ class CapRows {
   ImageForms forms_;
   ProjectedPlane<kBits> seen_;
   int side_;
-  std::vector<Change> changes_;
+  std::vector<CapChange> changes_;
 };
 
 /// Fills the pixels of a cap, where it is in front.
@@ -376,37 +367,59 @@ class CapFiller {
 };
 
 template <int kBits>
-void add_cap(const Frame& frame, const Rectangle& rectangle, std::size_t k,
-             Rendering& result) {
+std::vector<CapChange> changes_in(const Frame& frame,
+                                  const Rectangle& rectangle, std::size_t k) {
   CapRows<kBits> rows(frame, rectangle, k);
   // Seen edge-on; or from behind, for it faces what is removed.
-  if (rows.side() == 0 || (frame.image.cull && rows.side() > 0)) return;
-  const std::vector<Change> changes =
-      rows.changes(crossing_polygons(frame.reader, frame.clips.plane(k)));
-  CapFiller<kBits> filler(frame, rectangle, k, rows.seen(), result);
-  for (std::size_t c = 0; c < changes.size();) {
-    const std::int32_t j = changes[c].row;
+  if (rows.side() == 0 || (frame.image.cull && rows.side() > 0)) return {};
+  return rows.changes(crossing_polygons(frame.reader, frame.clips.plane(k)));
+}
+
+template <int kBits>
+void add_cap(const Frame& frame, const Rectangle& rectangle, std::size_t k,
+             const std::vector<CapChange>& changes, Rendering& result) {
+  const auto starts_at = [](const CapChange& change, std::int32_t row) {
+    return change.row < row;
+  };
+  auto at = std::lower_bound(changes.begin(), changes.end(), rectangle.top,
+                             starts_at);
+  const auto end =
+      std::lower_bound(at, changes.end(), rectangle.bottom, starts_at);
+  if (at == end) return;
+  const auto seen =
+      projected<kBits>(frame.clips.plane(k), frame.camera, frame.view.samples);
+  CapFiller<kBits> filler(frame, rectangle, k, seen, result);
+  while (at != end) {
+    const std::int32_t j = at->row;
     const PixelRange range = filler.row(j);
     std::int32_t winding = 0;
-    for (; c < changes.size() && changes[c].row == j; ++c) {
-      winding += changes[c].by;
-      const bool is_last = c + 1 == changes.size() || changes[c + 1].row != j;
-      const std::int32_t end =
-          is_last ? rectangle.right : changes[c + 1].column;
+    for (; at != end && at->row == j; ++at) {
+      winding += at->by;
+      const bool is_last = at + 1 == end || at[1].row != j;
+      const std::int32_t next = is_last ? rectangle.right : at[1].column;
       if (winding <= 0) continue;
-      filler.fill(j, {std::max(range.first, changes[c].column),
-                      std::min(range.end, end)});
+      filler.fill(
+          j, {std::max(range.first, at->column), std::min(range.end, next)});
     }
   }
 }
 
 }  // namespace
 
-void add_caps(const Frame& frame, const Rectangle& rectangle,
-              Rendering& result) {
+CapChanges cap_changes(const Frame& frame, const Rectangle& rectangle) {
+  CapChanges changes;
   with_grid(frame.reader.scene().grid_bits(), [&](auto bits) {
     for (std::size_t k = 0; k < frame.image.clips.size(); ++k)
-      add_cap<bits()>(frame, rectangle, k, result);
+      changes.push_back(changes_in<bits()>(frame, rectangle, k));
+  });
+  return changes;
+}
+
+void add_caps(const Frame& frame, const Rectangle& rectangle,
+              const CapChanges& changes, Rendering& result) {
+  with_grid(frame.reader.scene().grid_bits(), [&](auto bits) {
+    for (std::size_t k = 0; k < changes.size(); ++k)
+      add_cap<bits()>(frame, rectangle, k, changes[k], result);
   });
 }
 

@@ -1,20 +1,44 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "halfspace/fast/render.hpp"
 #include "raster/frame.hpp"
 
 namespace halfspace::fast {
 
-/// Puts the caps of the frame's clip planes into a rendering of the clipped
-/// scene (S10.3): of the rectangle, items and maybe colours.
+/// A change of the winding number in a row of a clip plane, from a column on
+/// (S10.3).
+struct CapChange {
+  std::int32_t row;
+  std::int32_t column;
+  std::int32_t by;
+  friend auto operator<=>(const CapChange&, const CapChange&) = default;
+};
+
+/// Of each clip plane of a frame its changes, in order; none where the cap is
+/// not seen.
+using CapChanges = std::vector<std::vector<CapChange>>;
+
+/// The changes in the rows and columns of a rectangle.
 ///
 /// Only polygons that cross a clip plane are looked at: row by row they say
 /// where the winding number in the plane changes.
-/// Requires: a closed scene; image.caps; result.items of the rectangle.
+/// Requires: a closed scene; image.caps.
 /// Exact:    yes.
-/// Cost:     the way through the tree to what crosses the planes, one exact
-///           function for each of them and row, and what is filled.
+/// Cost:     the way through the tree to what crosses the planes, and one exact
+///           function for each of them and row.
+CapChanges cap_changes(const Frame& frame, const Rectangle& rectangle);
+
+/// Puts the caps of the frame's clip planes into a rendering of the clipped
+/// scene (S10.3): of the rectangle, items and maybe colours.
+///
+/// Requires: a closed scene; image.caps; result.items of the rectangle, whose
+///           rows are some of those of `changes`, and its columns the same.
+/// Exact:    yes.
+/// Cost:     what is filled.
 void add_caps(const Frame& frame, const Rectangle& rectangle,
-              Rendering& result);
+              const CapChanges& changes, Rendering& result);
 
 }  // namespace halfspace::fast

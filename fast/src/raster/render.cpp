@@ -112,7 +112,9 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
     for_bands(bands.size(), threads, one);
   }
   if (has_caps) {
-    add_caps(frame, rectangle, result);
+    const CapChanges own =
+        pass.caps ? CapChanges{} : cap_changes(frame, rectangle);
+    add_caps(frame, rectangle, pass.caps ? *pass.caps : own, result);
     if (!options.items) result.items = {};
   }
   result.pixels_painted = 0;

@@ -6,6 +6,8 @@
 #include "halfspace/assert.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/threads.hpp"
+#include "raster/caps.hpp"
+#include "raster/frame.hpp"
 #include "raster/render_pass.hpp"
 #include "raster/sample_means.hpp"
 
@@ -31,7 +33,9 @@ class SampledImage {
         result_(result),
         reader_(scene, tree),
         view_(make_view(camera, scene.grid_bits(), samples)),
-        samples_(samples) {}
+        samples_(samples) {
+    if (image.caps && !image.clips.empty()) find_caps();
+  }
 
   /// Fills lines from `top` up to `bottom` of the rectangle.
   void fill(std::int32_t top, std::int32_t bottom, Rendering& strip) {
@@ -43,6 +47,7 @@ class SampledImage {
                               rectangle_.right * samples_, bottom * samples_};
     Pass pass;
     pass.samples = samples_;
+    pass.caps = image_.caps ? &caps_ : nullptr;
     run(scene_, tree_, camera_, image_, own, pass, strip);
     const std::int64_t stride = strip.items.width_px;
     const std::int32_t line = top - rectangle_.top;
@@ -56,11 +61,8 @@ class SampledImage {
       for (std::int32_t j = top; j < bottom; ++j) {
         const PolygonId* items =
             strip.items.pixels.data() + (j - top) * samples_ * stride;
-        Rgb* colors = &result_.colors.at(0, j - rectangle_.top);
-        for (std::int32_t i = rectangle_.left; i < rectangle_.right; ++i) {
-          *colors++ = means.mean(items, stride, i * samples_, j * samples_);
-          items += samples_;
-        }
+        means.row(items, stride, rectangle_.left, rectangle_.right, j,
+                  &result_.colors.at(0, j - rectangle_.top));
       }
       stats.add(means.stats());
     }
@@ -71,6 +73,17 @@ class SampledImage {
   }
 
  private:
+  /// Once for all strips: what crosses a clip plane crosses many of them.
+  void find_caps() {
+    const ClipSet clips(image_.clips, true, scene_.grid_bits());
+    const Frame frame = {
+        reader_, camera_.data(), image_, view_, best_kernel(options_.simd),
+        clips};
+    caps_ = cap_changes(
+        frame, {rectangle_.left * samples_, rectangle_.top * samples_,
+                rectangle_.right * samples_, rectangle_.bottom * samples_});
+  }
+
   const Scene& scene_;
   const BspTree& tree_;
   const Camera& camera_;
@@ -81,6 +94,7 @@ class SampledImage {
   TreeReader reader_;
   View view_;
   std::int32_t samples_;
+  CapChanges caps_;
   Mutex mutex_;
 };
 

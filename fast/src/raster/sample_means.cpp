@@ -9,29 +9,17 @@
 namespace halfspace::fast {
 namespace {
 
-/// Whether all items of a pixel are one.
-template <std::int32_t kSamples>
-bool are_equal(const PolygonId* items, std::int64_t stride) {
-  PolygonId differ = 0;
-  for (std::int32_t b = 0; b < kSamples; ++b) {
-    for (std::int32_t a = 0; a < kSamples; ++a)
-      differ |= items[b * stride + a] ^ items[0];
+/// Whether all items of a pixel, or of some of its lines, are one.
+template <std::int32_t kSamples, std::int32_t kLines = kSamples>
+bool are_equal(const PolygonId* items, std::int64_t stride = 0) {
+  std::array<PolygonId, std::size_t{kSamples}> differ = {};
+  for (std::int32_t b = 0; b < kLines; ++b) {
+    for (std::size_t a = 0; a < kSamples; ++a)
+      differ[a] |= items[b * stride + static_cast<std::int32_t>(a)] ^ items[0];
   }
-  return differ == 0;
-}
-
-bool are_equal(const PolygonId* items, std::int64_t stride,
-               std::int32_t samples) {
-  switch (samples) {
-    case 2:
-      return are_equal<2>(items, stride);
-    case 4:
-      return are_equal<4>(items, stride);
-    case 8:
-      return are_equal<8>(items, stride);
-    default:
-      return true;
-  }
+  PolygonId any = 0;
+  for (const PolygonId d : differ) any |= d;
+  return any == 0;
 }
 
 int channel_of(const Rgb& color, std::size_t channel) {
@@ -51,17 +39,17 @@ SampleMeans::SampleMeans(const TreeReader& reader, const View& view,
       first_cap_(static_cast<PolygonId>(reader.scene().polygon_count())),
       last_color_(image.background) {
   if (gouraud_) {
-    shaders_.reserve(kShaders);
-    for (std::size_t k = 0; k < kShaders; ++k) {
-      shaders_.push_back(
-          {kBackground, GouraudShader(reader.scene(), camera, view)});
+    shaded_.reserve(kShaded);
+    for (std::size_t k = 0; k < kShaded; ++k) {
+      shaded_.push_back(
+          {kBackground, false, GouraudShader(reader.scene(), camera, view)});
     }
   }
 }
 
-bool SampleMeans::is_smooth(PolygonId polygon) const {
+bool SampleMeans::is_smooth(PolygonId polygon) {
   return gouraud_ && polygon != kBackground && !is_cap(polygon) &&
-         has_gradient(reader_.scene(), polygon);
+         shaded(polygon).is_smooth;
 }
 
 Rgb SampleMeans::flat_color(PolygonId polygon, std::int32_t i,
@@ -76,83 +64,135 @@ Rgb SampleMeans::flat_color(PolygonId polygon, std::int32_t i,
   return gouraud_ ? scene.corner_colors(polygon)[0] : scene.color(polygon);
 }
 
-GouraudShader& SampleMeans::shader_of(PolygonId polygon) {
-  Shaded& shaded = shaders_[static_cast<std::size_t>(polygon) % kShaders];
-  if (shaded.polygon != polygon) {
-    shaded.polygon = polygon;
-    shaded.shader.start(polygon,
-                        eye_side_(reader_.planes().plane(polygon), polygon));
-  }
-  return shaded.shader;
-}
-
-Rgb SampleMeans::mean(const PolygonId* items, std::int64_t stride,
-                      std::int32_t i, std::int32_t j) {
-  if (are_equal(items, stride, samples_)) {
-    if (items[0] == last_) return last_color_;
-    const bool is_hatched = is_cap(items[0]) && image_.caps->hatch;
-    if (!is_hatched && !is_smooth(items[0])) {
-      last_ = items[0];
-      last_color_ = flat_color(last_, i, j);
-      return last_color_;
+SampleMeans::Shaded& SampleMeans::shaded(PolygonId polygon) {
+  Shaded& place = shaded_[static_cast<std::size_t>(polygon) % kShaded];
+  if (place.polygon != polygon) {
+    place.polygon = polygon;
+    place.is_smooth = has_gradient(reader_.scene(), polygon);
+    if (place.is_smooth) {
+      place.shader.start(polygon,
+                         eye_side_(reader_.planes().plane(polygon), polygon));
     }
   }
-  if (!gouraud_) return flat_mean(items, stride, i, j);
-  return smooth_mean(items, stride, i, j);
+  return place;
 }
 
+void SampleMeans::row(const PolygonId* items, std::int64_t stride,
+                      std::int32_t left, std::int32_t right, std::int32_t j,
+                      Rgb* colors) {
+  switch (samples_) {
+    case 2:
+      return fill_row<2>(items, stride, left, right, j, colors);
+    case 4:
+      return fill_row<4>(items, stride, left, right, j, colors);
+    case 8:
+      return fill_row<8>(items, stride, left, right, j, colors);
+    default:
+      return fill_row<1>(items, stride, left, right, j, colors);
+  }
+}
+
+template <std::int32_t kSamples>
+void SampleMeans::fill_row(const PolygonId* items, std::int64_t stride,
+                           std::int32_t left, std::int32_t right,
+                           std::int32_t j, Rgb* colors) {
+  for (std::int32_t i = left; i < right; ++i, ++colors, items += kSamples) {
+    bool is_flat = !gouraud_;
+    if (are_equal<kSamples>(items, stride)) {
+      if (items[0] == last_) {
+        *colors = last_color_;
+        continue;
+      }
+      const bool is_hatched = is_cap(items[0]) && image_.caps->hatch;
+      if (!is_hatched && !is_smooth(items[0])) {
+        last_ = items[0];
+        last_color_ = flat_color(last_, i * kSamples, j * kSamples);
+        *colors = last_color_;
+        continue;
+      }
+      is_flat = is_flat || is_hatched;
+    }
+    *colors =
+        is_flat
+            ? flat_mean<kSamples>(items, stride, i * kSamples, j * kSamples)
+            : smooth_mean<kSamples>(items, stride, i * kSamples, j * kSamples);
+  }
+}
+
+/// Channels are added up together, 21 bits each: 64 samples fill 14 of them.
+template <std::int32_t kSamples>
 Rgb SampleMeans::flat_mean(const PolygonId* items, std::int64_t stride,
                            std::int32_t i, std::int32_t j) const {
-  std::array<std::uint32_t, 3> sum = {};
-  PolygonId polygon = items[0];
-  Rgb color = flat_color(polygon, i, j);
-  for (std::int32_t b = 0; b < samples_; ++b) {
-    for (std::int32_t a = 0; a < samples_; ++a) {
+  constexpr std::int32_t kCount = kSamples * kSamples;
+  constexpr std::uint64_t kOne =
+      1 | std::uint64_t{1} << 21 | std::uint64_t{1} << 42;
+  const Rgb* own = reader_.scene().data().colors.data();
+  const auto polygons = static_cast<std::uint32_t>(first_cap_);
+  std::uint64_t sum = kCount / 2 * kOne;
+  for (std::int32_t b = 0; b < kSamples; ++b) {
+    for (std::int32_t a = 0; a < kSamples; ++a) {
       const PolygonId item = items[b * stride + a];
-      if (item != polygon || is_cap(item)) {
-        polygon = item;
-        color = flat_color(polygon, i + a, j + b);
-      }
-      sum[0] += color.r;
-      sum[1] += color.g;
-      sum[2] += color.b;
+      const Rgb color =
+          static_cast<std::uint32_t>(item) < polygons ? own[item]
+          : item == kBackground
+              ? image_.background
+              : cap_color_at_sample(*image_.caps,
+                                    static_cast<std::size_t>(item - first_cap_),
+                                    i + a, j + b, kSamples);
+      sum +=
+          color.r | std::uint64_t{color.g} << 21 | std::uint64_t{color.b} << 42;
     }
   }
-  const auto count = static_cast<std::uint32_t>(samples_ * samples_);
-  const auto channel = [&](std::size_t c) {
-    return static_cast<std::uint8_t>((2 * sum[c] + count) / (2 * count));
+  const auto channel = [sum](int shift) {
+    return static_cast<std::uint8_t>((sum >> shift & 0x1fffff) / kCount);
   };
-  return {channel(0), channel(1), channel(2)};
+  return {channel(0), channel(21), channel(42)};
 }
 
 /// A channel of a sample is off by at most doubt / total (Gradient). Of up to
-/// 64 values of at most 256 a sum of doubles is off by 64 2^14 u = 2^-33, and
-/// 2^-30 with what rounding adds to the bound.
+/// 64 values of at most 256 a sum of doubles is off by 64 2^14 u = 2^-33 in any
+/// order, and 2^-30 with what rounding adds to the bound.
+template <std::int32_t kSamples>
 Rgb SampleMeans::smooth_mean(const PolygonId* items, std::int64_t stride,
                              std::int32_t i, std::int32_t j) {
-  std::array<double, 3> sum = {};
-  double doubt = 0x1p-30;
-  for (std::int32_t b = 0; b < samples_; ++b) {
-    for (std::int32_t a = 0; a < samples_; ++a) {
-      const PolygonId item = items[b * stride + a];
-      if (!is_smooth(item)) {
-        const Rgb color = flat_color(item, i + a, j + b);
-        sum[0] += color.r;
-        sum[1] += color.g;
-        sum[2] += color.b;
+  // One of each column of samples.
+  std::array<std::array<double, std::size_t{kSamples}>, 3> sums = {};
+  std::array<double, std::size_t{kSamples}> doubts = {};
+  const auto add = [&](const Gradient& g, std::size_t a, double v) {
+    const double u = i + static_cast<std::int32_t>(a);
+    const double reciprocal = 1 / (g.a[3] * u + (g.b[3] * v + g.c[3]));
+    for (std::size_t c = 0; c < 3; ++c)
+      sums[c][a] += (g.a[c] * u + (g.b[c] * v + g.c[c])) * reciprocal;
+    const double own = g.doubt * reciprocal;
+    // A total too small to trust makes the doubt large, negative or no number.
+    doubts[a] += own >= 0 && own < 1 ? own : 0x1p30;
+  };
+  for (std::int32_t b = 0; b < kSamples; ++b) {
+    const PolygonId* line = items + b * stride;
+    const double v = j + b;
+    if (are_equal<kSamples, 1>(line) && is_smooth(line[0])) {
+      const Gradient g = shader_of(line[0]).gradient();
+      for (std::size_t a = 0; a < kSamples; ++a) add(g, a, v);
+      continue;
+    }
+    for (std::size_t a = 0; a < kSamples; ++a) {
+      const PolygonId item = line[a];
+      if (is_smooth(item)) {
+        add(shader_of(item).gradient(), a, v);
         continue;
       }
-      const Gradient& g = shader_of(item).gradient();
-      const double u = i + a;
-      const double v = j + b;
-      const double reciprocal = 1 / (g.a[3] * u + (g.b[3] * v + g.c[3]));
-      for (std::size_t c = 0; c < 3; ++c)
-        sum[c] += (g.a[c] * u + (g.b[c] * v + g.c[c])) * reciprocal;
-      const double own = g.doubt * reciprocal;
-      // A total too small to trust makes the doubt large, negative or no
-      // number.
-      doubt += own >= 0 && own < 1 ? own : 0x1p30;
+      const Rgb color =
+          flat_color(item, i + static_cast<std::int32_t>(a), j + b);
+      sums[0][a] += color.r;
+      sums[1][a] += color.g;
+      sums[2][a] += color.b;
     }
+  }
+  std::array<double, 3> sum = {};
+  double doubt = 0x1p-30;
+  for (std::size_t a = 0; a < kSamples; ++a) {
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += sums[c][a];
+    doubt += doubts[a];
   }
   const double count = samples_ * samples_;
   std::array<std::uint8_t, 3> mean = {};

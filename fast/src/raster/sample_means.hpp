@@ -16,28 +16,37 @@ class SampleMeans {
   SampleMeans(const TreeReader& reader, const View& view,
               const CameraData& camera, const ImageOptions& image);
 
-  /// The pixel whose first sample is (i, j) of all samples; its items
-  /// begin at `items`, a line every `stride`.
-  Rgb mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
-           std::int32_t j);
+  /// A row of pixels, from column `left` up to `right` of row `j`; the items of
+  /// their samples begin at `items`, a line every `stride`.
+  void row(const PolygonId* items, std::int64_t stride, std::int32_t left,
+           std::int32_t right, std::int32_t j, Rgb* colors);
 
   const FilterStats& stats() const { return stats_; }
 
  private:
-  /// Shaders of polygons by their ids, of which the last bits are their places.
-  static constexpr std::size_t kShaders = 64;
+  /// Polygons by their ids, of which the last bits are their places.
+  static constexpr std::size_t kShaded = 256;
   struct Shaded {
     PolygonId polygon = kBackground;
+    bool is_smooth = false;
     GouraudShader shader;
   };
 
   bool is_cap(PolygonId item) const { return item >= first_cap_; }
-  bool is_smooth(PolygonId polygon) const;
+  bool is_smooth(PolygonId polygon);
   /// The colour at sample (i, j), which only caps depend on.
   Rgb flat_color(PolygonId polygon, std::int32_t i, std::int32_t j) const;
-  GouraudShader& shader_of(PolygonId polygon);
+  /// Of a polygon that may have a gradient.
+  Shaded& shaded(PolygonId polygon);
+  GouraudShader& shader_of(PolygonId polygon) { return shaded(polygon).shader; }
+  template <std::int32_t kSamples>
+  void fill_row(const PolygonId* items, std::int64_t stride, std::int32_t left,
+                std::int32_t right, std::int32_t j, Rgb* colors);
+  /// Where nothing is shaded smoothly.
+  template <std::int32_t kSamples>
   Rgb flat_mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
                 std::int32_t j) const;
+  template <std::int32_t kSamples>
   Rgb smooth_mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
                   std::int32_t j);
   double close_sum(std::size_t channel, const PolygonId* items,
@@ -51,7 +60,7 @@ class SampleMeans {
   bool gouraud_;
   FilterStats stats_;
   EyeClassifier eye_side_;
-  std::vector<Shaded> shaders_;
+  std::vector<Shaded> shaded_;
   PolygonId first_cap_;
   PolygonId last_ = kBackground;  ///< of one colour, which is:
   Rgb last_color_;

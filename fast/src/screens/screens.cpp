@@ -209,16 +209,17 @@ Rendering render_on(const Scene& scene, const BspTree& tree,
   result.colors = ColorImage(data.width_px, data.height_px, image.background);
   SampleMeans colors(reader, view, data, image);
   for (std::int32_t j = 0; j < data.height_px; ++j) {
-    for (std::int32_t i = 0; i < data.width_px; ++i) {
-      const PolygonId* item = &result.items.at(i, j);
-      result.pixels_painted += *item == kBackground ? 0 : 1;
-      result.colors.at(i, j) = colors.mean(item, data.width_px, i, j);
-    }
+    const PolygonId* items = &result.items.at(0, j);
+    for (std::int32_t i = 0; i < data.width_px; ++i)
+      result.pixels_painted += items[i] == kBackground ? 0 : 1;
+    colors.row(items, data.width_px, 0, data.width_px, j,
+               &result.colors.at(0, j));
   }
   if (has_caps) {
     const Frame all = {reader, data, image, view, best_kernel(SimdLevel::kBest),
                        clips};
-    add_caps(all, {0, 0, data.width_px, data.height_px}, result);
+    const Rectangle whole = {0, 0, data.width_px, data.height_px};
+    add_caps(all, whole, cap_changes(all, whole), result);
   }
   return result;
 }

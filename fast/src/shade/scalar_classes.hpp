@@ -48,6 +48,17 @@ class ScalarClasses {
     return inside;
   }
 
+  /// Whether a number that is off by at most `doubt` is surely in a class.
+  bool is_in(std::int32_t own, double value, double doubt) const {
+    if (own < 1 || own > static_cast<std::int32_t>(steps_.size()) + 1)
+      return false;
+    const auto step = static_cast<std::size_t>(own - 1);
+    const bool is_inside = !limits_ || (value - limits_->low > doubt &&
+                                        limits_->high - value > doubt);
+    return is_inside && (step == 0 || value - steps_[step - 1] > doubt) &&
+           (step == steps_.size() || steps_[step] - value > doubt);
+  }
+
   /// The class of an exact number.
   std::int32_t of(const BigRational& value) const {
     if (limits_ && value < exact_double(limits_->low)) return 0;

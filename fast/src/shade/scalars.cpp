@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -78,7 +79,7 @@ class ScalarShader {
 
  private:
   /// Polygons by their ids, of which the last bits are their places.
-  static constexpr std::size_t kShaded = 256;
+  static constexpr std::size_t kShaded = 512;
   struct Shaded {
     PolygonId polygon = kBackground;
     bool is_there = false;
@@ -111,9 +112,13 @@ class ScalarShader {
     // Products of the least numbers are off by less than the second summand.
     const double doubt = most * shares.doubt + 0x1p-1070;
     if (std::isfinite(value) && std::isfinite(doubt)) {
-      const std::int32_t own = classes_.of(value, doubt);
+      // That of the sample before is looked at first.
+      const std::int32_t own = classes_.is_in(last_class_, value, doubt)
+                                   ? last_class_
+                                   : classes_.of(value, doubt);
       if (own >= 0) {
         ++stats_.filtered;
+        last_class_ = own;
         return own;
       }
     }
@@ -162,7 +167,49 @@ class ScalarShader {
   std::vector<Shaded> shaded_;
   PolygonId last_ = -2;  ///< of one colour, which is:
   Rgb last_color_;
+  std::int32_t last_class_ = 0;
 };
+
+/// The colours of a row of pixels, of which the first sample is (x, y) and its
+/// item `items`, a line of samples every `stride`.
+template <std::int32_t kSamples>
+void color_row(ScalarShader& shader, const PolygonId* items,
+               std::int64_t stride, std::int32_t x, std::int32_t y,
+               std::span<Rgb> colors) {
+  constexpr std::int32_t kCount = kSamples * kSamples;
+  for (Rgb& color : colors) {
+    std::array<std::int32_t, 3> sum = {kCount / 2, kCount / 2, kCount / 2};
+    for (std::int32_t b = 0; b < kSamples; ++b) {
+      for (std::int32_t a = 0; a < kSamples; ++a) {
+        const Rgb own = shader.color(items[b * stride + a], x + a, y + b);
+        sum[0] += own.r;
+        sum[1] += own.g;
+        sum[2] += own.b;
+      }
+    }
+    const auto mean = [&sum](std::size_t c) {
+      return static_cast<std::uint8_t>(sum[c] / kCount);
+    };
+    color = {mean(0), mean(1), mean(2)};
+    items += kSamples;
+    x += kSamples;
+  }
+}
+
+void color_row(std::int32_t samples, ScalarShader& shader,
+               const PolygonId* items, std::int64_t stride, std::int32_t x,
+               std::int32_t y, std::span<Rgb> colors) {
+  switch (samples) {
+    case 2:
+      return color_row<2>(shader, items, stride, x, y, colors);
+    case 4:
+      return color_row<4>(shader, items, stride, x, y, colors);
+    case 8:
+      return color_row<8>(shader, items, stride, x, y, colors);
+    default:
+      return color_row<1>(shader, items, stride, x, y, colors);
+  }
+}
 
 /// Of all the classes that a polygon's corners have the one, or -1.
 std::int32_t class_of_all(const ScalarClasses& classes,
@@ -178,7 +225,7 @@ std::int32_t class_of_all(const ScalarClasses& classes,
 }
 
 /// Lines that a thread colours at once.
-constexpr std::size_t kLines = 16;
+constexpr std::size_t kLines = 32;
 
 }  // namespace
 
@@ -216,39 +263,19 @@ FilterStats color_scalars(const Scene& scene, const Camera& camera,
   const View view = make_view(camera, scene.grid_bits(), n);
   FilterStats stats;
   Mutex mutex;
-  const auto count = static_cast<unsigned>(n * n);
-  for_blocks(
-      how.threads, static_cast<std::size_t>(height), kLines,
-      [&](std::size_t, std::size_t first, std::size_t end) {
-        ScalarShader shader(scene, camera.data(), view, options, scalars);
-        for (auto j = static_cast<std::int32_t>(first);
-             j < static_cast<std::int32_t>(end); ++j) {
-          for (std::int32_t i = 0; i < width; ++i) {
-            const std::int32_t x = how.left + i;
-            const std::int32_t y = how.top + j;
-            if (n == 1) {
-              colors.at(i, j) = shader.color(items.at(i, j), x, y);
-              continue;
-            }
-            std::array<unsigned, 3> sum = {count / 2, count / 2, count / 2};
-            for (std::int32_t s = 0; s < n * n; ++s) {
-              const std::int32_t a = s % n;
-              const std::int32_t b = s / n;
-              const Rgb own = shader.color(items.at(i * n + a, j * n + b),
-                                           x * n + a, y * n + b);
-              sum[0] += own.r;
-              sum[1] += own.g;
-              sum[2] += own.b;
-            }
-            const auto mean = [&](std::size_t c) {
-              return static_cast<std::uint8_t>(sum[c] / count);
-            };
-            colors.at(i, j) = {mean(0), mean(1), mean(2)};
-          }
-        }
-        const Lock lock(mutex);
-        stats.add(shader.stats());
-      });
+  for_blocks(how.threads, static_cast<std::size_t>(height), kLines,
+             [&](std::size_t, std::size_t first, std::size_t end) {
+               ScalarShader shader(scene, camera.data(), view, options,
+                                   scalars);
+               for (auto j = static_cast<std::int32_t>(first);
+                    j < static_cast<std::int32_t>(end); ++j) {
+                 color_row(n, shader, &items.at(0, j * n), items.width_px,
+                           how.left * n, (how.top + j) * n,
+                           {&colors.at(0, j), static_cast<std::size_t>(width)});
+               }
+               const Lock lock(mutex);
+               stats.add(shader.stats());
+             });
   return stats;
 }
 
