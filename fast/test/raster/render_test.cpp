@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "halfspace/fast/build.hpp"
@@ -196,6 +197,52 @@ TEST(FastRender, AnImageAfterAVeryLargeOneIsTheSame) {
   render(scene, tree, *make_camera(data, 26), {}, only_counted);
   EXPECT_EQ(render(scene, tree, perspective(), {}, {}).items.pixels,
             before.pixels);
+}
+
+// Samples are decided in strips of rows, which share what is known of the caps.
+TEST(FastRender, ACapInManyStripsIsThatOfEachOfThem) {
+  constexpr std::int64_t kSize = 600'000;
+  constexpr std::int32_t kPixels = 200;
+  constexpr std::int32_t kRows = 16;  ///< of a strip, at 8 x 8 samples
+  const auto corner = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+    return GridPoint{x * kSize, y * kSize, z * kSize + kDepth};
+  };
+  const GridPoint p = corner(1, 1, 1);
+  const GridPoint q = corner(1, -1, -1);
+  const GridPoint r = corner(-1, 1, -1);
+  const GridPoint s = corner(-1, -1, 1);
+  SceneData data;
+  add_polygon(data, {p, q, r});
+  add_polygon(data, {p, s, q});
+  add_polygon(data, {p, r, s});
+  add_polygon(data, {q, s, r});
+  const Scene scene = made(std::move(data));
+  const BspTree tree = build(scene, BuildOptions{});
+  CameraData eye = camera_of(65536 * 256 / 100, 65536);
+  eye.s0.x = eye.s0.y = -100 * eye.sx.x;
+  eye.width_px = eye.height_px = kPixels;
+  const Camera camera = *make_camera(eye, 26);
+  ImageOptions image;
+  image.clips = {{1, 0, 4, -4 * kDepth}};
+  image.caps = CapStyle{{1, 2, 3}, Rgb{201, 202, 203}};
+  const Rendering whole = render_samples(scene, tree, camera, image, 8, {});
+  std::int32_t rows_of_cap = 0;
+  for (std::int32_t top = 0; top < kPixels; top += kRows) {
+    RenderOptions strip;
+    const std::int32_t end = std::min(top + kRows, kPixels);
+    strip.rectangle = Rectangle{0, top, kPixels, end};
+    const Rendering one = render_samples(scene, tree, camera, image, 8, strip);
+    bool shows_cap = false;
+    for (std::int32_t j = top; j < end; ++j) {
+      for (std::int32_t i = 0; i < kPixels; ++i) {
+        const Rgb color = one.colors.at(i, j - top);
+        ASSERT_TRUE(whole.colors.at(i, j) == color) << i << ' ' << j;
+        shows_cap = shows_cap || color == image.caps->color;
+      }
+    }
+    rows_of_cap += shows_cap ? 1 : 0;
+  }
+  EXPECT_GE(rows_of_cap, 4);
 }
 
 }  // namespace
