@@ -23,11 +23,26 @@ function(halfspace_test_target target)
 endfunction()
 
 # Sources of a target that a unity build compiles as one: what they name for
-# themselves must differ. Those in no group are compiled alone.
+# themselves must differ. Those in no group are compiled alone. Small groups can
+# be one unit, since reading headers takes longer than their own code: that of
+# group g is named by unit_of_g.
 function(halfspace_unity_group target group)
+  if(DEFINED unit_of_${group})
+    set(group ${unit_of_${group}})
+  endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target}
     PROPERTIES UNITY_GROUP ${group})
+endfunction()
+
+# Every folder under src is a group, and what lies in src itself is one.
+function(halfspace_unity_folders target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    string(REGEX REPLACE "^src/([^/]+).*" "\\1" folder ${folder})
+    halfspace_unity_group(${target} ${folder} ${source})
+  endforeach()
 endfunction()
 
 # The tests of a room, beside which this CMakeLists.txt stands: they are listed

@@ -24,7 +24,7 @@ using definition::Integer;
 
 constexpr int kClippedViews = 300;
 
-constexpr ScreenKind kAllScreens[] = {ScreenKind::kList, ScreenKind::kBsp1,
+constexpr ScreenKind kScreens[] = {ScreenKind::kList, ScreenKind::kBsp1,
                                       ScreenKind::kQuad, ScreenKind::kBsp2};
 
 std::optional<Int128> to_int128(const Integer& value) {
@@ -178,7 +178,7 @@ struct RefSections {
     images.push_back(Ref::image_of(ref::paint(scene, tree, *camera, options)));
     images.push_back(Ref::image_of(ref::zbuffer(scene, *camera, options)));
     images.push_back(Ref::image_of(ref::raycast(scene, *camera, options)));
-    for (const ScreenKind kind : kAllScreens) {
+    for (const ScreenKind kind : kScreens) {
       images.push_back(
           Ref::image_of(ref::render_on(scene, tree, *camera, options, kind)));
     }
@@ -225,7 +225,7 @@ struct FastSections {
     how.simd = fast::SimdLevel::kPortable;
     images.push_back(image_of(
         fast::render(scene, tree_of(scene, 8), *camera, options, how)));
-    for (const ScreenKind kind : kAllScreens) {
+    for (const ScreenKind kind : kScreens) {
       images.push_back(
           image_of(fast::render_on(scene, plain, *camera, options, kind)));
     }

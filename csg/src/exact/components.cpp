@@ -19,6 +19,12 @@ namespace {
 
 constexpr std::size_t kNone = SIZE_MAX;
 
+Integer power_of_two(unsigned exponent) {
+  Integer power = 1;
+  power <<= exponent;
+  return power;
+}
+
 /// Finds the shell of each edge.
 class Shells {
  public:
@@ -202,11 +208,13 @@ Numbers3 point_within(const fast::Solid& solid) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const int way : {-1, 1}) {
         const unsigned fine = static_cast<unsigned>(std::max(bits + 12, 0));
-        ExactPoint p{{0, 0, 0}, Integer(1) << fine};
+        ExactPoint p{{0, 0, 0}, power_of_two(fine)};
         for (std::size_t i = 0; i < 3; ++i)
           p.at[i] = Integer((on.at[i] << fine) / on.below);
         const int by = static_cast<int>(fine) - bits;
-        p.at[axis] += way * (Integer(1) << static_cast<unsigned>(by));
+        Integer step = way;
+        step *= power_of_two(static_cast<unsigned>(by));
+        p.at[axis] += step;
         if (location_of(solid, p) >= 0) continue;
         Numbers3 point;
         const Unit unit = solid.unit;

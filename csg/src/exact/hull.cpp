@@ -7,26 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "halfspace/csg/surface.hpp"
+
 namespace halfspace::csg {
 namespace {
 
-using io::Integer;
-using Vector = std::array<Integer, 3>;
-
-Vector difference(const Vector& a, const Vector& b) {
+Integers3 difference(const Integers3& a, const Integers3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-          a[0] * b[1] - a[1] * b[0]};
-}
-
-Integer dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-bool is_zero(const Vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
+bool is_zero(const Integers3& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
 class Hull {
  public:
@@ -59,7 +49,7 @@ class Hull {
   std::vector<Numbers3> points_;
   bool decimal_;
   std::vector<std::array<double, 3>> rounded_;
-  std::vector<Vector> scaled_;
+  std::vector<Integers3> scaled_;
   double largest_ = 0;
   std::array<std::size_t, 4> first_{};
   std::vector<Triangle> triangles_;
@@ -74,7 +64,7 @@ void Hull::scale() {
     }
   }
   for (const Numbers3& p : points_) {
-    Vector v;
+    Integers3 v;
     for (std::size_t i = 0; i < 3; ++i) {
       v[i] = p[i].mantissa *
              pow(Integer(5), static_cast<unsigned>(p[i].five - five));
@@ -104,7 +94,7 @@ int Hull::orientation(std::size_t a, std::size_t b, std::size_t c,
   const double bound = 600 * 0x1p-53 * largest_ * largest_ * largest_;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  const Vector normal = cross(difference(scaled_[b], scaled_[a]),
+  const Integers3 normal = cross(difference(scaled_[b], scaled_[a]),
                               difference(scaled_[c], scaled_[a]));
   return dot(normal, difference(scaled_[d], scaled_[a])).sign();
 }
@@ -115,7 +105,7 @@ bool Hull::begin() {
   std::size_t b = 1, c = 0, d = 0;
   while (b < n && scaled_[b] == scaled_[0]) ++b;
   if (b == n) return false;
-  const Vector edge = difference(scaled_[b], scaled_[0]);
+  const Integers3 edge = difference(scaled_[b], scaled_[0]);
   for (c = b + 1; c < n; ++c) {
     if (!is_zero(cross(edge, difference(scaled_[c], scaled_[0])))) break;
   }

@@ -12,27 +12,21 @@ namespace halfspace::csg {
 namespace {
 
 using Loop = std::vector<VertexId>;
-using Place = std::array<double, 3>;
 
 /// Least-area triangles of loops with more corners would take too long: they
 /// are left to import, which cuts any polygon.
 constexpr std::size_t kMostCorners = 300;
 
-Place place(const GridPoint& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y),
-          static_cast<double>(p.z)};
-}
-
-Place cross(const Place& u, const Place& v) {
+DoublePoint cross(const DoublePoint& u, const DoublePoint& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
           u[0] * v[1] - u[1] * v[0]};
 }
 
-Place difference(const Place& p, const Place& q) {
+DoublePoint difference(const DoublePoint& p, const DoublePoint& q) {
   return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
 }
 
-double length(const Place& p) { return std::hypot(p[0], p[1], p[2]); }
+double length(const DoublePoint& p) { return std::hypot(p[0], p[1], p[2]); }
 
 /// The loops against the open edges, none of which visits a corner twice.
 std::vector<Loop> loops_of(const Soup& soup) {
@@ -89,8 +83,8 @@ std::vector<Loop> least_triangles(const Soup& soup, const Loop& loop) {
   const std::size_t n = loop.size();
   std::vector<double> least(n * n);
   std::vector<std::size_t> apex(n * n);
-  std::vector<Place> at;
-  for (const VertexId v : loop) at.push_back(place(soup.at(v)));
+  std::vector<DoublePoint> at;
+  for (const VertexId v : loop) at.push_back(in_doubles(soup.at(v)));
   for (std::size_t width = 2; width < n; ++width) {
     for (std::size_t i = 0; i + width < n; ++i) {
       const std::size_t k = i + width;

@@ -67,16 +67,11 @@ struct Part {
   }
 };
 
-std::array<double, 3> place(const GridPoint& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y),
-          static_cast<double>(p.z)};
-}
-
 /// Six times the volume of the cone from the first point over a polygon.
 double cone_over(const Soup& soup, const std::vector<VertexId>& corners) {
-  const auto from = place(soup.points.front());
+  const auto from = in_doubles(soup.points.front());
   const auto arm = [&](VertexId v) {
-    std::array<double, 3> at = place(soup.at(v));
+    std::array<double, 3> at = in_doubles(soup.at(v));
     for (std::size_t k = 0; k < 3; ++k) at[k] -= from[k];
     return at;
   };
@@ -143,7 +138,7 @@ std::vector<std::size_t> turn_outwards(Soup& soup) {
     ++part.polygons;
     part.volume += cone_over(soup, soup.polygons[p]);
     for (const VertexId v : soup.polygons[p]) {
-      const auto at = place(soup.at(v));
+      const auto at = in_doubles(soup.at(v));
       for (std::size_t k = 0; k < 3; ++k) {
         part.low[k] = std::min(part.low[k], at[k]);
         part.high[k] = std::max(part.high[k], at[k]);

@@ -12,6 +12,13 @@
 
 namespace halfspace::csg {
 
+using DoublePoint = std::array<double, 3>;
+
+inline DoublePoint in_doubles(const GridPoint& p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y),
+          static_cast<double>(p.z)};
+}
+
 /// Polygons on a grid that may be anything: open, doubled, turned round.
 struct Soup {
   Unit unit;

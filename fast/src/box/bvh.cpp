@@ -15,7 +15,7 @@ constexpr int kKeyBits = 10;
 /// Up to this number items are taken in the order given, in which those of
 /// meshes are near each other: looking at all of their packets takes no longer
 /// than sorting them. Untuned.
-constexpr std::size_t kFew = 256;
+constexpr std::size_t kFewItems = 256;
 
 /// A 10-bit number with two zeros before each bit.
 std::uint64_t spread(std::uint64_t v) {
@@ -65,7 +65,7 @@ void BoxTree::sort_items(std::vector<Item>& items) {
 
 void BoxTree::build(std::vector<Item>& items) {
   if (items.empty()) return;
-  if (items.size() > kFew) sort_items(items);
+  if (items.size() > kFewItems) sort_items(items);
   constexpr std::size_t kCount = EightBoxes::kCount;
   const auto eights_of = [](std::size_t n) {
     return (n + kCount - 1) / kCount;

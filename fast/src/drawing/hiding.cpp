@@ -11,10 +11,6 @@ namespace {
 constexpr Cut kStart = {0, 0, CutKind::kFrom, 0, -1};
 constexpr Cut kEnd = {1, 0, CutKind::kTo, 0, -1};
 
-FormValue size_of(const FormValue& value) {
-  return value.is_negative() ? -value : value;
-}
-
 }  // namespace
 
 Hiding::Hiding(Sight& sight, const SceneEdges& edges,

@@ -3,14 +3,6 @@
 #include "exact/nearest_double.hpp"
 
 namespace halfspace::fast {
-namespace {
-
-FormValue size_of(const FormValue& value) {
-  return value.is_negative() ? -value : value;
-}
-
-}  // namespace
-
 /// Between values f and g of different signs at the ends, a form is 0 at
 /// from |g| + to |f|, for homogeneous points.
 ExactImagePoint ImagePoints::exact(const Line& line, const Cut& cut) const {

@@ -25,10 +25,6 @@ struct ImageLine {
   std::uint64_t hash = 0;   ///< equal for equal planes
 };
 
-FormInt size_of(const FormInt& value) {
-  return value.is_negative() ? -value : value;
-}
-
 ImageLine image_line(const Form& form) {
   ImageLine line;
   line.form = {form.a, form.b, form.c, form.d};

@@ -78,6 +78,12 @@ constexpr int sign(const Wide<kWords>& a) {
 }
 constexpr int sign(Int128 a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
 
+/// The magnitude of a value that is not the least there is.
+template <std::size_t kWords>
+constexpr Wide<kWords> size_of(const Wide<kWords>& a) {
+  return a.is_negative() ? -a : a;
+}
+
 /// a * b in `kResult` words.
 ///
 /// The words are multiplied as if unsigned. With A words in a, reading a < 0 as

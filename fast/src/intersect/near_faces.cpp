@@ -12,11 +12,11 @@ namespace {
 /// The box in other steps, rounded outwards; floats hold no more than the
 /// greatest.
 Box in_steps(const Box& box, double steps) {
-  constexpr double kMost = std::numeric_limits<float>::max();
+  constexpr double kLargestFloat = std::numeric_limits<float>::max();
   // Rounding outwards adds what is below a float, too: half of the greatest
   // leaves room for that.
   const auto held = [](double value) {
-    return std::clamp(value, -kMost / 2, kMost / 2);
+    return std::clamp(value, -kLargestFloat / 2, kLargestFloat / 2);
   };
   Box result;
   for (std::size_t k = 0; k < 3; ++k) {

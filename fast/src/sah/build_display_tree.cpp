@@ -146,16 +146,16 @@ class PieceJoiner {
 
  private:
   void place(BuildJob* root, FilterStats& stats) {
-    struct Step {
+    struct Subtree {
       BuildJob* job;
       std::size_t parent;
       Side side;
       std::vector<std::int32_t> planes;
     };
-    std::vector<Step> steps;
+    std::vector<Subtree> steps;
     steps.push_back({root, 0, Side::kOn, {}});
     while (!steps.empty()) {
-      Step step = std::move(steps.back());
+      Subtree step = std::move(steps.back());
       steps.pop_back();
       const BspTree& piece = step.job->piece;
       stats.add(step.job->stats);

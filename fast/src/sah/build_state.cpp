@@ -7,7 +7,7 @@ namespace halfspace::fast {
 namespace {
 
 /// Progress is reported after this share of the work. Untuned.
-constexpr double kReportedShare = 1.0 / 256;
+constexpr double kReportedPart = 1.0 / 256;
 
 /// The least box of points: its corners of least and greatest coordinates.
 struct GridBox {
@@ -57,13 +57,13 @@ Primitive BuildState::primitive_of(PolygonId polygon) const {
           polygon,
           {up(box.high.x, origin.x), up(box.high.y, origin.y),
            up(box.high.z, origin.z)},
-          kWhole};
+          kWholePolygon};
 }
 
 void BuildState::add_done(double share) {
   const Lock lock(mutex_);
   done_ += share;
-  if (is_stopped() || done_ < reported_ + kReportedShare) return;
+  if (is_stopped() || done_ < reported_ + kReportedPart) return;
   reported_ = done_;
   if (!options.progress(std::min(done_, 1.0))) stopped_ = true;
 }

@@ -17,7 +17,7 @@ struct PrimitiveReader {
   /// Calls take(x, y, z) for each of the primitive's vertices, rounded.
   template <class Take>
   void for_vertices(const Primitive& primitive, Take&& take) const {
-    if (primitive.part == kWhole) {
+    if (primitive.part == kWholePolygon) {
       for (const VertexId v : scene.corners(primitive.source)) {
         const GridPoint& p = scene.point(v);
         take(static_cast<double>(p.x), static_cast<double>(p.y),

@@ -18,11 +18,11 @@ struct Primitive {
   std::array<float, 3> low;
   PolygonId source;
   std::array<float, 3> high;
-  std::int32_t part;  ///< index of the part, or kWhole
+  std::int32_t part;  ///< index of the part, or kWholePolygon
 };
 static_assert(sizeof(Primitive) == 32);
 
-constexpr std::int32_t kWhole = -1;
+constexpr std::int32_t kWholePolygon = -1;
 
 /// The greatest float up to `value`, and the least from it on.
 inline float float_below(double value) {

@@ -410,7 +410,7 @@ Primitive SahBuilder::primitive_of(const Primitive& whole,
 }
 
 FragmentRef SahBuilder::fragment_of(const Primitive& primitive) {
-  if (primitive.part == kWhole) return splitter_.whole(primitive.source);
+  if (primitive.part == kWholePolygon) return splitter_.whole(primitive.source);
   return job_.parts[static_cast<std::size_t>(primitive.part)];
 }
 
@@ -448,7 +448,7 @@ void SahBuilder::make_leaf(NodeId id, const Task& task) {
 }
 
 std::size_t SahBuilder::corner_count(const Primitive& primitive) const {
-  return primitive.part == kWhole
+  return primitive.part == kWholePolygon
              ? state_.scene.corners(primitive.source).size()
              : job_.parts[static_cast<std::size_t>(primitive.part)].count;
 }
@@ -479,7 +479,7 @@ void SahBuilder::add_fragments(NodeId id, std::vector<Primitive>& primitives) {
   node.first_fragment = static_cast<std::int32_t>(piece.fragments.size());
   for (const Primitive& primitive : primitives) {
     const auto first = static_cast<std::uint32_t>(piece.corners.size());
-    if (primitive.part == kWhole) {
+    if (primitive.part == kWholePolygon) {
       const auto corners = state_.scene.corners(primitive.source);
       for (std::size_t k = 0; k < corners.size(); ++k) {
         piece.corners.push_back({static_cast<EdgeCode>(k), corners[k]});
@@ -517,7 +517,7 @@ BuildJob SahBuilder::job_of(const PrimitiveList& list, const Box& box,
       static_cast<std::int32_t>(state_.scene.data().vertices.size());
   std::vector<std::int32_t> copies(job_.tree->cut_vertices.size(), -1);
   for (Primitive& primitive : job.primitives) {
-    if (primitive.part == kWhole) continue;
+    if (primitive.part == kWholePolygon) continue;
     const FragmentRef& part =
         job_.parts[static_cast<std::size_t>(primitive.part)];
     primitive.part = static_cast<std::int32_t>(job.parts.size());

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int32_t kEach = 8;
 
 /// A shorter run is drawn faster one by one. Untuned.
-constexpr std::int32_t kFew = 4;
+constexpr std::int32_t kShortestRun = 4;
 
 /// The runs at the beginning of a node's list that are long enough.
 struct Runs {
@@ -38,8 +38,8 @@ Runs runs_of(const BspTree& tree, const Node& node) {
     ++expected;
     f = fragment.next;
   }
-  if (runs.triangles > 0 && runs.triangles < kFew) return {};
-  if (runs.quadrangles < kFew) runs.quadrangles = 0;
+  if (runs.triangles > 0 && runs.triangles < kShortestRun) return {};
+  if (runs.quadrangles < kShortestRun) runs.quadrangles = 0;
   return runs;
 }
 

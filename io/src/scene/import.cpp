@@ -365,6 +365,13 @@ Result<Imported> Importer::import() {
 
 }  // namespace
 
+ImportOptions unlit() {
+  ImportOptions options;
+  options.lights.clear();
+  options.ambient = 1;
+  return options;
+}
+
 Result<Imported> import_scene(const Mesh& mesh, const ImportOptions& options) {
   return Importer(mesh, options).import();
 }

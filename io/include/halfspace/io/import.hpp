@@ -46,12 +46,7 @@ struct ImportOptions {
 };
 
 /// Colours as they are, and the usual one unlit: for what is written again.
-inline ImportOptions unlit() {
-  ImportOptions options;
-  options.lights.clear();
-  options.ambient = 1;
-  return options;
-}
+ImportOptions unlit();
 
 /// What import did to a mesh (S1.7).
 struct ImportReport {
