@@ -7,14 +7,13 @@ size=(--size 48x36)
 views=("" "--ortho" "--near 100" "--eye 300,-500,250 --target 10,20,30"
   "--eye 0,0,900 --target 0,0,0 --ortho" "--cull" "--fov 20 --up 1,1,1"
   "--eye -.5,-400.25,3 --target 0,0,0" "--grid 26")
-# The slow run of this test has models and a size of its own.
-rendered=${HALFSPACE_RENDERED_SIZE:-48x36}
+rendered=48x36
 
 models="cube pinwheel interlocking-cubes"
 for model in $models; do
   "$make_model" "$model" -o "$model.off" || exit 1
 done
-for model in ${HALFSPACE_RENDERED:-$models}; do
+for model in $models; do
   for view in "${views[@]}"; do
     # shellcheck disable=SC2086
     set -- $view --size "$rendered"

@@ -46,8 +46,7 @@ array("flat.npy", "<f8", "d", range(8), "(4, 2)")
 open("map.txt", "w").write("# three\n255 0 0\n#00ff00\n0 0 255\n")
 open("bad-map.txt", "w").write("255 0 0\n256 0 0\n")
 PYTHON
-# Another size where the reference is slow.
-rendered=${HALFSPACE_RENDERED_SIZE:-60x45}
+rendered=60x45
 height=${rendered#*x}
 half=$((height / 2))
 size=(--size "$rendered")
