@@ -15,6 +15,16 @@ function(halfspace_target target)
   endif()
 endfunction()
 
+# Libraries in which time is spent: packages are built with -O2, with which
+# booleans take 1.07 to 1.14 times as long, and reading an STL file 1.07 to 1.11.
+function(halfspace_hot_target target)
+  halfspace_target(${target})
+  if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug" AND
+     NOT HALFSPACE_WEB STREQUAL "MODULE")
+    target_compile_options(${target} PRIVATE -O3)
+  endif()
+endfunction()
+
 # Tests and the program: what they compute with is in the libraries, which are
 # optimised more.
 function(halfspace_test_target target)
