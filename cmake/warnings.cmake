@@ -15,8 +15,9 @@ function(halfspace_target target)
   endif()
 endfunction()
 
-# Libraries in which time is spent: packages are built with -O2, with which
-# booleans take 1.07 to 1.14 times as long, and reading an STL file 1.07 to 1.11.
+# Libraries in which time is spent: with -O2, which the preset release has for
+# all else, booleans take 1.07 to 1.14 times as long, and reading an STL file
+# 1.07 to 1.11 times.
 function(halfspace_hot_target target)
   halfspace_target(${target})
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug" AND
