@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/measure.hpp"
 #include "core/moves.hpp"
 #include "halfspace/io/scalars.hpp"
 #include "window/panels.hpp"
