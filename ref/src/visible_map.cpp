@@ -291,7 +291,7 @@ std::vector<MapArc> transparent_map(const Scene& scene, const Camera& camera,
     if (covering.empty()) return kBackgroundKey;
     Rgb color = options.background;
     for (auto id = covering.rbegin(); id != covering.rend(); ++id)
-      color = composed_color(scene.color(*id), color, options.alpha);
+      color = composed_color(scene.color(*id), color, options.alpha_of(*id));
     return color_key(color);
   }));
 }

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "halfspace/assert.hpp"
 #include "map/map_maker.hpp"
 
 namespace halfspace::fast {
@@ -29,8 +30,8 @@ class Layers {
             const TransparentOptions& options) const {
     Rgb color = options.background;
     for (; list != kBackground; list = at(list).before)
-      color =
-          composed_color(scene.color(at(list).polygon), color, options.alpha);
+      color = composed_color(scene.color(at(list).polygon), color,
+                             options.alpha_of(at(list).polygon));
     return color;
   }
 
@@ -53,6 +54,8 @@ Result<VisibleMap> transparent_map(const Scene& scene, const BspTree& tree,
                                    const Camera& camera,
                                    const TransparentOptions& options,
                                    const MapLimits& limits) {
+  HALFSPACE_ASSERT(options.alphas.empty() ||
+                   options.alphas.size() == scene.polygon_count());
   MapMaker maker(scene, tree, camera);
   Layers layers;
   maker.run(options.cull, false, limits,

@@ -1,6 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
@@ -87,6 +91,109 @@ TEST(S7TransparentAgree, RefAndFastGiveTheSameTransparentMap) {
                       RefTransparent::arcs_of(view, options));
       },
       kTransparentMaps);
+}
+
+/// Alphas that differ from polygon to polygon.
+TransparentOptions with_own_alphas(const SceneFile& view) {
+  TransparentOptions options = transparent_options(view);
+  std::uint32_t number = options.alpha;
+  for (std::size_t p = 0; p < view.scene.polygon_count(); ++p) {
+    number = 1664525 * number + 1013904223;
+    options.alphas.push_back(static_cast<std::uint8_t>(number >> 24));
+  }
+  return options;
+}
+
+/// What a scene of these polygons alone shows, by its own ids.
+ItemImage items_of(const SceneFile& view,
+                   const std::vector<PolygonId>& chosen) {
+  SceneData data = view.scene.data();
+  data.corners.clear();
+  data.corner_colors.clear();
+  data.colors.clear();
+  data.first_corner.assign(1, 0);
+  for (const PolygonId p : chosen) {
+    const auto corners = view.scene.corners(p);
+    data.corners.insert(data.corners.end(), corners.begin(), corners.end());
+    data.first_corner.push_back(
+        static_cast<std::uint32_t>(data.corners.size()));
+    data.colors.push_back(view.scene.color(p));
+  }
+  const Result<Scene> scene = make_scene(std::move(data));
+  HALFSPACE_LAW(scene.has_value());
+  ImageOptions flat = view.options;
+  flat.shading = Shading::kFlat;
+  return oracle::zbuffer(*scene, *view.camera, flat).items;
+}
+
+/// The order of S5.3 of two polygons in each pixel: 0 or 1 for the one that is
+/// in front, by images of the two alone.
+class PairOrder {
+ public:
+  explicit PairOrder(const SceneFile& view) : view_(view) {}
+  bool before(PolygonId p, PolygonId q, std::int32_t i, std::int32_t j) {
+    const std::pair key = std::minmax(p, q);
+    const auto found = images_.find(key);
+    const ItemImage& image =
+        found != images_.end()
+            ? found->second
+            : images_.emplace(key, items_of(view_, {key.first, key.second}))
+                  .first->second;
+    return (image.at(i, j) == 0) == (p < q);
+  }
+
+ private:
+  const SceneFile& view_;
+  std::map<std::pair<PolygonId, PolygonId>, ItemImage> images_;
+};
+
+TYPED_TEST(S7Transparent, L12PolygonsAreComposedByTheirOwnAlphas) {
+  std::size_t several = 0;
+  law::for_all_views(
+      [&](const SceneFile& view) {
+        if (view.scene.polygon_count() > 24) return;
+        const TransparentOptions options = with_own_alphas(view);
+        const Arcs arcs = TypeParam::arcs_of(view, options);
+        std::vector<ItemImage> alone;
+        const auto count = static_cast<PolygonId>(view.scene.polygon_count());
+        for (PolygonId p = 0; p < count; ++p)
+          alone.push_back(items_of(view, {p}));
+        PairOrder order(view);
+        const CameraData& size = view.camera->data();
+        for (std::int32_t k = 0; k < size.width_px * size.height_px; ++k) {
+          const std::int32_t i = k % size.width_px;
+          const std::int32_t j = k / size.width_px;
+          std::vector<PolygonId> covering;
+          for (PolygonId p = 0; p < count; ++p) {
+            if (alone[static_cast<std::size_t>(p)].at(i, j) != kBackground)
+              covering.push_back(p);
+          }
+          std::sort(covering.begin(), covering.end(),
+                    [&](PolygonId p, PolygonId q) {
+                      return p != q && order.before(q, p, i, j);
+                    });
+          Rgb color = options.background;
+          for (const PolygonId p : covering) {
+            color = composed_color(view.scene.color(p), color,
+                                   options.alphas[static_cast<std::size_t>(p)]);
+          }
+          HALFSPACE_LAW(map_arcs::key_at(arcs, i, j) ==
+                        (covering.empty() ? kBackgroundKey : color_key(color)));
+          if (covering.size() > 1) ++several;
+        }
+      },
+      kTransparentMaps / 5);
+  EXPECT_GT(several, 300u);
+}
+
+TEST(S7TransparentAgree, OwnAlphasGiveTheSameMapByRefAndFast) {
+  law::for_all_views(
+      [](const SceneFile& view) {
+        const TransparentOptions options = with_own_alphas(view);
+        HALFSPACE_LAW(FastTransparent::arcs_of(view, options) ==
+                      RefTransparent::arcs_of(view, options));
+      },
+      kTransparentMaps / 5);
 }
 
 /// The colour that functions of the image point give, which fast has in doubles

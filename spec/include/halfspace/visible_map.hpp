@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct TransparentOptions {
   bool cull = false;  ///< as ImageOptions::cull
   std::uint8_t alpha = kOpaque;
   Rgb background = {255, 255, 255};
+  /// One alpha a polygon; empty: `alpha` for all.
+  std::vector<std::uint8_t> alphas = {};
+
+  std::uint8_t alpha_of(PolygonId polygon) const {
+    return alphas.empty() ? alpha : alphas[static_cast<std::size_t>(polygon)];
+  }
 };
 
 /// The key of a colour in a transparent map (S7.8), and its inverse.
