@@ -117,6 +117,36 @@ for view in "" "--ortho --cull"; do
   python3 "$colors" glass.svg glass.png 0 || wrong "glass has other colours"
 done
 expect 2 'composes' draw cubes.off --alpha 120 --by part -o none.svg
+# Each file may have its own alpha: one that is not seen changes no colour.
+expect 0 ' regions' draw cubes.off --size 48x36 --ortho -o one.svg --alpha 120
+expect 0 ' regions' draw cubes.off cubes.off --size 48x36 --ortho -o two.svg \
+  --alpha 120,0
+same one.svg two.svg
+expect 2 'one a FILE' draw cubes.off --alpha 120,0 -o none.svg
+# Numbers are bands of one colour, those of the picture, and have a legend.
+printf 'n\n' >tent.csv
+for k in 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
+  echo $((k * 7 % 16)) >>tent.csv
+done
+for view in "--ortho --steps 5" "--eye 1,-3,3 --target 2,2,1 --range 2,12 --steps 7 \
+    --no-clamp"; do
+  # shellcheck disable=SC2086
+  set -- $view --size 48x36 --scalar tent.csv:n
+  expect 0 'span' render tent.off "$@" -o n.png
+  expect 0 ' regions' draw tent.off "$@" -o n.svg --decimals 9
+  python3 "$colors" n.svg n.png 0 || wrong "numbers have other colours"
+done
+for ending in svg pdf eps tex; do
+  expect 0 ' regions' draw tent.off --scalar tent.csv:n --legend \
+    --legend-title height --steps 4 -o "n.$ending"
+  [ -s "n.$ending" ] || wrong "n.$ending is empty"
+done
+grep -q 'class="legend">height<' n.svg || wrong "the legend has no title"
+[ "$(grep -c '<path class="legend" fill=' n.svg)" = 4 ] ||
+  wrong "the legend has not four colours"
+expect 2 'larger --size' draw tent.off --scalar tent.csv:n --legend \
+  --size 20x20 -o none.svg
+expect 2 'gives regions' draw tent.off --scalar tent.csv:n --by part -o none.svg
 # Clip planes cut regions as they cut pictures, and caps are regions.
 for view in "" "--ortho --cull" "--yon 600"; do
   # shellcheck disable=SC2086

@@ -23,30 +23,6 @@ FigurePoint between(const FigurePoint& p, const FigurePoint& q, double share) {
   return {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])};
 }
 
-/// The part of loops where `a x + b y < c`, or where it is not, by the
-/// even-odd rule, each loop for itself.
-FigureLoops clipped(const FigureLoops& loops, double a, double b, double c,
-                    bool below) {
-  FigureLoops result;
-  for (const auto& loop : loops) {
-    std::vector<FigurePoint> kept;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const FigurePoint& p = loop[k];
-      const FigurePoint& q = loop[k + 1 == loop.size() ? 0 : k + 1];
-      const double f = a * p[0] + b * p[1] - c;
-      const double g = a * q[0] + b * q[1] - c;
-      if ((f < 0) == below) kept.push_back(p);
-      if ((f < 0) != (g < 0)) {
-        // Seen from either end it is the same point.
-        kept.push_back(f < 0 ? between(p, q, f / (f - g))
-                             : between(q, p, g / (g - f)));
-      }
-    }
-    if (kept.size() > 2) result.push_back(std::move(kept));
-  }
-  return result;
-}
-
 /// The slopes of a shade's channels at a point.
 std::array<FigurePoint, 3> slopes_at(const FigureShade& shade,
                                      const FigurePoint& p) {
@@ -114,7 +90,8 @@ class ShadeCutter {
       if (cut && depth < kDeepest) {
         for (const bool below : {false, true}) {
           work.emplace_back(
-              clipped(part, cut->across[0], cut->across[1], cut->at, below),
+              cut_loops(part, {cut->across[0], cut->across[1], -cut->at},
+                        below),
               depth + 1);
         }
         continue;
@@ -328,6 +305,28 @@ Rgb rounded_color(const Channels& channels) {
         std::lround(std::clamp(value, 0.0, 255.0)));
   };
   return {byte(channels[0]), byte(channels[1]), byte(channels[2])};
+}
+
+FigureLoops cut_loops(const FigureLoops& loops,
+                      const std::array<double, 3>& line, bool below) {
+  FigureLoops result;
+  for (const auto& loop : loops) {
+    std::vector<FigurePoint> kept;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const FigurePoint& p = loop[k];
+      const FigurePoint& q = loop[k + 1 == loop.size() ? 0 : k + 1];
+      const double f = value_of(line, p);
+      const double g = value_of(line, q);
+      if ((f < 0) == below) kept.push_back(p);
+      if ((f < 0) != (g < 0)) {
+        // Seen from either end it is the same point.
+        kept.push_back(f < 0 ? between(p, q, f / (f - g))
+                             : between(q, p, g / (g - f)));
+      }
+    }
+    if (kept.size() > 2) result.push_back(std::move(kept));
+  }
+  return result;
 }
 
 std::vector<ShadePart> shade_parts(const FigureRegion& region, double levels,

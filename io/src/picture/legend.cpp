@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "picture/legend_layout.hpp"
 #include "picture/lettering.hpp"
 
 namespace halfspace::io {
@@ -12,53 +13,8 @@ namespace {
 constexpr double kLeastLetter = 9;
 constexpr double kMostLetter = 60;
 
-/// Where the parts of a legend stand. Units: pixels.
-struct LegendLayout {
-  bool fits = false;  ///< whether the picture is large enough
-  std::vector<ScaleMark> marks;
-  double letter = 0;      ///< from line to line
-  std::int32_t left = 0;  ///< of the bar
-  std::int32_t top = 0;
-  std::int32_t width = 0;
-  std::int32_t height = 0;
-  std::int32_t tick = 0;  ///< how long marks are
-  double title_x = 0;
-  std::int32_t box_left = 0, box_top = 0, box_right = 0, box_bottom = 0;
-};
-
 std::int32_t rounded_px(double value) {
   return static_cast<std::int32_t>(std::floor(value + 0.5));
-}
-
-LegendLayout layout_of(const Legend& legend, std::int32_t width_px,
-                       std::int32_t height_px) {
-  const double letter = std::clamp(std::min(height_px / 28.0, width_px / 24.0),
-                                   kLeastLetter, kMostLetter);
-  const Lettering letters(letter);
-  const double bar = 0.56 * height_px;
-  LegendLayout at;
-  at.letter = letter;
-  at.width = rounded_px(1.3 * letter);
-  at.height = rounded_px(bar);
-  at.marks = scale_marks(legend.range, static_cast<int>(bar / (2.2 * letter)));
-  at.tick = std::max(2, rounded_px(0.3 * letter));
-  double widest = legend.shows_no_data ? letters.width_of("no data") : 0;
-  for (const ScaleMark& mark : at.marks)
-    widest = std::max(widest, letters.width_of(mark.text));
-  const double right = width_px - 0.9 * letter;
-  at.left = rounded_px(right - widest - at.tick - 0.3 * letter - at.width);
-  at.top = (height_px - at.height) / 2;
-  const double title = letters.width_of(legend.title);
-  at.title_x = std::min<double>(at.left, right - title);
-  const double pad = 0.6 * letter;
-  at.box_left = rounded_px(std::min<double>(at.left, at.title_x) - pad);
-  at.box_right = rounded_px(right + pad);
-  at.box_top =
-      rounded_px(at.top - (legend.title.empty() ? 0.4 : 1.7) * letter - pad);
-  at.box_bottom = rounded_px(at.top + at.height +
-                             (legend.shows_no_data ? 1.9 : 0.4) * letter + pad);
-  at.fits = at.box_left >= 0 && at.box_top >= 0 && at.height >= 3 * letter;
-  return at;
 }
 
 void fill_box(std::int32_t left, std::int32_t top, std::int32_t right,
@@ -94,12 +50,6 @@ bool is_over_something(const LegendLayout& at, const ItemImage& items,
   return false;
 }
 
-Rgb letter_color(const Rgb& background) {
-  const int light =
-      299 * background.r + 587 * background.g + 114 * background.b;
-  return light >= 128'000 ? Rgb{32, 32, 36} : Rgb{236, 236, 232};
-}
-
 /// The bar, from the least at the bottom to the greatest.
 void draw_bar(const Legend& legend, const LegendLayout& at,
               ColorImage& picture) {
@@ -114,16 +64,53 @@ void draw_bar(const Legend& legend, const LegendLayout& at,
 
 }  // namespace
 
+Rgb letter_color(const Rgb& background) {
+  const int light =
+      299 * background.r + 587 * background.g + 114 * background.b;
+  return light >= 128'000 ? Rgb{32, 32, 36} : Rgb{236, 236, 232};
+}
+
+LegendLayout legend_layout(const Legend& legend, std::int32_t width_px,
+                           std::int32_t height_px) {
+  const double letter = std::clamp(std::min(height_px / 28.0, width_px / 24.0),
+                                   kLeastLetter, kMostLetter);
+  const Lettering letters(letter);
+  const double bar = 0.56 * height_px;
+  LegendLayout at;
+  at.letter = letter;
+  at.width = rounded_px(1.3 * letter);
+  at.height = rounded_px(bar);
+  at.marks = scale_marks(legend.range, static_cast<int>(bar / (2.2 * letter)));
+  at.tick = std::max(2, rounded_px(0.3 * letter));
+  double widest = legend.shows_no_data ? letters.width_of("no data") : 0;
+  for (const ScaleMark& mark : at.marks)
+    widest = std::max(widest, letters.width_of(mark.text));
+  const double right = width_px - 0.9 * letter;
+  at.left = rounded_px(right - widest - at.tick - 0.3 * letter - at.width);
+  at.top = (height_px - at.height) / 2;
+  const double title = letters.width_of(legend.title);
+  at.title_x = std::min<double>(at.left, right - title);
+  const double pad = 0.6 * letter;
+  at.box_left = rounded_px(std::min<double>(at.left, at.title_x) - pad);
+  at.box_right = rounded_px(right + pad);
+  at.box_top =
+      rounded_px(at.top - (legend.title.empty() ? 0.4 : 1.7) * letter - pad);
+  at.box_bottom = rounded_px(at.top + at.height +
+                             (legend.shows_no_data ? 1.9 : 0.4) * letter + pad);
+  at.fits = at.box_left >= 0 && at.box_top >= 0 && at.height >= 3 * letter;
+  return at;
+}
+
 std::int32_t legend_width(const Legend& legend, std::int32_t width_px,
                           std::int32_t height_px) {
-  const LegendLayout at = layout_of(legend, width_px, height_px);
+  const LegendLayout at = legend_layout(legend, width_px, height_px);
   return at.fits ? width_px - at.box_left : 0;
 }
 
 void draw_legend(const Legend& legend, const ItemImage& items,
                  const Rgb& background, ColorImage& picture) {
   const LegendLayout at =
-      layout_of(legend, picture.width_px, picture.height_px);
+      legend_layout(legend, picture.width_px, picture.height_px);
   if (!at.fits) return;
   const double letter = at.letter;
   const Lettering letters(letter);

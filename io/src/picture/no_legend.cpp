@@ -1,3 +1,4 @@
+#include "halfspace/io/figure_legend.hpp"
 #include "halfspace/io/legend.hpp"
 
 namespace halfspace::io {
@@ -8,5 +9,7 @@ std::int32_t legend_width(const Legend&, std::int32_t, std::int32_t) {
 }
 
 void draw_legend(const Legend&, const ItemImage&, const Rgb&, ColorImage&) {}
+
+bool add_legend(const Legend&, const Rgb&, Figure&) { return false; }
 
 }  // namespace halfspace::io

@@ -9,9 +9,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/long_work.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "figure/figure_scene.hpp"
@@ -19,7 +22,9 @@
 #include "figure/view_figure.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/figure.hpp"
+#include "halfspace/io/figure_legend.hpp"
 #include "image/clipping.hpp"
+#include "image/scalars.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -28,6 +33,19 @@ namespace {
 constexpr Word<Hidden> kHiddenWords[] = {{"gone", Hidden::kGone},
                                          {"dashed", Hidden::kDashed},
                                          {"solid", Hidden::kSolid}};
+
+/// Numbers from 0 to 255 with commas between them.
+std::optional<std::vector<std::uint8_t>> parse_alphas(std::string_view text) {
+  std::vector<std::uint8_t> alphas;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const auto alpha = parse_number<std::uint8_t>(text.substr(0, comma));
+    if (!alpha) return std::nullopt;
+    alphas.push_back(*alpha);
+    if (comma == std::string_view::npos) return alphas;
+    text.remove_prefix(comma + 1);
+  }
+}
 
 /// What is not said follows from what is: lines alone where the format has
 /// nothing else, or where the options speak of lines.
@@ -71,6 +89,12 @@ Result<Camera> with_margin(const Camera& camera, std::int32_t margin,
 /// The camera of the options; axes get a margin for their numbers.
 Result<ChosenCamera> choose_view(const DrawArguments& arguments,
                                  const FigureScene& loaded, const Size& size) {
+  if (loaded.scalars && arguments.scalars.has_legend) {
+    ViewArguments beside = arguments.view;
+    beside.size = size_beside_legend(loaded.scalars, arguments.scalars, size);
+    const Result<ChosenCamera> chosen = choose_camera(loaded.file, beside);
+    return chosen ? widened(*chosen, size.width_px, loaded.scene()) : chosen;
+  }
   if (!arguments.axes || loaded.file.camera)
     return choose_camera(loaded.file, arguments.view);
   constexpr double kTextsWide = 5;
@@ -90,7 +114,8 @@ Result<ChosenCamera> choose_view(const DrawArguments& arguments,
 
 /// The one view of the options.
 Result<Done> draw_view(const DrawArguments& arguments,
-                       const FigureScene& loaded, ViewFigure& figures) {
+                       const FigureScene& loaded, const Rgb& background,
+                       ViewFigure& figures) {
   const Size size = arguments.view.size.value_or(kUsualSize);
   const Result<ChosenCamera> chosen = choose_view(arguments, loaded, size);
   io::Figure& figure = figures.figure();
@@ -103,7 +128,11 @@ Result<Done> draw_view(const DrawArguments& arguments,
   }
   figure.width = chosen->camera->width_px;
   figure.height = chosen->camera->height_px;
-  return figures.add(chosen->camera, {}, false);
+  const Result<Done> added = figures.add(chosen->camera, {}, false);
+  if (!added || !arguments.scalars.has_legend) return added;
+  if (!io::add_legend(loaded.scalars->legend, background, figure))
+    return Error{ErrorCode::kBadCamera, "--legend: needs a larger --size"};
+  return Done{};
 }
 
 /// Several views on a sheet of paper.
@@ -125,6 +154,23 @@ Result<Done> draw_sheet(const DrawArguments& arguments,
   return Done{};
 }
 
+/// What is wrong with scalars among the other options.
+std::string scalars_complaint(const DrawArguments& arguments,
+                              bool asks_for_shade) {
+  const std::string alone = scalar_complaint(arguments.scalars);
+  if (!arguments.scalars.source || !alone.empty()) return alone;
+  if (arguments.paths.size() > 1) return "--scalar: colours one FILE";
+  if (arguments.fill != "colour" || arguments.by != "colour" ||
+      asks_for_shade || !arguments.alphas.empty()) {
+    return "--scalar: gives regions their colours; give no --fill, --by, "
+           "--shade or --alpha";
+  }
+  if (arguments.scalars.has_legend &&
+      (arguments.sheet.is_used() || arguments.axes))
+    return "--legend: is for one view, without --sheet and --axes";
+  return {};
+}
+
 std::string complaint_of(const DrawArguments& arguments) {
   if (!io::is_figure_name(arguments.output)) {
     return arguments.output + ": a figure's name ends in one of " +
@@ -142,13 +188,19 @@ std::string complaint_of(const DrawArguments& arguments) {
     return "regions by " + arguments.by +
            " have one colour each; for shaded ones give --by colour or polygon";
   }
-  if (arguments.alpha && (arguments.by != "colour" || asks_for_shade)) {
+  if (!arguments.alphas.empty() &&
+      (arguments.by != "colour" || asks_for_shade)) {
     return "--alpha composes the polygons' own colours; give no --shade "
            "gouraud and no --by or --fill but colour";
   }
+  if (arguments.alphas.size() > 1 &&
+      arguments.alphas.size() != arguments.paths.size())
+    return "--alpha: is one number for all, or one a FILE";
+  const std::string scalars = scalars_complaint(arguments, asks_for_shade);
+  if (!scalars.empty()) return scalars;
   if (arguments.clip.is_used()) {
-    if (arguments.lines == "edges" || arguments.alpha || arguments.axes ||
-        !arguments.notes.empty()) {
+    if (arguments.lines == "edges" || !arguments.alphas.empty() ||
+        arguments.axes || !arguments.notes.empty()) {
       return "--clip cuts regions, not edges, glass, axes or notes; give "
              "--lines regions or none, or cut the model by csg with half()";
     }
@@ -164,8 +216,11 @@ Status run_draw(DrawArguments arguments) {
   complete(arguments);
   const std::string wrong = complaint_of(arguments);
   if (!wrong.empty()) return fail(wrong);
-  const Result<FigureScene> loaded = load_figure(
-      arguments.paths, import_options(arguments.view, arguments.grid_bits));
+  io::ImportOptions options =
+      import_options(arguments.view, arguments.grid_bits);
+  if (arguments.scalars.source) color_by_scalars(options);
+  const Result<FigureScene> loaded =
+      load_figure(arguments.paths, options, arguments.scalars);
   if (!loaded) return fail(arguments.paths[0], loaded.error());
   // Reading leaves holes that large arrays do not fit.
   malloc_trim(0);
@@ -177,18 +232,19 @@ Status run_draw(DrawArguments arguments) {
   if (!no_caps.empty()) return fail(loaded->name, {ErrorCode::kOpen, no_caps});
   const ImageOptions image = choose_options(loaded->file, arguments.view);
   ViewFigure figures(arguments, *loaded, image);
-  const Result<Done> drawn = arguments.sheet.is_used()
-                                 ? draw_sheet(arguments, *loaded, figures)
-                                 : draw_view(arguments, *loaded, figures);
+  const Result<Done> drawn =
+      arguments.sheet.is_used()
+          ? draw_sheet(arguments, *loaded, figures)
+          : draw_view(arguments, *loaded, image.background, figures);
   if (!drawn && drawn.error().code == ErrorCode::kStopped)
     return stop("interrupted");
   if (!drawn && drawn.error().code == ErrorCode::kBadCamera)
     return fail(drawn.error().message);
   if (!drawn) return fail(loaded->name, drawn.error());
   note_part(arguments.output);
-  const io::FigureOptions options = {arguments.decimals, arguments.levels};
+  const io::FigureOptions writing = {arguments.decimals, arguments.levels};
   const Result<Done> written =
-      io::write_figure(arguments.output, figures.figure(), options);
+      io::write_figure(arguments.output, figures.figure(), writing);
   if (!written) return fail(arguments.output, written.error());
   say("{}: {} polygons; {} regions, {} arcs, {} strokes\n", loaded->name,
       loaded->scene().polygon_count(), figures.regions(), figures.arcs(),
@@ -196,7 +252,7 @@ Status run_draw(DrawArguments arguments) {
   if (arguments.certificate) {
     const io::FigureCertificate certificate = io::certify(
         std::filesystem::path(arguments.output).extension().string(),
-        figures.figure(), options);
+        figures.figure(), writing);
     say("coordinates moved by at most {:.3g} of {:.3g}; {} loops, {} turned "
         "over, {} vanished; {} points with up to {} decimals\n",
         certificate.largest_move, certificate.bound, certificate.loops,
@@ -305,15 +361,19 @@ void add_draw(CLI::App& program, Status& status) {
                   "region's colour may be off")
       ->check(CLI::Range(1.0, 255.0))
       ->capture_default_str();
-  add_number(*app, "--alpha", "A", arguments->alpha, std::uint8_t{0}, kOpaque,
+  add_parsed(*app, "--alpha", "A[,A...]",
+             "whole numbers of at least 0 and at most 255, with commas",
+             arguments->alphas, parse_alphas,
              "Polygons that let what is behind them through: 0 is not seen, "
-             "255 hides it. A region is what has one composed colour");
+             "255 hides it; one for all, or one a FILE. A region is what has "
+             "one composed colour");
   app->add_option("--most-cells", arguments->most_cells,
                   "Give up where the map needs more cells")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
       ->capture_default_str();
   add_note_options(*app, *arguments);
   add_line_options(*app, *arguments);
+  add_scalar_options(*app, arguments->scalars);
   add_sheet_options(*app, arguments->sheet);
   add_clip_options(*app, arguments->clip);
   add_grid_option(*app, arguments->grid_bits);

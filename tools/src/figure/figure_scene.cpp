@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "figure/bands.hpp"
 #include "halfspace/io/read_mesh.hpp"
 
 namespace halfspace::tools {
@@ -64,7 +65,8 @@ Result<FigureScene> load_meshes(const std::vector<std::string>& paths,
 }  // namespace
 
 Result<FigureScene> load_figure(const std::vector<std::string>& paths,
-                                const io::ImportOptions& options) {
+                                const io::ImportOptions& options,
+                                const ScalarArguments& scalars) {
   if (paths.size() > 1) return load_meshes(paths, options);
   Result<io::LoadedScene> loaded = load(paths[0], options);
   FigureScene figure;
@@ -73,6 +75,14 @@ Result<FigureScene> load_figure(const std::vector<std::string>& paths,
       !io::is_scene_name(paths[0]))
     return figure;
   if (!loaded) return loaded.error();
+  if (scalars.source) {
+    Result<ShownScalars> shown = load_scalars(paths[0], *loaded, scalars);
+    if (!shown) return shown.error();
+    shown->banded =
+        banded_polygons(loaded->file.scene, shown->field, shown->legend.scale);
+    loaded->file.scene = scalar_scene(loaded->file.scene, *shown);
+    figure.scalars = std::move(*shown);
+  }
   figure.file = std::move(loaded->file);
   figure.files.assign(figure.scene().polygon_count(), 0);
   return figure;

@@ -11,8 +11,11 @@ namespace halfspace::tools {
 /// The files as one scene, each exact if a grid holds all.
 ///
 /// A mesh without faces has no polygons.
-/// Errors: those of io::load_scene(); kUnknownFormat: a .scene beside others.
+/// With scalars it is one file, and polygons of one number have its colour.
+/// Errors: those of io::load_scene() and load_scalars(); kUnknownFormat: a
+///         .scene beside others.
 Result<FigureScene> load_figure(const std::vector<std::string>& paths,
-                                const io::ImportOptions& options);
+                                const io::ImportOptions& options,
+                                const ScalarArguments& scalars = {});
 
 }  // namespace halfspace::tools

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "figure/bands.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/shade/color_forms.hpp"
 
@@ -172,14 +173,18 @@ std::vector<std::int32_t> keys_of(const FigureScene& figure,
                          scene.corner_colors(id)[0]);
       continue;
     }
+    if (by == "colour" && figure.scalars && figure.scalars->banded[p]) {
+      faces.emplace_back(id, false, Rgb{});
+      continue;
+    }
     faces.emplace_back(is_face ? planes.plane_of[p] : -1,
                        is_face && planes.same_orientation[p], scene.color(id));
   }
   for (std::size_t k = 0; k < all - count; ++k) {
     const bool is_hatch = k >= kMostClipPlanes;
-    faces.emplace_back(is_face ? -1 - static_cast<std::int32_t>(k) : -1, false,
-                       is_hatch ? caps->hatch.value_or(caps->color)
-                                : caps->color);
+    faces.emplace_back(
+        is_face ? -1 - static_cast<std::int32_t>(k) : -1, false,
+        is_hatch ? caps->hatch.value_or(caps->color) : caps->color);
   }
   return numbered(faces);
 }
@@ -189,6 +194,9 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
                  const Placing& placing) {
   const bool has_palette = style.by == "part" || style.by == "file";
   const auto count = static_cast<PolygonId>(scene.scene().polygon_count());
+  std::optional<BandCutter> bands;
+  if (style.scalar_view != nullptr)
+    bands.emplace(scene.scene(), *style.scalar_view, *scene.scalars);
   for (const fast::MapRegion& region : map.regions) {
     const bool is_background = region.item == kBackground;
     if (is_background && !style.has_background) continue;
@@ -212,6 +220,14 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
     } else if (has_palette) {
       drawn.fill =
           kPalette[static_cast<std::size_t>(region.key) % kPalette.size()];
+    } else if (bands &&
+               scene.scalars->banded[static_cast<std::size_t>(region.item)]) {
+      auto parts = bands->cut(drawn, region.item, placing);
+      for (io::FigureRegion& part : parts) {
+        part.id = "region-" + std::to_string(figure.regions.size());
+        figure.regions.push_back(std::move(part));
+      }
+      continue;
     } else if (style.smooth_view != nullptr) {
       shade(drawn, scene.scene(), *style.smooth_view, region.item, placing);
     } else {

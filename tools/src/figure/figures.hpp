@@ -12,14 +12,16 @@
 #include "halfspace/image.hpp"
 #include "halfspace/io/figure.hpp"
 #include "halfspace/scene_file.hpp"
+#include "image/scalars.hpp"
 
 namespace halfspace::tools {
 
 /// A scene of several files, and how its figures show it.
 struct FigureScene {
-  SceneFile file;                   ///< with the camera of a .scene
-  std::vector<std::int32_t> files;  ///< by polygon
-  std::string name;                 ///< of the first file
+  SceneFile file;                       ///< with the camera of a .scene
+  std::vector<std::int32_t> files;      ///< by polygon
+  std::string name;                     ///< of the first file
+  std::optional<ShownScalars> scalars;  ///< what colours show, if numbers
   const Scene& scene() const { return file.scene; }
 };
 
@@ -48,6 +50,8 @@ struct FillStyle {
   bool has_background = true;  ///< whether regions that show nothing are added
   /// The view, where polygons have Gouraud shading.
   const Camera* smooth_view = nullptr;
+  /// The view, where numbers are shown.
+  const Camera* scalar_view = nullptr;
   CapStyle caps;  ///< of the caps, if the map has any
 };
 

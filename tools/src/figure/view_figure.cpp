@@ -124,10 +124,9 @@ Result<Done> ViewFigure::add_hatched(const Camera& camera,
                                      double width) {
   const fast::BspTree* made = tree();
   if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
-  const Result<fast::VisibleMap> map =
-      fast::visible_map(scene_.scene(), *made, camera,
-                        {image_.cull, {cuts.begin(), cuts.end()}},
-                        {arguments_.most_cells});
+  const Result<fast::VisibleMap> map = fast::visible_map(
+      scene_.scene(), *made, camera, {image_.cull, {cuts.begin(), cuts.end()}},
+      {arguments_.most_cells});
   if (!map) return map.error();
   add_hatching(figure_, *map, gap, width, placing);
   return Done{};
@@ -137,10 +136,16 @@ Result<fast::VisibleMap> ViewFigure::filled_map(const Camera& camera) {
   const fast::BspTree* made = tree();
   if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
   const fast::MapLimits limits = {arguments_.most_cells};
-  if (arguments_.alpha) {
-    return fast::transparent_map(
-        scene_.scene(), *made, camera,
-        {image_.cull, *arguments_.alpha, image_.background}, limits);
+  if (!arguments_.alphas.empty()) {
+    TransparentOptions options = {image_.cull, arguments_.alphas[0],
+                                  image_.background};
+    if (arguments_.alphas.size() > 1) {
+      for (const std::int32_t file : scene_.files)
+        options.alphas.push_back(
+            arguments_.alphas[static_cast<std::size_t>(file)]);
+    }
+    return fast::transparent_map(scene_.scene(), *made, camera, options,
+                                 limits);
   }
   ImageOptions image = image_;
   const Result<Done> clipped =
@@ -160,10 +165,11 @@ Result<Done> ViewFigure::add_map(const Camera& camera, const Placing& placing,
   arcs_ += map->arcs.size();
   if (arguments_.fill != "none") {
     FillStyle style;
-    style.by = !arguments_.alpha ? arguments_.by : "composed";
+    style.by = arguments_.alphas.empty() ? arguments_.by : "composed";
     style.background = image_.background;
     style.has_background = !on_sheet;
     style.smooth_view = smooth_ ? &camera : nullptr;
+    style.scalar_view = scene_.scalars ? &camera : nullptr;
     if (arguments_.clip.caps) style.caps = *arguments_.clip.caps;
     add_regions(figure_, *map, scene_, style, placing);
   }

@@ -16,6 +16,7 @@
 #include "halfspace/io/figure.hpp"
 #include "halfspace/result.hpp"
 #include "image/clipping.hpp"
+#include "image/scalars.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -37,13 +38,14 @@ struct DrawArguments {
   bool titles = false;
   int decimals = 3;
   double levels = 2;
-  std::optional<std::uint8_t> alpha;
+  std::vector<std::uint8_t> alphas;  ///< one for all, or one a file
   bool certificate = false;
   std::size_t most_cells = fast::MapLimits{}.most_cells;
   std::optional<int> grid_bits;
   ViewArguments view;
   ClipArguments clip;
   SheetArguments sheet;
+  ScalarArguments scalars;
 };
 
 /// Whether regions may have the colours of their polygon's corners.

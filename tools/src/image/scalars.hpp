@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/arguments.hpp"
 #include "halfspace/io/color_map.hpp"
@@ -45,6 +46,8 @@ std::string scalar_complaint(const ScalarArguments& arguments);
 struct ShownScalars {
   ScalarField field;
   io::Legend legend;  ///< the scale, and what a legend says of it
+  /// Of figures: by polygon whether it has several colours.
+  std::vector<bool> banded = {};
 };
 
 /// The field and the scale that the arguments ask for, of the scene that was

@@ -147,6 +147,12 @@ Result<std::string> figure_bytes(std::string_view ending, const Figure& figure,
 FigureCertificate certify(std::string_view ending, const Figure& figure,
                           const FigureOptions& options = {});
 
+/// The part of loops where `line[0] x + line[1] y + line[2]` is below 0, or
+/// where it is not, by the even-odd rule, each loop for itself.
+std::vector<std::vector<FigurePoint>> cut_loops(
+    const std::vector<std::vector<FigurePoint>>& loops,
+    const std::array<double, 3>& line, bool below);
+
 /// Orders strokes for the pen of a plotter, and turns them round: each begins
 /// where the one before it ended if one can, else at the end that is nearest,
 /// of ties the first. Begins at the first stroke.
