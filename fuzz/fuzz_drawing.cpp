@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fuzz.hpp"
+#include "halfspace/boolean.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/ref/drawing.hpp"
@@ -47,6 +48,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const SceneFile view = fuzz::view_of(bytes);
   const std::string text = write_scene(view);
   options.cull = view.options.cull;
+  // Every second case is of a section, with a cap if the scene is closed.
+  if (size % 2 == 0 && view.scene.polygon_count() > 0) {
+    options.clips = *make_clips({fuzz::plane_at_a_corner(view, size / 2)},
+                                view.scene.grid_bits());
+    options.caps = bad_edges(view.scene).empty();
+  }
   const auto drawing = fast::draw(view.scene, *view.camera, options);
   HALFSPACE_FUZZ_EXPECT(drawing.has_value(), text);
   if (view.scene.polygon_count() > kMostPolygons) return 0;

@@ -6,6 +6,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
+#include "halfspace/fast/image/transparent_map.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/seen_areas.hpp"
@@ -52,18 +53,14 @@ void expect_same_areas(const std::vector<fast::SeenArea>& areas,
   }
 }
 
-/// A clip plane through a corner, by a number.
-ClipPlane plane_at_a_corner(const SceneFile& view, std::size_t number) {
-  GridPoint p{};
-  if (!view.scene.data().vertices.empty())
-    p = view.scene.data().vertices[number % view.scene.data().vertices.size()];
-  const auto normal = [&](std::size_t by) {
-    return static_cast<std::int64_t>(number / by % 5) - 2;
-  };
-  const std::int64_t a = 2 * normal(1) + 1;
-  const std::int64_t b = normal(5);
-  const std::int64_t c = normal(25);
-  return {a, b, c, -(Int128{a} * p.x + Int128{b} * p.y + Int128{c} * p.z)};
+/// One alpha a polygon, by a number.
+TransparentOptions own_alphas(const SceneFile& view, std::size_t number) {
+  TransparentOptions options = {view.options.cull, kOpaque,
+                                view.options.background};
+  for (std::size_t p = 0; p < view.scene.polygon_count(); ++p)
+    options.alphas.push_back(
+        static_cast<std::uint8_t>(67 * (p + 1) * (number + 1)));
+  return options;
 }
 
 }  // namespace
@@ -105,9 +102,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
         areas->colors ==
             ref::render_area(view.scene, *view.camera, view.options),
         text);
+    const TransparentOptions glass = own_alphas(view, size);
+    const auto composed =
+        fast::transparent_map(view.scene, divided, *view.camera, glass);
+    HALFSPACE_FUZZ_EXPECT(composed.has_value(), text);
+    expect_same(*composed,
+                ref::transparent_map(view.scene, *view.camera, glass), text);
     SceneFile cut = view;
-    cut.options.clips =
-        *make_clips({plane_at_a_corner(view, size)}, view.scene.grid_bits());
+    cut.options.clips = *make_clips({fuzz::plane_at_a_corner(view, size)},
+                                    view.scene.grid_bits());
     if (bad_edges(cut.scene).empty()) {
       cut.options.caps =
           CapStyle{{200, 80, 40},
@@ -116,6 +119,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     const auto left =
         fast::render_area(cut.scene, divided, *cut.camera, cut.options);
     HALFSPACE_FUZZ_EXPECT(left.has_value(), write_scene(cut));
+    const auto section = fast::section_map(cut.scene, divided, *cut.camera,
+                                           options, cut.options);
+    HALFSPACE_FUZZ_EXPECT(section.has_value(), write_scene(cut));
+    expect_same(*section, ref::section_map(cut.scene, *cut.camera, cut.options),
+                write_scene(cut));
     HALFSPACE_FUZZ_EXPECT(
         left->colors == ref::render_area(cut.scene, *cut.camera, cut.options),
         write_scene(cut));

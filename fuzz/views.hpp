@@ -4,6 +4,7 @@
 #include "generate/shapes.hpp"
 #include "generate/viewpoints.hpp"
 #include "halfspace/bsp_tree.hpp"
+#include "halfspace/clip.hpp"
 #include "halfspace/scene_file.hpp"
 
 /// What the bytes of a fuzzer mean to the generators of proptest/.
@@ -68,5 +69,19 @@ struct Shown {
   const SceneFile& view;
   explicit operator std::string() const { return write_scene(view); }
 };
+
+/// A clip plane through a corner, by a number.
+inline ClipPlane plane_at_a_corner(const SceneFile& view, std::size_t number) {
+  GridPoint p{};
+  if (!view.scene.data().vertices.empty())
+    p = view.scene.data().vertices[number % view.scene.data().vertices.size()];
+  const auto normal = [&](std::size_t by) {
+    return static_cast<std::int64_t>(number / by % 5) - 2;
+  };
+  const std::int64_t a = 2 * normal(1) + 1;
+  const std::int64_t b = normal(5);
+  const std::int64_t c = normal(25);
+  return {a, b, c, -(Int128{a} * p.x + Int128{b} * p.y + Int128{c} * p.z)};
+}
 
 }  // namespace halfspace::fuzz

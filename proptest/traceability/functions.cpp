@@ -329,6 +329,8 @@ void take_all() {
   take(&fast::draw);  // S9.6
   take(&ref::draw);  // S9.7
   take(&fast::draw);  // S9.7
+  take(&ref::draw);  // S9.8
+  take(&fast::draw);  // S9.8
   take(&make_clips);  // S10.1
   take(&ref::clipped);  // S10.2
   {  // S10.2
@@ -392,5 +394,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 189 ? 0 : 1;
+  return halfspace::taken == 191 ? 0 : 1;
 }

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "covering.hpp"
+#include "frames/caps.hpp"
+#include "halfspace/ref/clip.hpp"
 #include "vector.hpp"
 
 namespace halfspace::ref {
@@ -22,6 +24,7 @@ struct Edge {
   Point from;
   Point to;
   EdgeClass edge_class = EdgeClass::kCrease;
+  std::vector<std::size_t> polygons = {};  ///< those at it
 };
 
 bool is_on_line(const Point& p, const Point& a, const Point& b) {
@@ -89,15 +92,27 @@ class Drawer {
   Drawer(const Scene& scene, const Camera& camera,
          const DrawingOptions& options)
       : camera_(camera), options_(options), projection_(projection_of(camera)) {
+    section_.clips = options.clips;
+    if (options.caps) {
+      section_.caps.emplace();
+      caps_.emplace(scene, camera, section_, 1);
+    }
     for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
          ++id) {
       const Fragment polygon = whole(scene, id);
       const Plane plane = plane_of(polygon.vertices);
       const Side eye = side_of_eye(plane, camera);
-      if (options.cull && eye == Side::kNegative) continue;
+      const bool is_culled = options.cull && eye == Side::kNegative;
+      if (!is_culled || (caps_ && sign(caps_->plane(0).at_eye) < 0))
+        cut_polygons_.push_back(polygon);
+      if (is_culled) continue;
       polygons_.push_back(polygon);
       planes_.push_back(plane);
-      coverings_.push_back(covering_of(polygon, camera, false));
+      coverings_.emplace_back();
+      if (is_there(plane, section_)) {
+        if (const auto left = clipped(polygon, section_))
+          coverings_.back() = covering_of(*left, camera, false);
+      }
       eyes_.push_back(eye == Side::kOn ? 0 : eye == Side::kPositive ? 1 : -1);
     }
   }
@@ -106,6 +121,8 @@ class Drawer {
     if (options_.edges) {
       find_edges();
       find_intersections();
+      std::erase_if(edges_, [&](const Edge& e) { return is_in_clip(e); });
+      find_sections();
     }
     for (const GivenLine& line : options_.lines) {
       edges_.push_back(
@@ -157,8 +174,11 @@ class Drawer {
       }
     }
     for (const auto& [ends, at] : found) {
-      if (const auto edge_class = class_of(at))
-        edges_.push_back({ends.first, ends.second, *edge_class});
+      const auto edge_class = class_of(at);
+      if (!edge_class) continue;
+      edges_.push_back({ends.first, ends.second, *edge_class});
+      for (const PolygonAt& side : at)
+        edges_.back().polygons.push_back(side.polygon);
     }
   }
 
@@ -224,7 +244,40 @@ class Drawer {
         if (!f || !g || (f->is_side && g->is_side)) continue;
         const Point& low = std::max(f->low, g->low);
         const Point& high = std::min(f->high, g->high);
-        if (low < high) edges_.push_back({low, high, EdgeClass::kIntersection});
+        if (low < high)
+          edges_.push_back({low, high, EdgeClass::kIntersection, {p, q}});
+      }
+    }
+  }
+
+  /// S9.8.
+  bool is_in_clip(const Edge& edge) const {
+    return std::any_of(
+        options_.clips.begin(), options_.clips.end(), [&](const auto& clip) {
+          const Plane plane = function_of(clip);
+          const auto is_on = [&](const Point& p) {
+            return sign(value_at(plane, p)) == 0;
+          };
+          const auto lies_there = [&](std::size_t p) {
+            const auto& vertices = polygons_[p].vertices;
+            return std::all_of(vertices.begin(), vertices.end(), is_on);
+          };
+          return is_on(edge.from) && is_on(edge.to) &&
+                 (caps_ || std::none_of(edge.polygons.begin(),
+                                        edge.polygons.end(), lies_there));
+        });
+  }
+  void find_sections() {
+    for (const Fragment& polygon : cut_polygons_) {
+      for (const ClipPlane& clip : options_.clips) {
+        const Plane plane = function_of(clip);
+        const auto is_kept = [&](const Point& p) {
+          return sign(value_at(plane, p)) > 0;
+        };
+        const auto common = common_of(polygon, plane);
+        if (common && std::any_of(polygon.vertices.begin(),
+                                  polygon.vertices.end(), is_kept))
+          edges_.push_back({common->low, common->high, EdgeClass::kSection});
       }
     }
   }
@@ -284,6 +337,14 @@ class Drawer {
       if (sign(f) < 0) low = std::max(low, f / (f - g));
       if (sign(g) < 0) high = std::min(high, f / (f - g));
     }
+    for (const ClipPlane& clip : options_.clips) {
+      const Rational f = value_at(function_of(clip), edge.from);
+      const Rational g = value_at(function_of(clip), edge.to);
+      if (sign(f) == 0 && sign(g) == 0) continue;
+      if (sign(f) <= 0 && sign(g) <= 0) return;
+      if (sign(f) < 0) low = std::max(low, f / (f - g));
+      if (sign(g) < 0) high = std::min(high, f / (f - g));
+    }
     if (!(low < high)) return;
     const Point from = between(edge.from, edge.to, low);
     const Point to = between(edge.from, edge.to, high);
@@ -292,11 +353,15 @@ class Drawer {
                            image_of(to, projection_), nearness_of(from),
                            nearness_of(to)};
     std::vector<Rational> cuts = {0, 1};
+    const auto cut = [&](const Rational& f, const Rational& g) {
+      if (sign(f) * sign(g) < 0) cuts.push_back(f / (f - g));
+    };
+    if (caps_) {
+      for (const Affine& form : caps_->forms())
+        cut(at(form, image.from), at(form, image.to));
+    }
     for (const auto& covering : coverings_) {
       if (!covering) continue;
-      const auto cut = [&](const Rational& f, const Rational& g) {
-        if (sign(f) * sign(g) < 0) cuts.push_back(f / (f - g));
-      };
       for (const Affine& inside : covering->insides)
         cut(at(inside, image.from), at(inside, image.to));
       cut(at(covering->nearness, image.from) - image.from_nearness,
@@ -377,7 +442,23 @@ class Drawer {
       left += covers(dy, -dx) ? 1 : 0;
       right += covers(-dy, dx) ? 1 : 0;
     }
+    if (caps_ && is_cap_nearer(p, nearness)) {
+      const auto shows = [&](const Rational& x, const Rational& y) {
+        return caps_->shows(
+            0, [&](const Affine& f) { return sign_beside(f, p, x, y); });
+      };
+      left += shows(dy, -dx) ? 1 : 0;
+      right += shows(-dy, dx) ? 1 : 0;
+    }
     return std::min(left, right);
+  }
+
+  /// Whether the plane of the cap is nearer than that at an image point; an eye
+  /// in the plane sees no cap.
+  bool is_cap_nearer(const ImagePoint& p, const Rational& nearness) const {
+    const SeenPlane& plane = caps_->plane(0);
+    return sign(plane.at_eye) != 0 &&
+           Rational(-1) / plane.at_eye * at(plane.at_image, p) > nearness;
   }
 
   /// S9.6: line by line of the image.
@@ -447,8 +528,11 @@ class Drawer {
 
   const Camera& camera_;
   const DrawingOptions& options_;
+  ImageOptions section_;  ///< its clip planes and caps
+  std::optional<Caps> caps_;
   Projection projection_;
   std::vector<Fragment> polygons_;
+  std::vector<Fragment> cut_polygons_;  ///< those that sections are seen of
   std::vector<Plane> planes_;
   std::vector<std::optional<Covering>> coverings_;
   std::vector<int> eyes_;  ///< the sides of the planes that hold the eye

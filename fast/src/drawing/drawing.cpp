@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "drawing/clip_forms.hpp"
 #include "drawing/crossings.hpp"
 #include "drawing/edge_class.hpp"
 #include "drawing/hiding.hpp"
@@ -46,13 +47,14 @@ class Drawer {
       const int eye = sight_.eye_sign(static_cast<PolygonId>(p));
       eye_signs.push_back(static_cast<std::int8_t>(eye));
       present.push_back(!(options_.cull && eye < 0));
-      if (!present.back()) eye_signs.back() = 0;
     }
     const SceneEdges edges(scene, present);
-    Hiding hiding(sight_, edges, std::move(eye_signs));
+    const ClipForms clips(sight_, options_.clips, options_.caps);
+    Hiding hiding(sight_, edges, std::move(eye_signs), clips, present);
     if (options_.edges) {
-      add_edges(edges, hiding);
-      add_crossings(edges, present);
+      add_edges(edges, hiding, clips);
+      add_crossings(edges, present, clips);
+      add_sections(edges, present, clips);
     }
     add_given(hiding);
     const ImagePoints points(sight_, hiding);
@@ -69,7 +71,8 @@ class Drawer {
   }
 
  private:
-  void add_edges(const SceneEdges& edges, const Hiding& hiding) {
+  void add_edges(const SceneEdges& edges, const Hiding& hiding,
+                 const ClipForms& clips) {
     const PlaneTable planes = intern_planes(sight_.scene());
     for (const SceneEdge& edge : edges.edges()) {
       const auto sides = edges.sides(edge);
@@ -80,6 +83,7 @@ class Drawer {
       line.to = hiding.point(edge.to);
       for (const EdgeSide& side : sides) line.polygons.push_back(side.polygon);
       std::sort(line.polygons.begin(), line.polygons.end());
+      if (clips.takes_away(line)) continue;
       drawing_.edges.push_back(
           {*edge_class, edge.from, edge.to, line.polygons[0],
            line.polygons.size() > 1 ? line.polygons[1] : PolygonId{-1}});
@@ -87,13 +91,26 @@ class Drawer {
     }
   }
 
-  void add_crossings(const SceneEdges& edges,
-                     const std::vector<bool>& present) {
+  void add_crossings(const SceneEdges& edges, const std::vector<bool>& present,
+                     const ClipForms& clips) {
     for (Line& line : crossings(sight_, edges, present)) {
+      if (clips.takes_away(line)) continue;
       DrawingEdge edge;
       edge.edge_class = EdgeClass::kIntersection;
       edge.polygon = line.polygons[0];
       edge.other = line.polygons[1];
+      drawing_.edges.push_back(edge);
+      lines_.push_back(std::move(line));
+    }
+  }
+
+  void add_sections(const SceneEdges& edges, const std::vector<bool>& present,
+                    const ClipForms& clips) {
+    for (Line& line : clips.sections(edges, present)) {
+      DrawingEdge edge;
+      edge.edge_class = EdgeClass::kSection;
+      edge.polygon = line.polygons[0];
+      edge.other = -1;
       drawing_.edges.push_back(edge);
       lines_.push_back(std::move(line));
     }
@@ -167,6 +184,8 @@ Result<Drawing> draw(const Scene& scene, const Camera& camera,
                      const DrawingLimits& limits) {
   HALFSPACE_ASSERT(options.cuts.empty() ||
                    options.cuts.size() == scene.polygon_count());
+  HALFSPACE_ASSERT(options.clips.empty() || options.points.empty());
+  HALFSPACE_ASSERT(!options.caps || options.clips.size() == 1);
   if (options.lines.empty() && options.points.empty())
     return Drawer(scene, camera, options, limits).run();
   const Scene extended = with_given(scene, options);

@@ -14,19 +14,29 @@ constexpr Cut kEnd = {1, 0, CutKind::kTo, 0, -1};
 }  // namespace
 
 Hiding::Hiding(Sight& sight, const SceneEdges& edges,
-               std::vector<std::int8_t> eye_signs)
-    : sight_(sight), edges_(edges), eye_signs_(std::move(eye_signs)) {
+               std::vector<std::int8_t> eye_signs, const ClipForms& clips,
+               const std::vector<bool>& is_hider)
+    : sight_(sight),
+      edges_(edges),
+      eye_signs_(std::move(eye_signs)),
+      clips_(clips) {
   const Scene& scene = sight.scene();
   const auto vertices = static_cast<VertexId>(scene.data().vertices.size());
   points_.reserve(static_cast<std::size_t>(vertices));
   for (VertexId v = 0; v < vertices; ++v)
     points_.push_back(sight.point_of(edges.first_of(v)));
   std::vector<std::int32_t> hiders;
+  std::vector<std::int32_t> turners;
   for (std::size_t p = 0; p < eye_signs_.size(); ++p) {
-    if (eye_signs_[p] != 0) hiders.push_back(static_cast<std::int32_t>(p));
+    const auto id = static_cast<std::int32_t>(p);
+    if (eye_signs_[p] == 0) continue;
+    if (is_hider[p] && clips_.leaves(id)) hiders.push_back(id);
+    if (clips_.has_cap_in_front() && !clips_.is_removed_by(id, 0))
+      turners.push_back(id);
   }
-  tree_.emplace([this](std::int32_t p) { return box_of(PolygonId{p}); },
-                hiders);
+  const auto box = [this](std::int32_t p) { return box_of(PolygonId{p}); };
+  tree_.emplace(box, hiders);
+  if (clips_.has_cap_in_front()) cap_tree_.emplace(box, turners);
 }
 
 /// Image coordinates across and down, then the depth. The image of a point that
@@ -84,6 +94,12 @@ Form Hiding::form_of(const Cut& cut) const {
       return sight_.plane_form(cut.polygon);
     case CutKind::kNear:
       return sight_.near_form(cut.polygon);
+    case CutKind::kClip:
+      return clips_.form(cut.number);
+    case CutKind::kClipped:
+      return sight_.cut_form(cut.polygon, clips_.form(cut.number));
+    case CutKind::kClipNear:
+      return sight_.near_form_of(clips_.form(cut.number));
     default:
       return sight_.limit_form(cut.number);
   }
@@ -162,7 +178,7 @@ int Hiding::compare(const Line& line, const Cut& f, const Cut& g) {
 Hiding::ExactCut Hiding::exact_cut(const Line& line, const Cut& cut) {
   const std::uint64_t name =
       std::uint64_t{static_cast<std::uint32_t>(cut.polygon)} << 32 |
-      std::uint64_t{static_cast<std::uint32_t>(cut.number)} << 3 |
+      std::uint64_t{static_cast<std::uint32_t>(cut.number)} << 4 |
       static_cast<std::uint64_t>(cut.kind);
   const auto found = exact_cuts_.find(name);
   if (found != exact_cuts_.end()) return found->second;
@@ -210,18 +226,19 @@ bool Hiding::in_view(const Line& line, Cut& low, Cut& high) {
     if (!narrow(line, ends, {0, 0, CutKind::kLimit, limit, -1}, low, high))
       return false;
   }
-  return true;
+  return narrow_to_kept(line, low, high);
 }
 
 Form Hiding::plane_of(const Line& line) const {
+  if (line.clip >= 0)
+    return sight_.cut_form(line.polygons[0], clips_.form(line.clip));
   return line.is_intersection
              ? sight_.meet_form(line.polygons[0], line.polygons[1])
              : sight_.side_form(line.from.vertex, line.to.vertex);
 }
 
-int Hiding::side_of_parallel(const Line& line, VertexId u, VertexId v) const {
+int Hiding::side_of_parallel(const Line& line, const Form& g) const {
   const Form f = plane_of(line);
-  const Form g = sight_.side_form(u, v);
   const int a = sign(f.a) * sign(g.a);
   const int b = sign(f.b) * sign(g.b);
   return a != 0 ? a : b != 0 ? b : sign(f.c) * sign(g.c);
@@ -288,42 +305,48 @@ bool Hiding::is_visible(const SpacePoint& p) {
   return !hidden;
 }
 
+bool Hiding::narrow_to_sides(const Line& line, PolygonId polygon, Cut& from,
+                             Cut& to, int& covered) {
+  const auto corners = sight_.scene().corners(polygon);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Ends ends = side_ends(line, polygon, k);
+    if (ends.from == 0 && ends.to == 0) {
+      const VertexId u = corners[k];
+      const VertexId v = corners[k + 1 == corners.size() ? 0 : k + 1];
+      const int side = side_of_parallel(line, sight_.side_form(u, v));
+      covered &= eye_sign(polygon) * side > 0 ? kLeft : kRight;
+      continue;
+    }
+    const auto number = static_cast<std::int32_t>(k);
+    if (!narrow(line, ends, {0, 0, CutKind::kSide, number, polygon}, from, to))
+      return false;
+  }
+  return true;
+}
+
 void Hiding::hide(const Line& line, const Cut& low, const Cut& high,
                   PolygonId polygon) {
-  const auto corners = sight_.scene().corners(polygon);
   Cut from = low;
   Cut to = high;
   // Step 1: where the polygon's plane is before the edge.
-  const int eye = eye_sign(polygon);
   Ends ends;
   ends.from = behind(line.from, polygon, ends.from_value);
   ends.to = behind(line.to, polygon, ends.to_value);
   if (ends.from <= 0 && ends.to <= 0) return;
   if (!narrow(line, ends, {0, 0, CutKind::kPlane, 0, polygon}, from, to))
     return;
-  // Step 2: where its sides hold it; on both sides of the edge, or on one.
+  // Step 2: where its sides, and what clip planes leave of it, hold it; on both
+  // sides of the edge, or on one.
   int covered = kLeft | kRight;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    ends = side_ends(line, polygon, k);
-    if (ends.from == 0 && ends.to == 0) {
-      const VertexId u = corners[k];
-      const VertexId v = corners[k + 1 == corners.size() ? 0 : k + 1];
-      covered &= eye * side_of_parallel(line, u, v) > 0 ? kLeft : kRight;
-      continue;
-    }
-    const auto number = static_cast<std::int32_t>(k);
-    if (!narrow(line, ends, {0, 0, CutKind::kSide, number, polygon}, from, to))
+  if (!narrow_to_sides(line, polygon, from, to, covered)) return;
+  for (std::int32_t k = 0; k < clips_.count(); ++k) {
+    if (clips_.is_cut_by(polygon, k) &&
+        !narrow_to_clip(line, polygon, k, from, to, covered))
       return;
   }
   // Step 3: where it is beyond the near limit.
   if (sight_.camera().near) {
-    const Form form = sight_.near_form(polygon);
-    const auto beyond = [&](const SpacePoint& p) {
-      ++sight_.stats().exact;
-      return sign(value_at(form, p));
-    };
-    const double none = std::numeric_limits<double>::infinity();
-    ends = {beyond(line.from), beyond(line.to), {0, none}, {0, none}};
+    ends = exact_ends(line, sight_.near_form(polygon));
     if (ends.from <= 0 && ends.to <= 0) return;
     if (!narrow(line, ends, {0, 0, CutKind::kNear, 0, polygon}, from, to))
       return;
@@ -350,23 +373,22 @@ std::vector<Layered> Hiding::parts_of(const Line& line) {
         line.polygons.end())
       hide(line, low, high, polygon);
   });
+  if (clips_.has_cap_in_front()) find_cap(line, low, high, box);
   std::sort(events_.begin(), events_.end(),
             [&](const Event& f, const Event& g) {
               const int order = compare(line, f.cut, g.cut);
               return order != 0 ? order < 0 : f.cut.polygon < g.cut.polygon;
             });
-  std::int32_t left = 0;
-  std::int32_t right = 0;
+  Count count;
   parts.push_back({low, high, 0});
   for (std::size_t k = 0; k < events_.size();) {
     const Cut& cut = events_[k].cut;
     std::size_t end = k;
     while (end < events_.size() && compare(line, events_[end].cut, cut) == 0) {
-      left += events_[end].left;
-      right += events_[end].right;
+      count.add(events_[end]);
       ++end;
     }
-    const std::int32_t layers = std::min(left, right);
+    const std::int32_t layers = count.layers();
     Layered& last = parts.back();
     if (layers != last.layers) {
       if (compare(line, cut, last.from) == 0) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "box/bvh.hpp"
+#include "drawing/clip_forms.hpp"
 #include "drawing/scene_edges.hpp"
 #include "drawing/sight.hpp"
 
@@ -18,11 +19,25 @@ struct Line {
   SpacePoint to;
   std::vector<PolygonId> polygons;  ///< those at it
   bool is_intersection = false;     ///< of the first two of them
+  /// The clip plane that the one polygon has the segment in common with; -1:
+  /// none.
+  std::int32_t clip = -1;
 };
 
 /// What cuts an edge: an end of it, a limit of the view, or a polygon's side
-/// (its number), plane or near limit.
-enum class CutKind : std::int8_t { kFrom, kTo, kLimit, kSide, kPlane, kNear };
+/// (its number), plane or near limit, a clip plane, where that cuts a polygon,
+/// or its near limit.
+enum class CutKind : std::int8_t {
+  kFrom,
+  kTo,
+  kLimit,
+  kSide,
+  kPlane,
+  kNear,
+  kClip,
+  kClipped,
+  kClipNear
+};
 
 /// A place on an edge where a form is 0: the share of the edge, in space, up to
 /// there.
@@ -44,10 +59,11 @@ struct Layered {
 /// What hides the edges of a scene (S9.4).
 class Hiding {
  public:
-  /// `eye_signs`: by polygon the sign of its plane at the eye, 0 if the
-  /// polygon hides nothing.
+  /// `eye_signs`: by polygon the sign of its plane at the eye.
+  /// `hiders`: by polygon whether it hides anything.
   Hiding(Sight& sight, const SceneEdges& edges,
-         std::vector<std::int8_t> eye_signs);
+         std::vector<std::int8_t> eye_signs, const ClipForms& clips,
+         const std::vector<bool>& hiders);
 
   /// The parts of an edge that are in the view, in order.
   /// Requires: its image is no single point.
@@ -78,6 +94,19 @@ class Hiding {
     Cut cut;
     std::int32_t left = 0;
     std::int32_t right = 0;
+    // Of the winding number where the eye's rays pass the plane of the cap, and
+    // of whether that is beyond the near limit.
+    std::int32_t left_turns = 0;
+    std::int32_t right_turns = 0;
+    std::int32_t beyond = 0;
+  };
+  /// What the events up to some place on an edge add up to.
+  struct Count {
+    std::int32_t left = 0, right = 0;
+    std::int32_t left_turns = 0, right_turns = 0;
+    std::int32_t beyond = 0;
+    void add(const Event& event);
+    std::int32_t layers() const;
   };
   /// The signs of a form at both ends of an edge, and its values in doubles.
   struct Ends {
@@ -105,9 +134,25 @@ class Hiding {
   bool in_view(const Line& line, Cut& low, Cut& high);
   void hide(const Line& line, const Cut& low, const Cut& high,
             PolygonId polygon);
-  /// 1 if the plane through the eye and a polygon's side from `u` to `v`, which
-  /// holds the edge, faces as the edge's own does, else -1.
-  int side_of_parallel(const Line& line, VertexId u, VertexId v) const;
+  /// 1 if a plane through the eye that holds the edge faces as the edge's own
+  /// does, else -1.
+  int side_of_parallel(const Line& line, const Form& g) const;
+  /// The ends of a form whose values doubles are not asked about.
+  Ends exact_ends(const Line& line, const Form& form);
+  /// Narrows a range to where a polygon's sides hold the edge, and `covered` to
+  /// the sides of the edge on which they do; false if nothing is left.
+  bool narrow_to_sides(const Line& line, PolygonId polygon, Cut& from, Cut& to,
+                       int& covered);
+  /// The same for what a clip plane leaves of a polygon.
+  bool narrow_to_clip(const Line& line, PolygonId polygon, std::int32_t clip,
+                      Cut& from, Cut& to, int& covered);
+  /// What clip planes leave of an edge (S9.8).
+  bool narrow_to_kept(const Line& line, Cut& low, Cut& high);
+  /// The winding number that a polygon adds where rays pass the cap's plane.
+  void turn(const Line& line, const Cut& low, const Cut& high,
+            PolygonId polygon);
+  void find_cap(const Line& line, const Cut& low, const Cut& high,
+                const Box& box);
   /// Whether two cuts are by sides between the same two points.
   bool are_same_side(const Cut& f, const Cut& g) const;
   /// The sign at a point of a polygon's side seen from the eye, positive
@@ -125,7 +170,9 @@ class Hiding {
   const SceneEdges& edges_;
   std::vector<SpacePoint> points_;  ///< by vertex
   std::vector<std::int8_t> eye_signs_;
+  const ClipForms& clips_;
   std::optional<BoxTree> tree_;
+  std::optional<BoxTree> cap_tree_;  ///< of all that the cap is made of
   // Scratch.
   std::vector<Event> events_;
   /// What exact_cut() has worked out for the edge of parts_of(), by cut.

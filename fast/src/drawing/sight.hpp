@@ -80,6 +80,20 @@ class Sight {
   /// The plane through the eye and the line in which two polygons' planes meet.
   Form meet_form(PolygonId p, PolygonId q) const;
 
+  /// On which side of another plane sight rays meet a polygon: positive where
+  /// they do so on the positive side, if the eye is on the polygon's.
+  Form cut_form(PolygonId polygon, const Form& other) const {
+    return through_eye(plane_form(polygon), other);
+  }
+  /// The sign of a plane at the eye.
+  int eye_side(const Form& plane) const { return sign(at_eye(plane)); }
+
+  /// Positive at points whose sight rays meet a plane beyond the near limit,
+  /// for an eye on its negative side and points that are not.
+  Form near_form_of(const Form& plane) const {
+    return -through_eye(plane, limits_[0]);
+  }
+
   /// Positive at points whose sight rays meet a polygon beyond the near limit,
   /// if they meet it before the point (S4.3). Requires: there is a near limit,
   /// and eye_sign(polygon) != 0.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "halfspace/clip.hpp"
 #include "halfspace/polygon.hpp"
 
 namespace halfspace {
@@ -41,6 +42,9 @@ struct DrawingOptions {
   std::vector<GivenLine> lines;
   bool edges = true;  ///< false: the given lines alone
   std::vector<GridPoint> points;
+  /// Clip planes as make_clips() makes them (S9.8).
+  std::vector<ClipPlane> clips;
+  bool caps = false;  ///< whether the one clip plane has a cap
 };
 
 }  // namespace halfspace

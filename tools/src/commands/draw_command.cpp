@@ -199,10 +199,15 @@ std::string complaint_of(const DrawArguments& arguments) {
   const std::string scalars = scalars_complaint(arguments, asks_for_shade);
   if (!scalars.empty()) return scalars;
   if (arguments.clip.is_used()) {
-    if (arguments.lines == "edges" || !arguments.alphas.empty() ||
-        arguments.axes || !arguments.notes.empty()) {
-      return "--clip cuts regions, not edges, glass, axes or notes; give "
-             "--lines regions or none, or cut the model by csg with half()";
+    if (!arguments.alphas.empty() || arguments.axes ||
+        !arguments.notes.empty()) {
+      return "--clip cuts regions and edges, not glass, axes or notes; cut the "
+             "model by csg with half()";
+    }
+    if (arguments.lines == "edges" && arguments.clip.caps &&
+        arguments.clip.planes.size() + (arguments.clip.yon ? 1 : 0) > 1) {
+      return "--cap: where caps of several planes meet, no edge is drawn; give "
+             "one plane, --lines regions, or cut the model by csg with half()";
     }
   }
   std::vector<NamedFile> inputs;

@@ -61,6 +61,12 @@ Result<Done> ViewFigure::add_edges(const Camera& camera, const Placing& placing,
                                    bool on_sheet) {
   DrawingOptions options = drawing_options(arguments_, image_.cull);
   if (arguments_.cut) options.cuts = cuts_of(scene_.scene(), *arguments_.cut);
+  ImageOptions section;
+  const Result<Done> clipped =
+      add_clips(scene_.scene(), camera, arguments_.clip, section);
+  if (!clipped) return clipped.error();
+  options.clips = section.clips;
+  options.caps = section.caps.has_value();
   const Result<fast::Drawing> drawing =
       fast::draw(scene_.scene(), camera, options);
   if (!drawing) return drawing.error();

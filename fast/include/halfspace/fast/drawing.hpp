@@ -95,7 +95,8 @@ struct DrawingLimits {
 /// and plane are affine functions, so what it hides is an interval between
 /// quotients of their values at the edge's two ends.
 /// Requires: options.cuts has one entry a polygon, or none; given points fit
-///           the scene's grid.
+///           the scene's grid; with clip planes there are no given points, with
+///           caps there is one clip plane and the scene is closed (S9.8).
 /// Exact:    yes: filters in doubles, integers of fixed width behind them.
 /// Errors:   kOutOfRange: more intervals than the limit; says how many.
 /// Cost:     n log n, and for each edge the polygons that overlap it in the

@@ -44,6 +44,7 @@ struct Drawing {
 /// Every edge is cut wherever a plane of any polygon, side seen from the eye
 /// or limit of the view meets it, and what is in front of the middle of each
 /// part is counted.
+/// Requires: as S9.8 says of clip planes; a closed scene where there is a cap.
 /// Exact: yes.
 /// Cost:  the cube of the number of polygons: small scenes.
 Drawing draw(const Scene& scene, const Camera& camera,
