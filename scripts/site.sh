@@ -15,11 +15,13 @@ need chromium "looks whether the search works"
 need python3-pil "puts pictures beside each other"
 install_needed
 
-cmake --preset release -DBUILD_TESTING=ON
+cmake --preset release -DBUILD_TESTING=ON \
+  -DHALFSPACE_PYTHON_EXECUTABLE=/usr/bin/python3
 cmake --build --preset release --target halfspace make_model
 python=out/site-python
 /usr/bin/python3 -m venv --clear --system-site-packages "$python"
-HALFSPACE_BUILD_DIR=$PWD/build/python "$python/bin/pip" install -q \
+# The module takes the libraries that are built already.
+HALFSPACE_BUILD_DIR=$PWD/build/release "$python/bin/pip" install -q \
   --no-build-isolation .
 /usr/bin/python3 docs/site/build.py build/release/tools/halfspace \
   build/release/examples/make_model out/site --python "$python/bin/python3"

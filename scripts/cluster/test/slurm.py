@@ -33,7 +33,8 @@ ReturnToService=2
 SlurmdTimeout={timeout}
 # A job of a lost node begins again only when its credential has expired.
 AuthInfo=cred_expire=6
-SchedulerParameters=sched_interval=2,bf_interval=2
+# Slots that are free are filled at once: as it comes, every 2 or 3 s.
+SchedulerParameters=sched_interval=1,batch_sched_delay=0,bf_interval=1
 MaxArraySize=10001
 MaxJobCount=20000
 SlurmdParameters=config_overrides
@@ -108,14 +109,15 @@ class Cluster:
                               stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT).stdout
 
-    def wait(self, done, seconds, what):
-        """Until done(); raises TimeoutError after so many seconds."""
+    def wait(self, done, seconds, what, every=0.2):
+        """Until done(), asked every so often; raises TimeoutError after so
+        many seconds."""
         end = time.monotonic() + seconds
         while not done():
             if time.monotonic() > end:
                 raise TimeoutError(f"waited {seconds} s for {what}:\n"
                                    + self.call("sinfo") + self.call("squeue"))
-            time.sleep(0.2)
+            time.sleep(every)
 
     def lose_node(self, number):
         """Kills a node as a power cut does: its jobs, too, at once.
@@ -149,5 +151,6 @@ class Cluster:
         daemon.wait()
 
     def jobs(self):
-        """How many tasks are waiting or at work."""
-        return len(self.call("squeue", "-h", "-r").splitlines())
+        """How many lines Slurm has of what is waiting or at work; tasks of an
+        array that wait are one."""
+        return len(self.call("squeue", "-h").splitlines())

@@ -113,7 +113,7 @@ def lose_a_node(cluster, after, seconds):
     # Longer than Slurm waits for a node, and then as if it had been repaired.
     time.sleep(slurm.TIMEOUT + 15)
     cluster.start_node(victim)
-    cluster.wait(lambda: cluster.jobs() == 0, seconds, "the jobs")
+    cluster.wait(lambda: cluster.jobs() == 0, seconds, "the jobs", every=1)
     return (f"node n{victim} lost after {after:.1f} s, {len(lost)} jobs on it; "
             f"all done after {time.monotonic() - begin:.1f} s")
 
