@@ -2,8 +2,8 @@
 
 HALFSPACE_BUILD_DIR names a folder that is kept, so that what was compiled is
 not compiled again. It may be one that CMake configured before, with position
-independent code, such as that of the preset "release". Where that makes a shared
-library (HALFSPACE_SHARED), the module needs it, as Debian's package does.
+independent code, such as that of the preset "release". Where that makes a
+shared library (HALFSPACE_SHARED), the module needs it, as Debian's package does.
 """
 import os
 import pathlib
