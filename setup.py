@@ -3,7 +3,7 @@
 HALFSPACE_BUILD_DIR names a folder that is kept, so that what was compiled is
 not compiled again. It may be one that CMake configured before, with position
 independent code, such as that of the preset "release". Where that makes a
-shared library (HALFSPACE_SHARED), the module needs it, as Debian's package does.
+shared library (HALFSPACE_SHARED), the module needs it, as that of Debian does.
 """
 import os
 import pathlib
