@@ -146,18 +146,27 @@ class Assembly {
            lines_.side_of(p, line, q, lines_.point(line, q));
   }
 
-  void cut_along_nodes() {
-    std::vector<std::int32_t> parts;
-    parts.reserve(cell_of_.size());
+  /// The edges of cells by node, of each the positive side's first: counted,
+  /// then entered.
+  std::vector<std::int32_t> edges_by_node() const {
+    constexpr std::int32_t kSides = 4;  // of the image, numbered from -4
+    const auto place_of = [&](std::int32_t e) {
+      return at(2 * (edge(e).node + kSides) + (edge(e).side > 0 ? 0 : 1));
+    };
+    std::vector<std::int32_t> first(at(2 * (tree_.node_count() + kSides)) + 1);
     for (std::int32_t e = 0; e < std::ssize(cell_of_); ++e) {
-      if (cell_of_[at(e)] >= 0) parts.push_back(e);
+      if (cell_of_[at(e)] >= 0) ++first[place_of(e) + 1];
     }
-    std::sort(parts.begin(), parts.end(), [&](std::int32_t f, std::int32_t g) {
-      const CellEdge& p = edge(f);
-      const CellEdge& q = edge(g);
-      if (p.node != q.node) return p.node < q.node;
-      return p.side != q.side ? p.side > q.side : f < g;
-    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::int32_t> parts(at(first.back()));
+    for (std::int32_t e = 0; e < std::ssize(cell_of_); ++e) {
+      if (cell_of_[at(e)] >= 0) parts[at(first[place_of(e)]++)] = e;
+    }
+    return parts;
+  }
+
+  void cut_along_nodes() {
+    const std::vector<std::int32_t> parts = edges_by_node();
     corner_sets_ = DisjointSets(cell_of_.size());
     cell_sets_ = DisjointSets(cells_.size());
     const std::span<const std::int32_t> all = parts;

@@ -10,6 +10,7 @@
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/image/transparent_map.hpp"
 #include "halfspace/io/load_scene.hpp"
+#include "image/engine.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -116,6 +117,7 @@ const fast::BspTree* ViewFigure::tree() {
   if (!tree_) {
     LongWork work("building the tree");
     fast::DisplayTreeOptions display;
+    display.leaf_size = kDividedLeaf;
     display.progress = [&work](double share) { return work.report(share); };
     tree_ = fast::build_display_tree(scene_.scene(), display);
     if (LongWork::interrupted()) return nullptr;

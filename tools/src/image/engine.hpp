@@ -20,6 +20,11 @@
 
 namespace halfspace::tools {
 
+/// The size of the leaves of a tree whose leaves will be divided, which is done
+/// at random. For a scan of 11,550 triangles leaves of 512, 32 and 8 take 0.19,
+/// 0.11 and 0.15 s until they are, and 25,400, 22,400 and 21,700 fragments.
+constexpr std::size_t kDividedLeaf = 32;
+
 /// The library that does the work.
 enum class Library : std::uint8_t { kRef, kFast };
 inline constexpr Word<Library> kLibraryWords[] = {{"ref", Library::kRef},

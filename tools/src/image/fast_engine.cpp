@@ -31,6 +31,7 @@ class FastEngine : public Engine {
     bool stopped = false;
     fast::DisplayTreeOptions options;
     options.threads = request.threads;
+    if (!request.leaves) options.leaf_size = kDividedLeaf;
     options.progress = [&](double share) {
       stopped = stopped || !request.progress(share);
       return !stopped;
