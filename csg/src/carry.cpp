@@ -208,8 +208,8 @@ struct CarriedChannel {
 
 class AttributeCarrier {
  public:
-  AttributeCarrier(const Plan& plan, const Operands& operands,
-                   const Outcome& result, const EvaluateOptions& options);
+  AttributeCarrier(const AttributedLeaves& from, const Outcome& result,
+                   const EvaluateOptions& options);
   std::shared_ptr<const io::Attributes> carried();
 
  private:
@@ -238,8 +238,7 @@ class AttributeCarrier {
   bool has_bare_colors() const;
   void add_origins();
 
-  const Plan& plan_;
-  const Operands& operands_;
+  const AttributedLeaves& from_;
   const Outcome& result_;
   bool keep_origin_;
   bool is_merged_;  // polygons of several faces may be one
@@ -263,22 +262,18 @@ class AttributeCarrier {
   std::shared_ptr<io::Attributes> made_ = std::make_shared<io::Attributes>();
 };
 
-AttributeCarrier::AttributeCarrier(const Plan& plan, const Operands& operands,
+AttributeCarrier::AttributeCarrier(const AttributedLeaves& from,
                                    const Outcome& result,
                                    const EvaluateOptions& options)
-    : plan_(plan),
-      operands_(operands),
+    : from_(from),
       result_(result),
       keep_origin_(options.keep_origin),
       is_merged_(options.merge == MergeRule::kColor ||
                  options.merge == MergeRule::kPlane) {
-  leaves_.resize(plan.leaves.size());
-  for (std::size_t i = 0; i < plan.leaves.size(); ++i) {
-    const io::AttributedFaces* faces =
-        operands.attributed(static_cast<std::int32_t>(i));
-    if (faces == nullptr) continue;
-    leaves_[i].emplace(
-        *faces, plan.matrices[static_cast<std::size_t>(plan.leaves[i].matrix)]);
+  leaves_.resize(from.leaves.size());
+  for (std::size_t i = 0; i < from.leaves.size(); ++i) {
+    const AttributedLeaf& leaf = from.leaves[i];
+    if (leaf.faces != nullptr) leaves_[i].emplace(*leaf.faces, leaf.matrix);
   }
 }
 
@@ -532,10 +527,9 @@ void AttributeCarrier::add_origins() {
     solid.values.push_back(origin.leaf);
     polygon.values.push_back(origin.polygon);
   }
-  for (std::size_t i = 0; i < plan_.leaves.size(); ++i)
-    made_->origins.push_back(
-        operands_.name_in_files(static_cast<std::int32_t>(i)));
-  made_->origins.resize(plan_.leaves.size() + plan_.planes.size(), "half");
+  for (const AttributedLeaf& leaf : from_.leaves)
+    made_->origins.push_back(leaf.name);
+  made_->origins.resize(from_.leaves.size() + from_.planes, "half");
   // Those of an operand are of what it was made of: the new ones are these.
   std::erase_if(made_->faces, [](const io::Channel& other) {
     return other.name == "origin_solid" || other.name == "origin_polygon";
@@ -573,8 +567,7 @@ std::shared_ptr<const io::Attributes> AttributeCarrier::carried() {
   for (const DoublePoint& p : vertices_) {
     for (const double value : p) greatest = std::max(greatest, std::abs(value));
   }
-  tolerance_ =
-      operands_.report().max_move + result_.max_move + 0x1p-50 * greatest;
+  tolerance_ = from_.max_move + result_.max_move + 0x1p-50 * greatest;
   collect_channels();
   for (std::size_t polygon = 0; polygon < result_.origins.size(); ++polygon)
     add_polygon(polygon);
@@ -596,10 +589,24 @@ std::shared_ptr<const io::Attributes> AttributeCarrier::carried() {
 
 }  // namespace
 
+AttributedLeaves attributed_leaves(const Plan& plan, const Operands& operands) {
+  AttributedLeaves all;
+  for (std::size_t i = 0; i < plan.leaves.size(); ++i) {
+    const auto id = static_cast<std::int32_t>(i);
+    all.leaves.push_back(
+        {operands.attributed(id),
+         plan.matrices[static_cast<std::size_t>(plan.leaves[i].matrix)],
+         operands.name_in_files(id)});
+  }
+  all.planes = plan.planes.size();
+  all.max_move = operands.report().max_move;
+  return all;
+}
+
 std::shared_ptr<const io::Attributes> carried_attributes(
-    const Plan& plan, const Operands& operands, const Outcome& result,
+    const AttributedLeaves& from, const Outcome& result,
     const EvaluateOptions& options) {
-  return AttributeCarrier(plan, operands, result, options).carried();
+  return AttributeCarrier(from, result, options).carried();
 }
 
 }  // namespace halfspace::csg

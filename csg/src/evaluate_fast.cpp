@@ -374,7 +374,8 @@ Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
   result->repairs = algebra.repairs();
   note_color_sources(operands, *result);
   result->mesh.has_color = has_color(result->color_sources);
-  result->attributes = carried_attributes(plan, operands, *result, options);
+  result->attributes =
+      carried_attributes(attributed_leaves(plan, operands), *result, options);
   result->mesh.attributes = result->attributes;
   return std::optional<Outcome>(*std::move(result));
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fields.hpp"
+#include "halfspace/csg/carry.hpp"
 #include "halfspace/csg/exact_measure.hpp"
 #include "halfspace/csg/locate.hpp"
 #include "halfspace/csg/outcome.hpp"
@@ -82,23 +83,42 @@ std::optional<Rgb> color_of(const Evaluation& evaluation, std::int32_t part,
                             PolygonId polygon) {
   if (part < 0 || static_cast<std::size_t>(part) >= evaluation.uses.size())
     return std::nullopt;
-  const auto& properties = evaluation.uses[static_cast<std::size_t>(part)]
-                               .node->leaf->data()
-                               ->properties;
-  if (!properties || properties->colors.empty()) return std::nullopt;
-  return properties->colors[static_cast<std::size_t>(polygon)];
+  const detail::LeafData& data =
+      *evaluation.uses[static_cast<std::size_t>(part)].node->leaf->data();
+  const auto at = static_cast<std::size_t>(polygon);
+  if (!data.properties || data.properties->colors.empty()) return std::nullopt;
+  const std::vector<bool>& has_color = data.source->has_color;
+  if (at < has_color.size() && !has_color[at]) return std::nullopt;
+  return data.properties->colors[at];
+}
+
+/// What the operands' files say of their faces.
+csg::AttributedLeaves attributed_leaves(const Evaluation& evaluation) {
+  csg::AttributedLeaves all;
+  for (const Evaluation::Use& use : evaluation.uses)
+    all.leaves.push_back(
+        {use.node->leaf->data()->source->attributed.get(), use.matrix});
+  all.planes = evaluation.cuts.size();
+  all.max_move = evaluation.rounding.max_move;
+  return all;
 }
 
 /// The mesh as an exact scene, if its vertices are on the grid; else the mesh.
 Result<Done> written(const std::filesystem::path& path,
-                     const Evaluation& evaluation, csg::Outcome outcome) {
-  std::vector<bool> has_color;
-  for (const csg::Origin& origin : outcome.origins)
-    has_color.push_back(
-        color_of(evaluation, origin.leaf, origin.polygon).has_value());
+                     const Evaluation& evaluation,
+                     const csg::EvaluateOptions& how, csg::Outcome outcome) {
+  for (const csg::Origin& origin : outcome.origins) {
+    outcome.color_sources.push_back(
+        color_of(evaluation, origin.leaf, origin.polygon)
+            ? csg::ColorSource::kGiven
+            : csg::ColorSource::kNone);
+  }
+  std::vector<bool> has_color = csg::has_color(outcome.color_sources);
+  outcome.mesh.attributes =
+      csg::carried_attributes(attributed_leaves(evaluation), outcome, how);
   if (outcome.scene) {
-    const auto report =
-        io::write_scene_mesh(path, *outcome.scene, nullptr, true, has_color);
+    const auto report = io::write_scene_mesh(
+        path, *outcome.scene, outcome.mesh.attributes.get(), true, has_color);
     if (!report) return report.error();
     return Done{};
   }
@@ -191,7 +211,7 @@ Result<Done> Solid::save(const std::filesystem::path& path,
   }
   auto outcome = csg::outcome_of(std::move(solid), how);
   if (!outcome) return outcome.error();
-  return written(path, **evaluation, *std::move(outcome));
+  return written(path, **evaluation, how, *std::move(outcome));
 }
 
 Result<std::vector<Solid>> Solid::operands() const {

@@ -1,6 +1,7 @@
 #include "import.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -15,26 +16,46 @@
 namespace halfspace::detail {
 namespace {
 
+/// Whether a file says of its faces, or of their corners, what differs within
+/// what has one colour, one material and one name.
+bool has_numbers(const io::Attributes& attributes) {
+  return !attributes.corners.empty() ||
+         std::any_of(attributes.faces.begin(), attributes.faces.end(),
+                     [](const io::Channel& channel) {
+                       return channel.kind != io::ChannelKind::kColor;
+                     });
+}
+
 /// Colours that keep apart in one plane what has other properties: polygons
 /// merge where these agree.
 class Groups {
  public:
-  explicit Groups(const Mesh* properties) : properties_(properties) {}
+  Groups(const Mesh* properties, const io::Attributes* attributes)
+      : properties_(properties), attributes_(attributes) {}
 
   /// Whether polygons may merge at all: the affine functions of fields are the
   /// polygons' own, and there are no more codes than colours.
   bool may_merge() const {
     return (properties_ == nullptr || properties_->field_count == 0) &&
+           (attributes_ == nullptr || !has_numbers(*attributes_)) &&
            codes_.size() < kMostCodes;
   }
   Rgb code_of(std::size_t polygon) {
-    if (properties_ == nullptr ||
-        (properties_->colors.empty() && properties_->materials.empty()))
-      return {};
-    Key key{};
-    if (!properties_->colors.empty()) key.first = properties_->colors[polygon];
-    if (!properties_->materials.empty())
-      key.second = properties_->materials[polygon];
+    Key key{{}, {-1, -1, -1, -1}};
+    const auto take = [&](std::size_t which,
+                          const std::vector<std::int32_t>& of_face) {
+      if (!of_face.empty()) key.second[which] = of_face[polygon];
+    };
+    if (properties_ != nullptr) {
+      if (!properties_->colors.empty())
+        key.first = properties_->colors[polygon];
+      take(0, properties_->materials);
+    }
+    if (attributes_ != nullptr) {
+      take(1, attributes_->face_materials);
+      take(2, attributes_->objects.of_face);
+      take(3, attributes_->groups.of_face);
+    }
     const auto next = static_cast<std::uint32_t>(codes_.size());
     const std::uint32_t code = codes_.try_emplace(key, next).first->second;
     return {static_cast<std::uint8_t>(code >> 16),
@@ -43,9 +64,10 @@ class Groups {
   }
 
  private:
-  using Key = std::pair<Rgb, std::int32_t>;
+  using Key = std::pair<Rgb, std::array<std::int32_t, 4>>;
   static constexpr std::size_t kMostCodes = std::size_t{1} << 24;
   const Mesh* properties_;
+  const io::Attributes* attributes_;
   std::map<Key, std::uint32_t> codes_;
 };
 
@@ -64,14 +86,22 @@ bool has_colors(const io::Mesh& mesh) {
     return std::any_of(colors.begin(), colors.end(),
                        [](const auto& color) { return color.has_value(); });
   };
-  return any(mesh.vertex_colors) || any(mesh.face_colors);
+  return any(mesh.vertex_colors) || any(mesh.face_colors) ||
+         (!mesh.attributes.face_materials.empty() &&
+          std::any_of(
+              mesh.attributes.materials.begin(),
+              mesh.attributes.materials.end(),
+              [](const io::Material& m) { return m.color.has_value(); }));
 }
 
-/// The colours that import gives a file's polygons, as properties.
-std::shared_ptr<const Mesh> properties_of(const io::Mesh& mesh) {
+/// The colours that import gives a file's polygons, as properties; which are
+/// the file's, in `has_color`.
+std::shared_ptr<const Mesh> properties_of(const io::Mesh& mesh,
+                                          std::vector<bool>& has_color) {
   if (!has_colors(mesh)) return nullptr;
-  const auto imported = io::import_scene(mesh, io::unlit());
+  auto imported = io::import_scene(mesh, io::unlit());
   if (!imported) return nullptr;
+  has_color = std::move(imported->has_color);
   auto properties = std::make_shared<Mesh>();
   properties->colors.resize(mesh.face_count());
   for (std::size_t p = 0; p < imported->faces.size(); ++p) {
@@ -94,7 +124,15 @@ std::vector<Rgb> colors_of_origins(const SolidData& data) {
 Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
                                std::shared_ptr<const Mesh> properties,
                                const ImportHow& how) {
-  Groups groups(properties.get());
+  std::shared_ptr<const io::AttributedFaces> attributed;
+  if (!mesh.attributes.empty() || !mesh.face_colors.empty() ||
+      !mesh.vertex_colors.empty()) {
+    auto faces =
+        std::make_shared<const io::AttributedFaces>(io::attributed_faces(mesh));
+    if (!faces->attributes.empty()) attributed = std::move(faces);
+  }
+  Groups groups(properties.get(),
+                attributed ? &attributed->attributes : nullptr);
   mesh.vertex_colors.clear();
   mesh.face_colors.resize(mesh.face_count());
   for (std::size_t p = 0; p < mesh.face_count(); ++p)
@@ -113,6 +151,8 @@ Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
   source->is_free =
       how.is_free || how.options.may_round || imported->report.moved > 0;
   source->merge_coplanar = how.options.merge_coplanar && groups.may_merge();
+  source->attributed = std::move(attributed);
+  if (!how.has_color.empty()) source->has_color = how.has_color;
   LeafData data;
   if (properties && properties->field_count > 0)
     data.vertices = std::move(mesh.vertices);
@@ -200,7 +240,7 @@ Result<LeafData> file_leaf(const std::string& path,
   if (!io::is_scene_name(path) && !is_exact) {
     Result<io::Mesh> mesh = io::read_mesh(path);
     if (!mesh) return mesh.error();
-    auto properties = properties_of(*mesh);
+    auto properties = properties_of(*mesh, how.has_color);
     return imported_leaf(path, *std::move(mesh), std::move(properties), how);
   }
   csg::OperandOptions read;
@@ -240,7 +280,8 @@ Result<LeafData> mended_leaf(const std::string& path,
   LeafData data;
   data.source =
       std::make_shared<const csg::Source>(std::move(repaired->source));
-  data.properties = properties_of(*mesh);
+  std::vector<bool> has_color;  // the source has it, too
+  data.properties = properties_of(*mesh, has_color);
   return data;
 }
 

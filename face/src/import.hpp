@@ -15,6 +15,8 @@ struct ImportHow {
   bool is_free = false;
   /// It is a solid as it is made: nothing has to be looked for.
   bool is_trusted = false;
+  /// By polygon whether it has a colour of its own; empty: as its properties.
+  std::vector<bool> has_color = {};
 };
 
 /// The leaf that the mesh is; `properties` are its polygons', or null. What no

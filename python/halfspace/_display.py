@@ -432,7 +432,7 @@ class Display:
 
     @staticmethod
     def of_file(path: Path) -> "Display":
-        """Shows an OBJ, STL, PLY, OFF or scene file.
+        """Shows an OBJ, STL, PLY, OFF, 3MF, GLB, glTF or scene file.
 
         Raises
         ------

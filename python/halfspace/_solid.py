@@ -332,7 +332,7 @@ class Solid:
     def from_file(path: Path, *, resolve: bool = False,
                   merge_coplanar: bool = True,
                   may_round: bool = False) -> "Solid":
-        """The solid in an OBJ, STL, PLY, OFF or scene file, which is read when
+        """The solid in a mesh, scene or .hsolid file, which is read when
         it is needed. Text is read as exact decimals.
 
         Parameters

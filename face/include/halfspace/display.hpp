@@ -206,8 +206,8 @@ class HALFSPACE_API Display {
   /// Shows solids. Errors: theirs; kEmpty.
   static Result<Display> of(const Solid& solid);
   static Result<Display> of(std::span<const Solid> solids);
-  /// Shows an OBJ, STL, PLY, OFF or scene file. Errors: those of reading;
-  /// kEmpty.
+  /// Shows an OBJ, STL, PLY, OFF, 3MF, GLB, glTF or scene file. Errors: those
+  /// of reading; kEmpty.
   static Result<Display> of_file(const std::filesystem::path& path);
 
   Display(Display&&) noexcept;

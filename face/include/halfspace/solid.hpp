@@ -171,8 +171,11 @@ class HALFSPACE_API Solid {
   static Solid hull(std::vector<Point> points);
   /// The solid whose surface is the mesh, faces outwards.
   static Solid from_mesh(Mesh mesh, const OperandOptions& options = {});
-  /// The solid in an OBJ, STL, PLY, OFF, scene or `.hsolid` file; read when it
-  /// is needed. That of a `.hsolid` file is the exact solid that was saved.
+  /// The solid in an OBJ, STL, PLY, OFF, 3MF, GLB, glTF, scene or `.hsolid`
+  /// file, gzipped or not; read when it is needed. That of a `.hsolid` file is
+  /// the exact solid that was saved. What else a mesh file says of its faces and
+  /// their corners (materials, names, texture coordinates, normals, numbers)
+  /// stays with them, and faces do not merge across it; save() writes it.
   static Solid from_file(std::filesystem::path path,
                          const OperandOptions& options = {});
   /// What a script says (docs/guide.md has the language); its files are sought
@@ -240,7 +243,8 @@ class HALFSPACE_API Solid {
   /// are written exactly. A name that ends in `.hsolid` gets the solid itself,
   /// exactly (spec/solid-format.md), with no options.
   /// What a file's numbers do not hold is rounded so that it stays a solid
-  /// (S6.8).
+  /// (S6.8). Materials, names and numbers of the operands' files go with their
+  /// faces, as far as the format has room (S6.9).
   /// Errors: kUnwritable, kUnknownFormat, too; kUnbounded (for `.hsolid`).
   /// Cost:   that of mesh(); where rounding makes contact, that of a boolean.
   Result<Done> save(const std::filesystem::path& path,

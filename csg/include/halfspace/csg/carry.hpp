@@ -1,13 +1,36 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "halfspace/csg/matrix.hpp"
 #include "halfspace/csg/operands.hpp"
 #include "halfspace/csg/outcome.hpp"
 #include "halfspace/csg/plan.hpp"
 #include "halfspace/io/attributes.hpp"
 
 namespace halfspace::csg {
+
+/// An operand as a source of attributes.
+struct AttributedLeaf {
+  /// Its file's faces before they are moved; null where nothing is said of
+  /// them.
+  const io::AttributedFaces* faces = nullptr;
+  Matrix matrix;
+  std::string name = {};  ///< in files that say where polygons come from
+};
+
+/// The operands of a result: leaves as Origin::leaf counts, then planes.
+struct AttributedLeaves {
+  std::vector<AttributedLeaf> leaves;
+  std::size_t planes = 0;
+  double max_move = 0;  ///< of their points by rounding; model units
+};
+
+/// Those of a plan.
+AttributedLeaves attributed_leaves(const Plan& plan, const Operands& operands);
 
 /// What the operands' files say of the faces that the result's polygons are
 /// parts of (S6.9); null where they say nothing.
@@ -26,7 +49,7 @@ namespace halfspace::csg {
 ///        solids are doubles.
 /// Cost:  linear, but for corners that are new: of a face of n corners n each.
 std::shared_ptr<const io::Attributes> carried_attributes(
-    const Plan& plan, const Operands& operands, const Outcome& result,
+    const AttributedLeaves& from, const Outcome& result,
     const EvaluateOptions& options);
 
 }  // namespace halfspace::csg
