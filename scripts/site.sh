@@ -18,7 +18,7 @@ install_needed
 cmake --preset release -DBUILD_TESTING=ON \
   -DHALFSPACE_PYTHON_EXECUTABLE=/usr/bin/python3
 cmake --build --preset release --target halfspace make_model
-python=out/site-python
+python=$PWD/out/site-python
 /usr/bin/python3 -m venv --clear --system-site-packages "$python"
 # The module takes the libraries that are built already.
 HALFSPACE_BUILD_DIR=$PWD/build/release "$python/bin/pip" install -q \
