@@ -82,5 +82,9 @@ double step_of(const Unit& unit);
 Error no_pixels();
 Error stopped();
 
+/// The error of a colour of back faces, where only pixels of one sample could
+/// have it.
+Error no_marks();
+
 }  // namespace detail
 }  // namespace halfspace

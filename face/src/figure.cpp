@@ -82,6 +82,7 @@ std::vector<std::int32_t> Display::State::keys_of(
 }
 
 Result<Figure> Display::figure(const View& view, FigureKey by) const {
+  if (view.back_color) return detail::no_marks();
   const Result<Camera> camera = detail::camera_of(state_->scene, view);
   if (!camera) return camera.error();
   const Result<ImageOptions> options = state_->options_of(view);
@@ -90,8 +91,8 @@ Result<Figure> Display::figure(const View& view, FigureKey by) const {
   if (tree == nullptr) return detail::stopped();
   const Scene& scene = state_->scene;
   const auto map = fast::section_map(
-      scene, *tree, *camera,
-      {view.cull, state_->keys_of(by, options->caps)}, *options);
+      scene, *tree, *camera, {view.cull, state_->keys_of(by, options->caps)},
+      *options);
   if (!map) return map.error();
   const auto count = static_cast<PolygonId>(scene.polygon_count());
   constexpr PolygonId kPlanes = kMostClipPlanes;

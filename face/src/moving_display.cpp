@@ -256,6 +256,7 @@ Result<MovingPicture> MovingDisplay::render(const View& view) const {
     return Error{ErrorCode::kOutOfRange,
                  "objects have no clip planes and no anti-aliasing"};
   }
+  if (view.back_color) return detail::no_marks();
   const Lock lock(state.mutex);
   const Result<Done> prepared = state.prepare(view);
   if (!prepared) return prepared.error();

@@ -155,6 +155,10 @@ Result<Picture> ScalarDisplay::render(const View& view,
     return Error{ErrorCode::kOutOfRange,
                  "scalars have colours of samples, no exact areas"};
   }
+  if (view.back_color) {
+    return Error{ErrorCode::kOutOfRange,
+                 "scalars colour both sides; back faces have no mark"};
+  }
   const Result<io::ColorMap> map = map_of(style.map);
   if (!map) return map.error();
   const auto range = scale_range_of(state_->field.values, style);

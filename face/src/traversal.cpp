@@ -98,6 +98,7 @@ Result<Done> visit_all(const Scene& scene, const fast::BspTree* made,
                  "traversals do not cut by clip planes; cut solids by "
                  "Solid::split()"};
   }
+  if (view.back_color) return detail::no_marks();
   if (made == nullptr) return detail::stopped();
   const fast::BspTree& tree = *made;
   const Result<Camera> camera = detail::camera_of(scene, view);

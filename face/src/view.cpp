@@ -8,10 +8,12 @@
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/ray.hpp"
+#include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/io/clip.hpp"
 #include "halfspace/io/number.hpp"
 #include "halfspace/io/picture.hpp"
 #include "halfspace/io/ray.hpp"
+#include "halfspace/threads.hpp"
 #include "number.hpp"
 
 /// Pictures of a display, cut open by clip planes or whole, and what is seen at
@@ -56,6 +58,11 @@ double step_of(const Unit& unit) {
 }
 
 Error stopped() { return {ErrorCode::kStopped, "the work was stopped"}; }
+
+Error no_marks() {
+  return {ErrorCode::kOutOfRange,
+          "back faces are marked in pictures of one sample a pixel"};
+}
 
 }  // namespace detail
 
@@ -106,6 +113,8 @@ Result<ImageOptions> Display::State::options_of(const View& view) {
 
 Result<fast::Rendering> Display::State::rendered(
     const View& view, const std::optional<fast::Rectangle>& part) {
+  if (view.back_color && view.anti_aliasing != AntiAliasing::kNone)
+    return detail::no_marks();
   const Result<Camera> camera = detail::camera_of(scene, view);
   if (!camera) return camera.error();
   const Result<ImageOptions> options = options_of(view);
@@ -134,6 +143,11 @@ Result<fast::Rendering> Display::State::rendered(
         fast::render_area(scene, *divided, *camera, *options);
     if (!areas) return areas.error();
     image.colors = std::move(areas->colors);
+  }
+  if (view.back_color) {
+    fast::mark_back_faces(scene, *camera, image.items, *view.back_color,
+                          how.threads > 0 ? how.threads : machine_threads(),
+                          image.colors);
   }
   for (PolygonId& id : image.items.pixels) {
     if (id != kBackground) id = polygon_of(id);

@@ -305,6 +305,45 @@ TEST(FaceDisplay, ClipPlanesCutAndCapsFill) {
   EXPECT_EQ(Display::of(open)->render(view).error().code, ErrorCode::kOpen);
 }
 
+TEST(FaceDisplay, BackFacesAreMarked) {
+  const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
+  View view = small_view();
+  view.eye = Point{1, -9, 2};
+  view.target = Point{1, 1, 1};
+  view.clips = {{{0, 1, 0}, 1}};  // the inner sides are seen
+  const Picture plain = *display.render(view);
+  view.back_color = Rgb{200, 0, 100};
+  const Picture marked = *display.render(view);
+  EXPECT_EQ(marked.polygons.pixels, plain.polygons.pixels);
+  std::size_t changed = 0;
+  for (std::size_t k = 0; k < plain.colors.pixels.size(); ++k) {
+    const Rgb seen = marked.colors.pixels[k], before = plain.colors.pixels[k];
+    if (seen == before) continue;
+    ++changed;
+    const int light = std::max({before.r, before.g, before.b});
+    EXPECT_EQ(int{seen.r}, (200 * (255 + light) + 255) / 510);
+    EXPECT_EQ(int{seen.g}, 0);
+    EXPECT_EQ(int{seen.b}, (100 * (255 + light) + 255) / 510);
+  }
+  EXPECT_GT(changed, 100u);
+  // All is seen from before where nothing is cut, and caps are no back faces.
+  view.caps = CapStyle{{1, 2, 3}, {}};
+  View whole = view;
+  whole.back_color.reset();
+  EXPECT_EQ(display.render(view)->colors.pixels,
+            display.render(whole)->colors.pixels);
+  view.anti_aliasing = AntiAliasing::k2;
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+  view.anti_aliasing = AntiAliasing::kNone;
+  EXPECT_EQ(display.figure(view).error().code, ErrorCode::kOutOfRange);
+  view.clips.clear();
+  view.caps.reset();
+  EXPECT_EQ(display.scan(view, [](const SeenPolygon&, const PixelSpan&) {})
+                .error()
+                .code,
+            ErrorCode::kOutOfRange);
+}
+
 TEST(FaceDisplay, SeenAreasAreThoseOfTheImage) {
   // A face of a cube that fills a quarter of the image, and half of it hidden.
   View view;

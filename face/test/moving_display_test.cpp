@@ -147,6 +147,9 @@ TEST(MovingDisplay, RegionsAndModelsAreChecked) {
   EXPECT_EQ(display.insert(model, std::span(flat).first(3)).error().code,
             ErrorCode::kOutOfRange);
   View view = of_the_floor();
+  view.back_color = Rgb{1, 2, 3};
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+  view.back_color.reset();
   view.anti_aliasing = AntiAliasing::k2;
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
 }

@@ -88,6 +88,9 @@ TEST(ScalarDisplay, BadInputIsAnError) {
   style.low = -1;
   EXPECT_EQ(display->render({}, style).error().code, ErrorCode::kOutOfRange);
   View areas;
+  areas.back_color = Rgb{1, 2, 3};
+  EXPECT_EQ(display->render(areas).error().code, ErrorCode::kOutOfRange);
+  areas.back_color.reset();
   areas.anti_aliasing = AntiAliasing::kExactArea;
   EXPECT_EQ(display->render(areas).error().code, ErrorCode::kOutOfRange);
   const auto empty = ScalarDisplay::of(square(std::nan(""), std::nan("")));

@@ -67,6 +67,9 @@ class View:
         Fills the cuts of what is closed; None: they stay open.
     background : sequence of 3 ints
         Red, green and blue, 0 to 255.
+    back_color : sequence of 3 ints, optional
+        Marks what is seen from behind, in its own light; only of pictures with
+        one sample a pixel.
     anti_aliasing : {1, 2, 4, 8, "area"}
         What of a pixel its colour is taken from: one sample, the mean of so
         many each way, or the exact integral of all that is seen in it.
@@ -102,6 +105,7 @@ class View:
     clips: Sequence[Union[Plane, Tuple[Vector, float]]] = ()
     caps: Optional[CapStyle] = None
     background: Sequence[int] = (255, 255, 255)
+    back_color: Optional[Sequence[int]] = None
     anti_aliasing: Union[int, Literal["area"]] = 1
     threads: int = 0
     progress: Optional[Progress] = field(default=None, compare=False)

@@ -67,6 +67,8 @@ View view_from(const py::object& object) {
     view.clips.push_back({point_of(normal), offset});
   view.caps = caps_from(object.attr("caps"));
   view.background = rgb_of(object.attr("background"));
+  if (!object.attr("back_color").is_none())
+    view.back_color = rgb_of(object.attr("back_color"));
   const py::object anti_aliasing = object.attr("anti_aliasing");
   view.anti_aliasing = py::isinstance<py::str>(anti_aliasing)
                            ? AntiAliasing::kExactArea

@@ -110,6 +110,24 @@ def test_bad_removals_are_errors():
     assert (display.render(VIEW).ids == Display.of(CUBE).render(VIEW).ids).all()
 
 
+def test_back_faces_are_marked():
+    display = Display.of(CUBE)
+    view = View(eye=(0.5, -5, 1), target=(0.5, 0.5, 0.5), width_px=24,
+                height_px=18, clips=[((0, 1, 0), 0.5)])
+    plain = display.render(view)
+    marked = display.render(replace(view, back_color=(200, 0, 100)))
+    assert (marked.ids == plain.ids).all()
+    changed = (marked.colors != plain.colors).any(axis=2)
+    light = plain.colors.astype(int).max(axis=2)
+    assert changed.any()
+    assert (marked.colors[..., 0][changed] ==
+            ((200 * (255 + light) + 255) // 510)[changed]).all()
+    assert (marked.colors[..., 1][changed] == 0).all()
+    with pytest.raises(Error) as caught:
+        display.render(replace(view, back_color=(1, 2, 3), anti_aliasing=2))
+    assert caught.value.code is ErrorCode.OUT_OF_RANGE
+
+
 def test_anti_aliasing_and_figures_of_cuts(tmp_path):
     display = Display.of([CUBE, CUBE.translated((0.5, 0.5, 0.5))])
     view = View(width_px=24, height_px=18)

@@ -18,6 +18,7 @@
 #include "halfspace/fast/order_feed.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/io/clip.hpp"
@@ -98,13 +99,15 @@ class Numbers {
 
 /// What JavaScript says about a view: eye, target, up, angle, whether it is
 /// orthographic, its height, near, columns, rows, whether to cull, the
-/// background; clip planes and whether they have caps, with what colour.
+/// background; clip planes and whether they have caps, with what colour; and
+/// whether back faces are marked, with what colour.
 struct AskedView {
   io::ViewOptions camera;
   bool cull = false;
   Rgb background{};
   std::vector<std::array<double, 4>> clips;
   std::optional<CapStyle> caps;
+  std::optional<Rgb> back_color;
 };
 
 AskedView view_from(const double* numbers) {
@@ -128,6 +131,7 @@ AskedView view_from(const double* numbers) {
   const double caps = from.next();
   if (caps == 1) view.caps = CapStyle{from.color(), std::nullopt};
   if (caps == 2) view.caps = CapStyle{{235, 235, 225}, Rgb{60, 60, 60}};
+  if (from.next() != 0) view.back_color = from.color();
   return view;
 }
 
@@ -164,6 +168,11 @@ Result<ImageOptions> image_options(WebScene& shown, const AskedView& view) {
 }
 
 Result<Done> rendered(WebScene& shown, const AskedView& view, int samples) {
+  if (view.back_color && (samples != 1 || shown.scalars)) {
+    return Error{ErrorCode::kOutOfRange,
+                 "back faces are marked in pictures of one sample a pixel, and "
+                 "not where numbers are the colours"};
+  }
   const auto viewed = io::look_at(shown.scene(), view.camera);
   if (!viewed) return viewed.error();
   const auto options = image_options(shown, view);
@@ -187,6 +196,10 @@ Result<Done> rendered(WebScene& shown, const AskedView& view, int samples) {
     by.samples = samples;
     image.colors = fast::color_scalars(shown.scene(), viewed->camera, *options,
                                        image.items, *shown.scalars, by);
+  }
+  if (view.back_color) {
+    fast::mark_back_faces(shown.scene(), viewed->camera, image.items,
+                          *view.back_color, how.threads, image.colors);
   }
   shown.items = std::move(image.items);
   shown.colors = std::move(image.colors);

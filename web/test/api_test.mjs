@@ -181,6 +181,13 @@ await test("pictures and figures are those of the program", () => {
   same(scene.render({ ...view, clips: [[-1, 0, 0, 2.5]], caps: [200, 80, 40],
     samples: 2 }).rgba.filter((_, k) => k % 4 !== 3),
   pixelsOf(fs.readFileSync("clip.png")).rgb, "a section in samples");
+  native("render", "part.obj", "-o", "back.png", ...camera, "--clip",
+    "-1,0,0,2.5", "--back-color", "250,30,90");
+  same(scene.render({ ...view, clips: [[-1, 0, 0, 2.5]],
+    backColor: [250, 30, 90] }).rgba.filter((_, k) => k % 4 !== 3),
+  pixelsOf(fs.readFileSync("back.png")).rgb, "marked back faces");
+  assert.throws(() => scene.render({ ...view, backColor: [1, 2, 3],
+    samples: 2 }));
   const all = scene.view({ azimuth: 30, elevation: 25, width: 100,
     height: 100 });
   assert.ok(all.eye && all.target);

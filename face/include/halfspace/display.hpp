@@ -52,6 +52,9 @@ struct View {
   /// Fills the cuts of what is closed; nothing: they stay open.
   std::optional<CapStyle> caps = {};
   Rgb background = {255, 255, 255};
+  /// Marks what is seen from behind, in its own light (S5.8); nothing: it is
+  /// coloured as from before.
+  std::optional<Rgb> back_color = {};
   AntiAliasing anti_aliasing = AntiAliasing::kNone;
   int threads = 0;  ///< 0: as many as the machine has
   /// Of the display's tree, which the first view makes.
@@ -222,8 +225,9 @@ class HALFSPACE_API Display {
   /// polygon_count() + k the cap of the k-th different clip plane (S10.3).
   /// Cost: what is seen. Errors, here and below:
   /// kBadCamera, kNotFinite, kStopped (by view.progress); kOutOfRange (also for
-  /// a ninth clip plane); kZeroArea (a clip plane's normal is 0); kOpen (caps
-  /// for what is not closed).
+  /// a ninth clip plane, and for a colour of back faces where it is not one
+  /// sample of a pixel that is coloured); kZeroArea (a clip plane's normal is
+  /// 0); kOpen (caps for what is not closed).
   Result<Picture> render(const View& view = {}) const;
   /// The edges that the view shows (S9): silhouettes, borders, intersections,
   /// and creases where faces turn by more than an angle. Exact. Cost: n log n,
@@ -231,9 +235,9 @@ class HALFSPACE_API Display {
   /// Errors: also kOutOfRange, where there are too many, and for clip planes.
   Result<LineDrawing> draw(const View& view = {}, double crease_deg = 20) const;
   /// The picture as regions (S7.4, S10.5), clip planes and caps too: what is
-  /// seen at any point of the image, not only at pixels' centres. Exact; corners
-  /// are rounded once. Cost: what is seen.
-  /// Errors: also kOutOfRange, where there is too much to be seen.
+  /// seen at any point of the image, not only at pixels' centres. Exact;
+  /// corners are rounded once. Cost: what is seen. Errors: also kOutOfRange,
+  /// where there is too much to be seen.
   Result<Figure> figure(const View& view = {},
                         FigureKey by = FigureKey::kColor) const;
   /// What is seen at a pixel; nothing at the background, and off the image.

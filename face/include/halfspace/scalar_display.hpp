@@ -48,7 +48,7 @@ class HALFSPACE_API ScalarDisplay {
 
   /// The picture, with the polygons of the mesh. Exact.
   /// Errors: those of Display::render(); kOutOfRange (a scale's range or steps,
-  ///         or exact areas, which have no scalars); kEmpty (no number, and no
+  ///         or exact areas and marked back faces, which have no scalars); kEmpty (no number, and no
   ///         range); kUnknownFormat, kUnreadable and others of a file with
   ///         colours.
   Result<Picture> render(const View& view = {},

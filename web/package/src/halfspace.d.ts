@@ -211,6 +211,8 @@ export interface View {
   height?: number;
   cull?: boolean;
   background?: Vector;
+  /** Marks what is seen from behind; of one sample a pixel. */
+  backColor?: Vector;
   /** Planes a, b, c, d: what has a x + b y + c z + d >= 0 is kept. */
   clips?: readonly (readonly [number, number, number, number])[];
   /** A colour or a hatch that fills the cuts of solids. */

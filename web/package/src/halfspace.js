@@ -867,6 +867,7 @@ function viewNumbers(view) {
     view.width ?? 640, view.height ?? 480, view.cull ? 1 : 0,
     ...triple(view.background ?? [255, 255, 255], "background"),
     clips.length, ...clips.flat(), ...cap,
+    ...(view.backColor ? [1, ...triple(view.backColor, "backColor")] : [0]),
   ]);
 }
 
