@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <thread>
 
 #include "core/background.hpp"
@@ -376,6 +377,50 @@ TEST_F(ViewerSession, NumbersColourAFile) {
   session.change([](State& s) { s.looks.scalar.reset(); });
   settle(session);
   EXPECT_EQ(finished(session), plain);
+}
+
+TEST_F(ViewerSession, WorkIsStoppedInsideAllStages) {
+  const std::string many = path("many.off");
+  {
+    constexpr int kCount = 12000;
+    std::ofstream file(many);
+    file << "OFF\n" << 3 * kCount << ' ' << kCount << " 0\n";
+    for (int i = 0; i < kCount; ++i) {
+      const int x = i % 110, y = i / 110;
+      file << x << ' ' << y << " 0\n"
+           << x + 1 << ' ' << y << " 0\n"
+           << x << ' ' << y + 1 << " 1\n";
+    }
+    for (int i = 0; i < kCount; ++i)
+      file << "3 " << 3 * i << ' ' << 3 * i + 1 << ' ' << 3 * i + 2 << '\n';
+  }
+  const State state = state_of({many});
+  // How often each stage asks.
+  std::map<std::string, int> counts;
+  std::vector<std::string> stages;
+  MeshCache cache;
+  const auto whole =
+      make_model(state, cache, nullptr, [&](const std::string& work, double) {
+        ++counts[work];
+        stages.push_back(work);
+        return true;
+      });
+  ASSERT_TRUE(whole);
+  ASSERT_EQ(counts.size(), 3u);
+  EXPECT_GT(counts["reading " + many], 50);
+  EXPECT_GT(counts["import"], 30);
+  EXPECT_GT(counts["building the tree"], 10);
+  // Wherever the answer is to stop, nothing more is asked or made.
+  for (std::size_t at = 0; at < stages.size(); at += 1 + stages.size() / 9) {
+    MeshCache fresh;
+    std::size_t asked = 0;
+    const auto model =
+        make_model(state, fresh, nullptr,
+                   [&](const std::string&, double) { return asked++ < at; });
+    ASSERT_FALSE(model) << "stopped at " << at;
+    EXPECT_EQ(model.error().code, ErrorCode::kStopped) << stages[at];
+    EXPECT_EQ(asked, at + 1) << stages[at];
+  }
 }
 
 TEST_F(ViewerSession, OneDragOfAWidgetIsUndoneAsOne) {

@@ -29,14 +29,16 @@ Result<std::string> encoded_off(const MeshContent& content) {
 }
 
 /// A reader of what is in the file alone.
-template <Result<Mesh> (*read)(std::string_view)>
-Result<Mesh> read_alone(std::string_view bytes, const std::filesystem::path*) {
-  return read(bytes);
+template <Result<Mesh> (*read)(std::string_view, const Stop&)>
+Result<Mesh> read_alone(std::string_view bytes, const std::filesystem::path*,
+                        const Stop& stop) {
+  return read(bytes, stop);
 }
 
 Result<Mesh> read_obj_in(std::string_view bytes,
-                         const std::filesystem::path* folder) {
-  Result<Mesh> mesh = read_obj(bytes);
+                         const std::filesystem::path* folder,
+                         const Stop& stop) {
+  Result<Mesh> mesh = read_obj(bytes, stop);
   if (mesh && !mesh->attributes.files.empty()) add_materials(folder, *mesh);
   return mesh;
 }

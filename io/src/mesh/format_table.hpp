@@ -10,6 +10,7 @@
 
 #include "halfspace/io/format.hpp"
 #include "halfspace/io/mesh.hpp"
+#include "halfspace/io/stop.hpp"
 #include "halfspace/result.hpp"
 #include "mesh/encode.hpp"
 
@@ -63,7 +64,7 @@ struct FormatEntry {
   unsigned room;
   /// Files beside the mesh's own are in the folder; null: they are not read.
   Result<Mesh> (*read)(std::string_view bytes,
-                       const std::filesystem::path* folder);
+                       const std::filesystem::path* folder, const Stop& stop);
   Result<std::string> (*encoded)(const MeshContent& content);
 };
 

@@ -26,6 +26,7 @@ std::size_t NumbersHash::operator()(const std::array<Number, 3>& point) const {
 }
 
 std::optional<Error> MeshBuilder::add_vertex(std::array<Number, 3> point) {
+  if (check_.stops()) return stopped();
   if (mesh.vertices.size() >= kMaxCount) return too_many("vertices");
   mesh.vertices.push_back(std::move(point));
   return std::nullopt;
@@ -37,6 +38,7 @@ std::optional<Error> MeshBuilder::add_corner_at(std::array<Number, 3> point) {
 }
 
 std::optional<Error> MeshBuilder::add_corner(std::int64_t vertex) {
+  if (check_.stops()) return stopped();
   if (mesh.corners.size() >= kMaxCount) return too_many("corners");
   mesh.corners.push_back(static_cast<VertexId>(vertex));
   return std::nullopt;

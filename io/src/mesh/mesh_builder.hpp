@@ -9,6 +9,7 @@
 
 #include "base/point_table.hpp"
 #include "halfspace/io/mesh.hpp"
+#include "halfspace/io/stop.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::io {
@@ -21,9 +22,11 @@ struct NumbersHash {
   std::size_t operator()(const std::array<Number, 3>& point) const;
 };
 
-/// The mesh that a reader is filling.
+/// The mesh that a reader is filling. Errors, of all that it adds: kStopped.
 class MeshBuilder {
  public:
+  explicit MeshBuilder(Stop stop = {}) : check_(std::move(stop)) {}
+
   Mesh mesh;
 
   /// Adds a vertex. Errors: kOutOfRange, if there are too many.
@@ -42,6 +45,7 @@ class MeshBuilder {
   }
 
  private:
+  StopCheck check_;
   PointTable<std::array<Number, 3>, NumbersHash> table_;
 };
 

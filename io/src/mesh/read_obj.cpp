@@ -67,8 +67,8 @@ class References {
 
 class ObjReader {
  public:
-  explicit ObjReader(std::string_view text)
-      : text_(text, {.comments = true, .continued = true}) {}
+  ObjReader(std::string_view text, const Stop& stop)
+      : text_(text, {.comments = true, .continued = true}), builder_(stop) {}
   Result<Mesh> read();
 
  private:
@@ -303,9 +303,9 @@ Result<Mesh> ObjReader::read() {
 
 }  // namespace
 
-Result<Mesh> read_obj(std::string_view bytes) {
+Result<Mesh> read_obj(std::string_view bytes, const Stop& stop) {
   if (auto error = not_plain_text(bytes)) return *error;
-  return ObjReader(bytes).read();
+  return ObjReader(bytes, stop).read();
 }
 
 }  // namespace halfspace::io

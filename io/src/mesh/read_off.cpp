@@ -7,8 +7,8 @@ namespace {
 
 class OffReader {
  public:
-  explicit OffReader(std::string_view text)
-      : text_(text, {.comments = true, .continued = false}) {}
+  OffReader(std::string_view text, const Stop& stop)
+      : text_(text, {.comments = true, .continued = false}), builder_(stop) {}
   Result<Mesh> read();
 
  private:
@@ -216,9 +216,9 @@ Result<Mesh> OffReader::read() {
 
 }  // namespace
 
-Result<Mesh> read_off(std::string_view bytes) {
+Result<Mesh> read_off(std::string_view bytes, const Stop& stop) {
   if (auto error = not_plain_text(bytes)) return *error;
-  return OffReader(bytes).read();
+  return OffReader(bytes, stop).read();
 }
 
 }  // namespace halfspace::io

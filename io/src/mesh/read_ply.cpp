@@ -192,8 +192,8 @@ int index_in(const std::array<int, 3>& places, int place) {
 template <class Source>
 class BodyReader {
  public:
-  BodyReader(Source source, const PlyHeader& header)
-      : source_(std::move(source)), header_(header) {}
+  BodyReader(Source source, const PlyHeader& header, const Stop& stop)
+      : source_(std::move(source)), header_(header), builder_(stop) {}
 
   Result<Mesh> read() {
     builder_.mesh.decimal = header_.encoding == PlyEncoding::kText;
@@ -352,7 +352,7 @@ class BodyReader {
 
 }  // namespace
 
-Result<Mesh> read_ply(std::string_view bytes) {
+Result<Mesh> read_ply(std::string_view bytes, const Stop& stop) {
   TextReader text(bytes, {});
   const Result<PlyHeader> header = read_ply_header(text);
   if (!header) {
@@ -362,12 +362,12 @@ Result<Mesh> read_ply(std::string_view bytes) {
   }
   if (header->encoding == PlyEncoding::kText) {
     if (auto error = not_plain_text(bytes)) return *error;
-    return BodyReader(TextSource(text), *header).read();
+    return BodyReader(TextSource(text), *header, stop).read();
   }
   const ByteOrder order = header->encoding == PlyEncoding::kLittle
                               ? ByteOrder::kLittle
                               : ByteOrder::kBig;
-  return BodyReader(BinarySource(text.rest(), order), *header).read();
+  return BodyReader(BinarySource(text.rest(), order), *header, stop).read();
 }
 
 }  // namespace halfspace::io

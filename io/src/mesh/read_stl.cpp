@@ -28,7 +28,7 @@ bool is_binary(std::string_view bytes) {
   return bytes.substr(0, kHeaderSize).find('\0') != std::string_view::npos;
 }
 
-Result<Mesh> read_binary(std::string_view bytes) {
+Result<Mesh> read_binary(std::string_view bytes, const Stop& stop) {
   if (bytes.size() < kHeaderSize) {
     return Error{ErrorCode::kTruncated,
                  "a binary STL has at least 84 bytes, not " +
@@ -46,7 +46,7 @@ Result<Mesh> read_binary(std::string_view bytes) {
   }
   const std::size_t used = kTriangleSize * std::size_t{count};
   if (auto error = trailing_error(bytes, kHeaderSize + used)) return *error;
-  MeshBuilder builder;
+  MeshBuilder builder(stop);
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       std::array<Number, 3> point;
@@ -73,7 +73,8 @@ Result<Mesh> read_binary(std::string_view bytes) {
 /// Reads the text of `solid` blocks.
 class TextStl {
  public:
-  explicit TextStl(std::string_view text) : text_(text, {}) {}
+  TextStl(std::string_view text, const Stop& stop)
+      : text_(text, {}), builder_(stop) {}
   Result<Mesh> read();
 
  private:
@@ -173,15 +174,15 @@ Result<Mesh> TextStl::read() {
 
 }  // namespace
 
-Result<Mesh> read_stl(std::string_view bytes) {
+Result<Mesh> read_stl(std::string_view bytes, const Stop& stop) {
   if (is_binary(bytes)) {
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
       return *not_plain_text(bytes);
     }
-    return read_binary(bytes);
+    return read_binary(bytes, stop);
   }
   if (auto error = not_plain_text(bytes)) return *error;
-  return TextStl(bytes).read();
+  return TextStl(bytes, stop).read();
 }
 
 }  // namespace halfspace::io

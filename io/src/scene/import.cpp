@@ -55,7 +55,10 @@ const Channel* colors_of(const Mesh& mesh) {
 class Importer {
  public:
   Importer(const Mesh& mesh, const ImportOptions& options)
-      : mesh_(mesh), options_(options), corner_channel_(colors_of(mesh)) {}
+      : mesh_(mesh),
+        options_(options),
+        check_(options.stop),
+        corner_channel_(colors_of(mesh)) {}
   Result<Imported> import();
 
  private:
@@ -69,11 +72,17 @@ class Importer {
     return std::span(mesh_.corners)
         .subspan(first, mesh_.first_corner[face + 1] - first);
   }
+  /// Notes a step; whether to stop, which is the error then.
+  bool stops() {
+    if (!check_.stops()) return false;
+    error_ = stopped();
+    return true;
+  }
   bool find_used();
   bool choose();
-  void place_vertices();
+  bool place_vertices();
   bool take_face(std::size_t face);
-  void sum_normals();
+  bool sum_normals();
   void note_faces_at(const Direction& normal);
   Direction corner_normal(std::size_t vertex, const Direction& own) const;
   bool add_face(std::size_t face);
@@ -88,6 +97,7 @@ class Importer {
 
   const Mesh& mesh_;
   const ImportOptions& options_;
+  StopCheck check_;
   const Channel* corner_channel_;   // null: corners have no colours
   std::vector<bool> used_;          // by vertex of the mesh
   std::vector<VertexId> scene_id_;  // by vertex of the mesh
@@ -112,6 +122,7 @@ class Importer {
 bool Importer::find_used() {
   used_.resize(mesh_.vertices.size());
   for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
+    if (stops()) return false;
     const auto corners = corners_of(face);
     for (const VertexId corner : corners) {
       if (corner < 0 ||
@@ -139,10 +150,11 @@ bool Importer::choose() {
 }
 
 /// Puts the used vertices on the grid, equal points on one vertex.
-void Importer::place_vertices() {
+bool Importer::place_vertices() {
   PointTable<GridPoint, GridPointHash> table;
   scene_id_.resize(mesh_.vertices.size());
   for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+    if (stops()) return false;
     if (!used_[v]) continue;
     GridPoint point;
     std::int64_t* const axes[] = {&point.x, &point.y, &point.z};
@@ -155,6 +167,7 @@ void Importer::place_vertices() {
     }
     scene_id_[v] = table.index_of(point, data_.vertices);
   }
+  return true;
 }
 
 /// Makes `face_` and `points_` those of a face; says whether it has area.
@@ -183,9 +196,10 @@ bool Importer::take_face(std::size_t face) {
 }
 
 /// Sums up the normals of the faces at each vertex, by their areas.
-void Importer::sum_normals() {
+bool Importer::sum_normals() {
   normals_.resize(data_.vertices.size());
   for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
+    if (stops()) return false;
     if (!take_face(face)) continue;
     const Direction normal = normal_of(points_);
     if (options_.crease_deg) note_faces_at(normal);
@@ -195,6 +209,7 @@ void Importer::sum_normals() {
       for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += normal[axis];
     }
   }
+  return true;
 }
 
 /// Notes the face's normal at all of its vertices.
@@ -351,11 +366,10 @@ Result<Imported> Importer::import() {
                                         std::to_string(mesh_.vertices.size()) +
                                         " vertices, but no faces"};
   }
-  if (!find_used() || !choose()) return *error_;
-  place_vertices();
-  if (options_.gouraud) sum_normals();
+  if (!find_used() || !choose() || !place_vertices()) return *error_;
+  if (options_.gouraud && !sum_normals()) return *error_;
   for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
-    if (!add_face(face)) return *error_;
+    if (stops() || !add_face(face)) return *error_;
   }
   Result<Scene> scene = make_scene(std::move(data_));
   if (!scene) return scene.error();

@@ -140,7 +140,7 @@ Result<LoadedScene> load_scene(const std::string& path,
     return scene_of_input(*bytes, options);
   }
   if (is_scene_name(path)) return load_scene_file(path, options);
-  return scene_of_mesh(path, read_mesh(path), options);
+  return scene_of_mesh(path, read_mesh(path, options.stop), options);
 }
 
 std::string to_string(const Unit& unit) {

@@ -6,34 +6,22 @@
 namespace halfspace::viewer {
 
 Background::Background(std::function<void()> wake)
-    : wake_(std::move(wake)), thread_([this] { work(); }) {}
-
-Background::~Background() {
-  {
-    const std::lock_guard lock(mutex_);
-    ends_ = true;
-    is_wanted_ = false;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+    : wake_(std::move(wake)),
+      worker_([this](const Work& work) { carry_out(work); }) {}
 
 void Background::start(Work work) {
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back(std::move(work));
+    ++started_;
   }
-  changed_.notify_all();
+  worker_.add(std::move(work));
 }
 
-void Background::cancel() {
-  const std::lock_guard lock(mutex_);
-  if (is_working_) is_wanted_ = false;
-}
+void Background::cancel() { is_wanted_ = false; }
 
 bool Background::is_busy() const {
   const std::lock_guard lock(mutex_);
-  return is_working_ || !waiting_.empty() || !results_.empty();
+  return started_ > 0 || !results_.empty();
 }
 
 Progress Background::progress() const {
@@ -51,14 +39,15 @@ std::optional<Result<std::string>> Background::take() {
 
 Result<std::string> Background::carried_out(const Work& work) {
   const auto report = [this](const std::string& what, double share) {
+    const bool goes_on = is_wanted_ && !worker_.is_ending();
     {
       const std::lock_guard lock(mutex_);
       const bool is_same = progress_.work == what;
-      if (is_same && share < progress_.share + 0.01) return is_wanted_.load();
+      if (is_same && share < progress_.share + 0.01) return goes_on;
       progress_ = {what, share};
     }
     wake_();
-    return is_wanted_.load();
+    return goes_on;
   };
   try {
     return work(report);
@@ -67,27 +56,16 @@ Result<std::string> Background::carried_out(const Work& work) {
   }
 }
 
-void Background::work() {
-  for (;;) {
-    Work next;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
-      if (ends_) return;
-      next = std::move(waiting_.front());
-      waiting_.pop_front();
-      is_working_ = true;
-      is_wanted_ = true;
-    }
-    Result<std::string> result = carried_out(next);
-    {
-      const std::lock_guard lock(mutex_);
-      progress_ = {};
-      results_.push_back(std::move(result));
-      is_working_ = false;
-    }
-    wake_();
+void Background::carry_out(const Work& work) {
+  is_wanted_ = true;
+  Result<std::string> result = carried_out(work);
+  {
+    const std::lock_guard lock(mutex_);
+    progress_ = {};
+    results_.push_back(std::move(result));
+    --started_;
   }
+  wake_();
 }
 
 }  // namespace halfspace::viewer

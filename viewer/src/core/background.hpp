@@ -1,15 +1,14 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <deque>
 #include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "core/loader.hpp"
+#include "core/worker.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::viewer {
@@ -20,11 +19,8 @@ class Background {
  public:
   using Work = std::function<Result<std::string>(const Report& report)>;
 
+  /// Its end stops the work that is done, and begins no other.
   explicit Background(std::function<void()> wake);
-  /// Stops the work that is done and begins no other.
-  ~Background();
-  Background(const Background&) = delete;
-  Background& operator=(const Background&) = delete;
 
   /// Carries out the work after that before. Does not wait.
   void start(Work work);
@@ -37,19 +33,16 @@ class Background {
   std::optional<Result<std::string>> take();
 
  private:
-  void work();
+  void carry_out(const Work& work);
   Result<std::string> carried_out(const Work& work);
 
   std::function<void()> wake_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<Work> waiting_;
   std::deque<Result<std::string>> results_;
   Progress progress_;
-  bool is_working_ = false;
-  bool ends_ = false;
+  std::size_t started_ = 0;  ///< and not done
   std::atomic<bool> is_wanted_ = true;
-  std::thread thread_;
+  Worker<Work> worker_;
 };
 
 }  // namespace halfspace::viewer

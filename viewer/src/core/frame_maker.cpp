@@ -35,24 +35,15 @@ double ms_since(Clock::time_point start) {
 }  // namespace
 
 FrameMaker::FrameMaker(std::function<void()> wake)
-    : wake_(std::move(wake)), thread_([this] { work(); }) {}
-
-FrameMaker::~FrameMaker() {
-  {
-    const std::lock_guard lock(mutex_);
-    ends_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+    : wake_(std::move(wake)),
+      worker_([this](const FrameRequest& request) { make(request); }) {}
 
 void FrameMaker::request(FrameRequest request) {
   {
     const std::lock_guard lock(mutex_);
     wanted_ = request.number;
-    next_ = std::move(request);
   }
-  changed_.notify_all();
+  worker_.replace(std::move(request));
 }
 
 ColorImage FrameMaker::picture() const {
@@ -111,23 +102,10 @@ std::vector<double> FrameMaker::times_ms() const {
   return times_ms_;
 }
 
-void FrameMaker::work() {
-  for (;;) {
-    FrameRequest request;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return ends_ || next_.has_value(); });
-      if (ends_) return;
-      request = *std::move(next_);
-      next_.reset();
-    }
-    make(request);
-  }
-}
-
 bool FrameMaker::is_newer_wanted(const FrameRequest& request) const {
+  if (worker_.is_ending()) return true;
   const std::lock_guard lock(mutex_);
-  return ends_ || wanted_ != request.number;
+  return wanted_ != request.number;
 }
 
 void FrameMaker::make(const FrameRequest& request) {
@@ -163,7 +141,6 @@ void FrameMaker::make(const FrameRequest& request) {
     done_ = request.number;
     times_ms_.push_back(expected_ms_);
   }
-  changed_.notify_all();
   wake_();
 }
 
@@ -206,16 +183,7 @@ void FrameMaker::publish(const FrameRequest& request, const ColorImage& rows,
 }
 
 EdgeLines::EdgeLines(std::function<void()> wake)
-    : wake_(std::move(wake)), thread_([this] { work(); }) {}
-
-EdgeLines::~EdgeLines() {
-  {
-    const std::lock_guard lock(mutex_);
-    ends_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+    : wake_(std::move(wake)), worker_([this](const Job& job) { draw(job); }) {}
 
 void EdgeLines::request(std::uint64_t number,
                         std::shared_ptr<const Model> model,
@@ -224,9 +192,8 @@ void EdgeLines::request(std::uint64_t number,
     const std::lock_guard lock(mutex_);
     if (number == asked_) return;
     asked_ = number;
-    next_ = Job{number, std::move(model), camera, lines, cull};
   }
-  changed_.notify_all();
+  worker_.replace({number, std::move(model), camera, lines, cull});
 }
 
 std::shared_ptr<const fast::Drawing> EdgeLines::drawing_of(
@@ -235,26 +202,16 @@ std::shared_ptr<const fast::Drawing> EdgeLines::drawing_of(
   return done_ == number ? drawing_ : nullptr;
 }
 
-void EdgeLines::work() {
-  for (;;) {
-    Job job;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return ends_ || next_.has_value(); });
-      if (ends_) return;
-      job = *std::move(next_);
-      next_.reset();
-    }
-    auto drawing = lines_for(job.model->loaded.file.scene, job.camera,
-                             job.lines, job.cull);
-    {
-      const std::lock_guard lock(mutex_);
-      drawing_ = drawing ? *std::move(drawing)
-                         : std::make_shared<const fast::Drawing>();
-      done_ = job.number;
-    }
-    wake_();
+void EdgeLines::draw(const Job& job) {
+  auto drawing =
+      lines_for(job.model->loaded.file.scene, job.camera, job.lines, job.cull);
+  {
+    const std::lock_guard lock(mutex_);
+    drawing_ =
+        drawing ? *std::move(drawing) : std::make_shared<const fast::Drawing>();
+    done_ = job.number;
   }
+  wake_();
 }
 
 }  // namespace halfspace::viewer

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <thread>
 #include <vector>
 
 #include "core/picture.hpp"
+#include "core/worker.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/render.hpp"
@@ -41,9 +39,6 @@ class FrameMaker {
  public:
   /// `wake` is called, in that thread, when rows have changed.
   explicit FrameMaker(std::function<void()> wake);
-  ~FrameMaker();
-  FrameMaker(const FrameMaker&) = delete;
-  FrameMaker& operator=(const FrameMaker&) = delete;
 
   void request(FrameRequest request);
 
@@ -71,7 +66,6 @@ class FrameMaker {
   std::vector<double> times_ms() const;
 
  private:
-  void work();
   void make(const FrameRequest& request);
   void publish(const FrameRequest& request, const ColorImage& rows,
                std::int32_t first_row);
@@ -79,19 +73,16 @@ class FrameMaker {
 
   std::function<void()> wake_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<FrameRequest> next_;
   Canvas canvas_;
   std::int32_t dirty_first_ = 0, dirty_end_ = 0;
   std::uint64_t wanted_ = 0, done_ = 0;
   std::vector<double> times_ms_;
-  bool ends_ = false;
   // Of the thread alone.
   double expected_ms_ = 0;
   std::int32_t next_row_ = 0;
   PictureMaker maker_;
   fast::Rendering rendering_;  ///< kept: its memory is touched already
-  std::thread thread_;
+  Worker<FrameRequest> worker_;
 };
 
 /// The drawing whose lines are laid over a picture: silhouettes, borders,
@@ -99,9 +90,6 @@ class FrameMaker {
 class EdgeLines {
  public:
   explicit EdgeLines(std::function<void()> wake);
-  ~EdgeLines();
-  EdgeLines(const EdgeLines&) = delete;
-  EdgeLines& operator=(const EdgeLines&) = delete;
 
   /// Asks for the drawing of picture `number`, unless it was asked for.
   void request(std::uint64_t number, std::shared_ptr<const Model> model,
@@ -119,16 +107,13 @@ class EdgeLines {
     Lines lines = Lines::kNone;
     bool cull = false;
   };
-  void work();
+  void draw(const Job& job);
 
   std::function<void()> wake_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<Job> next_;
   std::uint64_t asked_ = 0, done_ = 0;
   std::shared_ptr<const fast::Drawing> drawing_;
-  bool ends_ = false;
-  std::thread thread_;
+  Worker<Job> worker_;
 };
 
 }  // namespace halfspace::viewer

@@ -6,17 +6,8 @@
 namespace halfspace::viewer {
 
 Loader::Loader(std::function<void()> wake)
-    : wake_(std::move(wake)), thread_([this] { work(); }) {}
-
-Loader::~Loader() {
-  {
-    const std::lock_guard lock(mutex_);
-    ends_ = true;
-    wanted_ = 0;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+    : wake_(std::move(wake)),
+      worker_([this](const Job& job) { carry_out(job); }) {}
 
 std::uint64_t Loader::request(const State& state,
                               std::shared_ptr<const Model> before) {
@@ -25,11 +16,10 @@ std::uint64_t Loader::request(const State& state,
     const std::lock_guard lock(mutex_);
     number = ++last_number_;
     wanted_ = number;
-    next_ = Job{number, state, std::move(before)};
     result_.reset();
     is_busy_ = true;
   }
-  changed_.notify_all();
+  worker_.replace({number, state, std::move(before)});
   return number;
 }
 
@@ -50,31 +40,18 @@ bool Loader::is_busy() const {
   return is_busy_ || result_.has_value();
 }
 
-void Loader::work() {
-  for (;;) {
-    Job job;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return ends_ || next_.has_value(); });
-      if (ends_) return;
-      job = *std::move(next_);
-      next_.reset();
-    }
-    carry_out(job);
-  }
-}
-
 void Loader::carry_out(const Job& job) {
   const auto report = [&](const std::string& work, double share) {
+    const bool goes_on = wanted_ == job.number && !worker_.is_ending();
     {
       const std::lock_guard lock(mutex_);
       // A bar of a hundred steps: no more is shown.
       if (progress_.work == work && share < progress_.share + 0.01)
-        return wanted_ == job.number;
+        return goes_on;
       progress_ = {work, share};
     }
     wake_();
-    return wanted_ == job.number;
+    return goes_on;
   };
   Result<std::shared_ptr<const Model>> model =
       Error{ErrorCode::kOutOfRange, "there is not enough memory"};
@@ -87,7 +64,7 @@ void Loader::carry_out(const Job& job) {
     const std::lock_guard lock(mutex_);
     progress_ = {};
     // A newer request has its own result.
-    if (next_) return;
+    if (job.number != last_number_) return;
     is_busy_ = false;
     result_ = Loaded{job.number, job.state, std::move(model)};
   }

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
+#include "core/worker.hpp"
 #include "halfspace/viewer/model.hpp"
 
 namespace halfspace::viewer {
@@ -27,13 +26,11 @@ struct Loaded {
 };
 
 /// Reads files and builds trees in a thread of its own. A new request ends the
-/// one before as soon as that asks.
+/// one before, and so does cancel(), within milliseconds: reading, import and
+/// building ask all the time.
 class Loader {
  public:
   explicit Loader(std::function<void()> wake);
-  ~Loader();
-  Loader(const Loader&) = delete;
-  Loader& operator=(const Loader&) = delete;
 
   /// Asks for the state's model; what was asked for before is not wanted any
   /// more. Returns the request's number.
@@ -54,21 +51,17 @@ class Loader {
     State state;
     std::shared_ptr<const Model> before;
   };
-  void work();
   void carry_out(const Job& job);
 
   std::function<void()> wake_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<Job> next_;
   std::optional<Loaded> result_;
   Progress progress_;
   bool is_busy_ = false;
-  bool ends_ = false;
   std::uint64_t last_number_ = 0;
   std::atomic<std::uint64_t> wanted_ = 0;
   MeshCache cache_;
-  std::thread thread_;
+  Worker<Job> worker_;
 };
 
 }  // namespace halfspace::viewer

@@ -24,8 +24,14 @@ namespace {
 /// more an eye moves by less than a millionth of the scene.
 constexpr int kRefineBits = 20;
 
-io::ImportOptions import_options(const Looks& looks) {
+/// What is asked, again and again, whether that work is to stop.
+io::Stop stop_of(const Report& report, const std::string& work, double share) {
+  return [&report, work, share] { return !report(work, share); };
+}
+
+io::ImportOptions import_options(const Looks& looks, const Report& report) {
   io::ImportOptions options;
+  options.stop = stop_of(report, "import", 0);
   options.refine_bits = kRefineBits;
   options.gouraud = looks.is_smooth;
   options.light_colors = true;
@@ -44,7 +50,7 @@ io::ImportOptions import_options(const Looks& looks) {
   return options;
 }
 
-Error stopped() { return {ErrorCode::kStopped, "stopped"}; }
+using io::stopped;
 
 /// The parts that are seen, read.
 Result<std::vector<ReadPart>> read_parts(const State& state, MeshCache& cache,
@@ -55,8 +61,9 @@ Result<std::vector<ReadPart>> read_parts(const State& state, MeshCache& cache,
     if (!part.is_visible) continue;
     const double share =
         static_cast<double>(i) / static_cast<double>(state.parts.size());
-    if (!report("reading " + part.path, share)) return stopped();
-    auto mesh = cache.mesh_of(part.path);
+    const std::string work = "reading " + part.path;
+    if (!report(work, share)) return stopped();
+    auto mesh = cache.mesh_of(part.path, stop_of(report, work, share));
     if (!mesh) return mesh.error();
     parts.push_back({static_cast<std::uint32_t>(i), &part, *std::move(mesh)});
   }
@@ -69,8 +76,10 @@ Result<std::vector<ReadPart>> read_parts(const State& state, MeshCache& cache,
 }
 
 /// The file alone, as a `.scene` that keeps its own grid and colours.
-Result<Model> model_of_scene_file(const std::string& path, const Looks& looks) {
-  Result<io::LoadedScene> loaded = io::load_scene(path, import_options(looks));
+Result<Model> model_of_scene_file(const std::string& path, const Looks& looks,
+                                  const Report& report) {
+  Result<io::LoadedScene> loaded =
+      io::load_scene(path, import_options(looks, report));
   if (!loaded) return loaded.error();
   Model model;
   model.loaded = *std::move(loaded);
@@ -98,10 +107,11 @@ void note_parts(Model& model, const CombinedMesh& mesh) {
   }
 }
 
-Result<Model> scene_of_one(const ReadPart& part, const Looks& looks) {
+Result<Model> scene_of_one(const ReadPart& part, const Looks& looks,
+                           const Report& report) {
   if (io::is_scene_name(part.part->path) && !part.part->color)
-    return model_of_scene_file(part.part->path, looks);
-  io::ImportOptions options = import_options(looks);
+    return model_of_scene_file(part.part->path, looks, report);
+  io::ImportOptions options = import_options(looks, report);
   if (part.part->color) options.surface = part.part->color;
   return imported(*part.mesh, options, part.part->path);
 }
@@ -109,7 +119,7 @@ Result<Model> scene_of_one(const ReadPart& part, const Looks& looks) {
 }  // namespace
 
 Result<std::shared_ptr<const io::Mesh>> MeshCache::mesh_of(
-    const std::string& path) {
+    const std::string& path, const io::Stop& stop) {
   std::error_code code;
   const auto time = std::filesystem::last_write_time(path, code);
   const auto size = std::filesystem::file_size(path, code);
@@ -119,15 +129,18 @@ Result<std::shared_ptr<const io::Mesh>> MeshCache::mesh_of(
     return found->second.mesh;
   std::shared_ptr<const io::Mesh> result;
   if (io::is_scene_name(path)) {
-    const Result<io::LoadedScene> loaded = io::load_scene(path, {});
+    io::ImportOptions options;
+    options.stop = stop;
+    const Result<io::LoadedScene> loaded = io::load_scene(path, options);
     if (!loaded) return loaded.error();
     result =
         std::make_shared<const io::Mesh>(viewer::mesh_of(loaded->file.scene));
   } else {
     const bool is_solid = io::is_solid_name(path);
     Result<io::Mesh> mesh =
-        is_solid ? mesh_of_solid(path) : io::read_mesh(path);
-    if (!mesh && is_solid) return mesh.error();
+        is_solid ? mesh_of_solid(path) : io::read_mesh(path, stop);
+    if (!mesh && (is_solid || mesh.error().code == ErrorCode::kStopped))
+      return mesh.error();
     if (!mesh) return io::error_about(path, mesh.error());
     result = std::make_shared<const io::Mesh>(*std::move(mesh));
   }
@@ -180,10 +193,10 @@ Result<Model> make_scene_of(const State& state, Sections sections,
     Result<CombinedMesh> all = combined(*parts, state, sections, report);
     if (!all) return all.error();
     color_faces(*parts, state.looks.coloring, *all);
-    model = imported(all->mesh, import_options(state.looks), "");
+    model = imported(all->mesh, import_options(state.looks, report), "");
     if (model) note_parts(*model, *all);
   } else if (is_alone) {
-    model = scene_of_one(first, state.looks);
+    model = scene_of_one(first, state.looks, report);
     if (model) {
       model->parts.assign(model->loaded.polygons.size(), first.index);
       model->faces = model->loaded.polygons;
@@ -197,13 +210,14 @@ Result<Model> make_scene_of(const State& state, Sections sections,
   } else {
     CombinedMesh all = joined(*parts);
     color_faces(*parts, state.looks.coloring, all);
-    model = imported(all.mesh, import_options(state.looks), "");
+    model = imported(all.mesh, import_options(state.looks, report), "");
     if (model) note_parts(*model, all);
   }
   if (model && state.looks.scalar && !model->numbers) {
     return Error{ErrorCode::kUnknownFormat,
                  "numbers colour one file that is not moved or combined"};
   }
+  if (model && !report("import", 1)) return stopped();
   if (model) note_box(*model, *parts);
   if (model && model->loaded.file.scene.polygon_count() == 0) {
     return Error{ErrorCode::kEmpty,
@@ -219,6 +233,8 @@ Result<std::shared_ptr<const Model>> make_model(const State& state,
   Result<Model> model =
       make_scene_of(state, Sections::kByPlanes, cache, report);
   if (!model) return model.error();
+  const std::string work = "import";
+  if (!report(work, 1)) return stopped();
   const Scene& scene = model->loaded.file.scene;
   model->fingerprint = fast::fingerprint_of(scene);
   if (before != nullptr && before->fingerprint == model->fingerprint &&
@@ -226,7 +242,9 @@ Result<std::shared_ptr<const Model>> make_model(const State& state,
     model->tree = before->tree;
     model->is_closed = before->is_closed;
   } else {
+    if (!report(work, 1)) return stopped();
     model->is_closed = bad_edges(scene).empty();
+    if (!report(work, 1)) return stopped();
     bool is_stopped = false;
     fast::DisplayTreeOptions options;
     options.progress = [&](double share) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "halfspace/io/mesh.hpp"
+#include "halfspace/io/stop.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
 
@@ -43,6 +44,7 @@ struct ImportOptions {
   /// Corners are lit by the normals of those faces at the vertex that turn by
   /// at most so much from the corner's own; nothing: of all.
   std::optional<double> crease_deg = std::nullopt;
+  Stop stop = {};  ///< asked while the mesh is read and imported
 };
 
 /// Colours as they are, and the usual one unlit: for what is written again.
@@ -98,7 +100,7 @@ struct Imported {
 /// Exact:  but for the rounding reported, yes.
 /// Errors: kEmpty (vertices, but no faces); kOutOfRange (a polygon to be cut
 ///         into triangles with over 100,000 corners; a grid of other than 26,
-///         40, 54 bits; coordinates that no unit reaches); kBadIndex.
+///         40, 54 bits; coordinates that no unit reaches); kBadIndex; kStopped.
 /// Cost:   linear, but for polygons to be cut: n log n in their corners,
 ///         mostly, and quadratic at worst.
 Result<Imported> import_scene(const Mesh& mesh, const ImportOptions& options);

@@ -6,6 +6,7 @@
 
 #include "halfspace/io/format.hpp"
 #include "halfspace/io/mesh.hpp"
+#include "halfspace/io/stop.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::io {
@@ -28,10 +29,12 @@ namespace halfspace::io {
 ///
 /// Errors: kUnreadable, kUnknownFormat, kEmpty (a file of no bytes), kSyntax,
 ///         kTruncated, kNotFinite, kOutOfRange, kBadIndex, kTooFewVertices (an
-///         OBJ face). Each names the file, and the line or element and the
-///         value where there is one; index is the line, element or byte.
+///         OBJ face); kStopped (by `stop`). Each names the file, and the line
+///         or element and the value where there is one; index is the line,
+///         element or byte.
 /// Cost:   linear in the file's size, whatever counts its header claims.
-Result<Mesh> read_mesh(const std::filesystem::path& path);
+Result<Mesh> read_mesh(const std::filesystem::path& path,
+                       const Stop& stop = {});
 
 /// The mesh that `bytes` hold in the format; the same, without the file's name
 /// and without files beside it.

@@ -12,7 +12,8 @@ Error no_glb() {
 
 }  // namespace
 
-Result<Mesh> read_gltf(std::string_view, const std::filesystem::path*) {
+Result<Mesh> read_gltf(std::string_view, const std::filesystem::path*,
+                       const Stop&) {
   return no_glb();
 }
 Result<std::string> glb_bytes(const MeshContent&) { return no_glb(); }

@@ -76,8 +76,8 @@ bool can_be_passed_over(const std::string& extension) {
 /// Puts the meshes of a scene's nodes together.
 class GltfReader {
  public:
-  explicit GltfReader(const GltfFile& file)
-      : file_(file), attributes_(file, builder_.mesh) {}
+  GltfReader(const GltfFile& file, const Stop& stop)
+      : file_(file), builder_(stop), attributes_(file, builder_.mesh) {}
   Result<Mesh> read();
 
  private:
@@ -366,10 +366,10 @@ Result<Mesh> GltfReader::read() {
 }  // namespace
 
 Result<Mesh> read_gltf(std::string_view bytes,
-                       const std::filesystem::path* folder) {
+                       const std::filesystem::path* folder, const Stop& stop) {
   const Result<GltfFile> file = gltf_file(bytes, folder);
   if (!file) return file.error();
-  return GltfReader(*file).read();
+  return GltfReader(*file, stop).read();
 }
 
 }  // namespace halfspace::io

@@ -14,7 +14,7 @@ Error no_3mf() {
 
 }  // namespace
 
-Result<Mesh> read_3mf(std::string_view) { return no_3mf(); }
+Result<Mesh> read_3mf(std::string_view, const Stop&) { return no_3mf(); }
 Result<std::string> three_mf_bytes(const MeshContent&) { return no_3mf(); }
 
 }  // namespace halfspace::io

@@ -46,7 +46,8 @@ std::string model_part_of(const PackageReader& package) {
 /// Puts the objects of a build together.
 class Builder3mf {
  public:
-  explicit Builder3mf(const PackageReader& package) : package_(package) {}
+  Builder3mf(const PackageReader& package, const Stop& stop)
+      : package_(package), builder_(stop) {}
   Result<Mesh> build();
 
  private:
@@ -310,10 +311,10 @@ Result<Mesh> Builder3mf::build() {
 
 }  // namespace
 
-Result<Mesh> read_3mf(std::string_view bytes) {
+Result<Mesh> read_3mf(std::string_view bytes, const Stop& stop) {
   const Result<PackageReader> package = PackageReader::open(bytes);
   if (!package) return package.error();
-  return Builder3mf(*package).build();
+  return Builder3mf(*package, stop).build();
 }
 
 }  // namespace halfspace::io

@@ -15,6 +15,7 @@
 #include "halfspace/io/legend.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/mesh.hpp"
+#include "halfspace/io/stop.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scalars.hpp"
 #include "halfspace/viewer/state.hpp"
@@ -61,8 +62,9 @@ using Report = std::function<bool(const std::string& work, double share)>;
 class MeshCache {
  public:
   /// The mesh in the file, which a scene file becomes, too.
-  /// Errors: those of io::read_mesh(); the file is named.
-  Result<std::shared_ptr<const io::Mesh>> mesh_of(const std::string& path);
+  /// Errors: those of io::read_mesh(), kStopped among them; the file is named.
+  Result<std::shared_ptr<const io::Mesh>> mesh_of(const std::string& path,
+                                                  const io::Stop& stop = {});
 
  private:
   struct Entry {
