@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/loader.hpp"
-#include "core/worker.hpp"
 #include "halfspace/result.hpp"
+#include "work/worker.hpp"
 
 namespace halfspace::viewer {
 

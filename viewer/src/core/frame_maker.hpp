@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/picture.hpp"
-#include "core/worker.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/viewer/model.hpp"
+#include "work/worker.hpp"
 
 namespace halfspace::viewer {
 

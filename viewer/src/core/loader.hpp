@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "core/worker.hpp"
 #include "halfspace/viewer/model.hpp"
+#include "work/worker.hpp"
 
 namespace halfspace::viewer {
 

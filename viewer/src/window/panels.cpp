@@ -1,3 +1,5 @@
+#include "window/panels.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -12,7 +14,6 @@
 #include "core/measure.hpp"
 #include "core/moves.hpp"
 #include "window/fonts.hpp"
-#include "window/panels.hpp"
 #include "window/ui.hpp"
 
 namespace halfspace::viewer {

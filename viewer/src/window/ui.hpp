@@ -62,7 +62,7 @@ struct Ui {
   bool wants_to_quit = false;
   bool has_popup = false;      ///< a list to choose from is open
   bool closes_popups = false;  ///< in the next frame
-  bool animates = true;  ///< not while events are played
+  bool animates = true;        ///< not while events are played
   std::optional<CameraFlight> flight;
   std::vector<PickedPoint> points;    ///< that were clicked, the last one last
   std::optional<glm::ivec2> hovered;  ///< pixel of the view

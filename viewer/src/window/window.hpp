@@ -119,7 +119,7 @@ class Window {
   std::size_t event_count_ = 0;
   double longest_block_ms_ = 0;
   double first_draw_ms_ = -1;
-  double asked_ms_ = 0;  ///< when rows came, or a picture was asked for
+  double asked_ms_ = 0;      ///< when rows came, or a picture was asked for
   double next_look_ms_ = 0;  ///< at files, where they are watched
 };
 
