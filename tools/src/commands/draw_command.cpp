@@ -18,6 +18,7 @@
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "figure/figure_scene.hpp"
+#include "figure/scalar_figure.hpp"
 #include "figure/sheet.hpp"
 #include "figure/view_figure.hpp"
 #include "halfspace/fast/visible_map.hpp"
@@ -225,7 +226,9 @@ Status run_draw(DrawArguments arguments) {
       import_options(arguments.view, arguments.grid_bits);
   if (arguments.scalars.source) color_by_scalars(options);
   const Result<FigureScene> loaded =
-      load_figure(arguments.paths, options, arguments.scalars);
+      arguments.scalars.source
+          ? load_scalar_figure(arguments.paths[0], options, arguments.scalars)
+          : load_figure(arguments.paths, options);
   if (!loaded) return fail(arguments.paths[0], loaded.error());
   // Reading leaves holes that large arrays do not fit.
   malloc_trim(0);

@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "figure/bands.hpp"
 #include "halfspace/io/read_mesh.hpp"
 
 namespace halfspace::tools {
@@ -65,25 +64,23 @@ Result<FigureScene> load_meshes(const std::vector<std::string>& paths,
 }  // namespace
 
 Result<FigureScene> load_figure(const std::vector<std::string>& paths,
-                                const io::ImportOptions& options,
-                                const ScalarArguments& scalars) {
+                                const io::ImportOptions& options) {
   if (paths.size() > 1) return load_meshes(paths, options);
   Result<io::LoadedScene> loaded = load(paths[0], options);
-  FigureScene figure;
-  figure.name = paths[0];
   if (!loaded && loaded.error().code == ErrorCode::kEmpty &&
-      !io::is_scene_name(paths[0]))
-    return figure;
-  if (!loaded) return loaded.error();
-  if (scalars.source) {
-    Result<ShownScalars> shown = load_scalars(paths[0], *loaded, scalars);
-    if (!shown) return shown.error();
-    shown->banded =
-        banded_polygons(loaded->file.scene, shown->field, shown->legend.scale);
-    loaded->file.scene = scalar_scene(loaded->file.scene, *shown);
-    figure.scalars = std::move(*shown);
+      !io::is_scene_name(paths[0])) {
+    FigureScene nothing;
+    nothing.name = paths[0];
+    return nothing;
   }
-  figure.file = std::move(loaded->file);
+  if (!loaded) return loaded.error();
+  return figure_of(paths[0], std::move(loaded->file));
+}
+
+FigureScene figure_of(const std::string& path, SceneFile file) {
+  FigureScene figure;
+  figure.name = path;
+  figure.file = std::move(file);
   figure.files.assign(figure.scene().polygon_count(), 0);
   return figure;
 }
