@@ -30,7 +30,10 @@ const packed = execFileSync("xz", ["--format=lzma",
 const module = filled(filled(read("package", "src", "halfspace.js"),
   "@HALFSPACE_SIZE@", String(fs.statSync(wasm).size)),
 '"@HALFSPACE_WASM@"', `"${packed.toString("base64")}"`);
-write(module, "package", "halfspace.js");
+// Comments that have lines of their own stay in the sources: pages load none.
+const bare = (text) => text.replace(/^ *\/\*\*[^]*?\*\/\n/gm, "")
+  .replace(/^ *\/\/.*\n/gm, "");
+write(bare(module), "package", "halfspace.js");
 for (const name of ["halfspace.d.ts", "manifold.js", "manifold.d.ts"])
   write(read("package", "src", name), "package", name);
 write(read("package", "package.json"), "package", "package.json");
