@@ -182,7 +182,7 @@ TYPED_TEST(S7Transparent, L12PolygonsAreComposedByTheirOwnAlphas) {
           if (covering.size() > 1) ++several;
         }
       },
-      kTransparentMaps / 5);
+      kTransparentMaps);
   EXPECT_GT(several, 300u);
 }
 

@@ -163,7 +163,7 @@ TYPED_TEST(S9Sections, L7BordersOfTheSectionsMapAreDrawn) {
   constexpr double kNear = 1e-6;  // pixels: far more than doubles move a spot
   std::size_t arcs = 0;
   std::size_t capped = 0;
-  law::for_all(section_views(), kSections / 4, [&](const SceneFile& whole) {
+  law::for_all(section_views(), 3 * kSections / 4, [&](const SceneFile& whole) {
     const auto view = section_of(whole);
     if (!view || (*view->camera)->near) return;
     const auto planes = fast::intern_planes(view->scene).plane_of;
