@@ -308,8 +308,7 @@ Result<Operands> Operands::join(
   }
   const Result<Done> found = operands.find_exact_leaves();
   if (!found) return found.error();
-  const Result<Done> chosen =
-      options.exact ? operands.choose_exact_grid() : operands.choose_grid();
+  const Result<Done> chosen = operands.choose_grid();
   if (!chosen) return chosen.error();
   const Result<Done> rounds = operands.round_what_grid_lacks();
   if (!rounds) return rounds.error();

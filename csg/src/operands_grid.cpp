@@ -57,6 +57,20 @@ std::vector<GridTrial> trials(bool any_free, bool only_finest) {
           {54, 54, kAnyStep}};
 }
 
+/// The unit, divided by tens while a grid of 54 bits holds the coordinates.
+Unit finest(Unit unit, const std::vector<io::Number>& coordinates) {
+  double most = 0;
+  for (const io::Number& number : coordinates)
+    most = std::max(most, std::abs(io::to_double(number)));
+  constexpr double kMostSteps = 0x1p53 * (1 - 0x1p-40);
+  constexpr int kLeastExponent = -300;  // of a double
+  while (most > 0 && unit.base == 10 && unit.exponent > kLeastExponent &&
+         most < kMostSteps * std::pow(10.0, unit.exponent - 1)) {
+    --unit.exponent;
+  }
+  return unit;
+}
+
 /// Whether the number is a decimal of at most 12 digits: not one that was
 /// computed in doubles, most likely.
 bool is_short(const io::Number& number) {
@@ -175,15 +189,67 @@ void Operands::set_grid(const Unit& unit, int bits) {
   }
 }
 
+/// Whether a leaf may be rounded where no grid holds all.
+bool Operands::may_round(std::int32_t leaf) const {
+  const Source& source = source_of(leaf);
+  return !options_.exact || source.may_round || source.is_free ||
+         is_rounded(leaf, kMoved | kImported);
+}
+
+/// Whether a grid need not hold a leaf that is not free.
+bool Operands::is_rounded(std::int32_t leaf, unsigned rounds) const {
+  if (is_exact(leaf)) return false;
+  return ((rounds & kMoved) != 0 && is_rounded_by_move(leaf)) ||
+         ((rounds & kImported) != 0 && source_of(leaf).report.moved > 0) ||
+         ((rounds & kAllowed) != 0 && may_round(leaf));
+}
+
+/// Whether a grid need not hold some leaf or plane, but must hold another.
+bool Operands::rounds_some(unsigned rounds) const {
+  bool any_rounded = false, any_kept = false;
+  const auto count = [&](bool is_rounded_there) {
+    any_rounded = any_rounded || is_rounded_there;
+    any_kept = any_kept || !is_rounded_there;
+  };
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    if (!is_empty(leaf)) count(is_rounded(leaf, rounds));
+  }
+  for (const Plane& plane : plan_->planes)
+    count((rounds & kMoved) != 0 && !is_short(plane));
+  return any_rounded && any_kept;
+}
+
+bool Operands::may_round_all() const {
+  if (!options_.exact) return true;
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    if (!is_empty(leaf) && !may_round(leaf)) return false;
+  }
+  return std::none_of(plan_->planes.begin(), plan_->planes.end(),
+                      [](const Plane& plane) { return is_short(plane); });
+}
+
+/// Chooses the grid: one that holds everything exactly; or one that holds all
+/// but what reading rounded, or what was moved by a map that grids do not hold;
+/// or one to which everything is rounded, if it may be. The same for scripts
+/// and for the library.
 Result<Done> Operands::choose_grid() {
+  if (choose_unrounded_grid()) return Done{};
+  if (options_.grid_bits) return choose_rounded_grid();
+  constexpr unsigned kRead = kImported, kTurned = kMoved;
+  for (const unsigned rounds :
+       {kRead, kTurned, kTurned | kRead, kTurned | kRead | kAllowed}) {
+    if (rounds_some(rounds) && choose_exact_grid(rounds)) return Done{};
+  }
+  return may_round_all() ? choose_rounded_grid() : no_grid();
+}
+
+/// What a grid that holds everything must hold.
+io::Mesh Operands::mesh_of_needs() const {
   std::vector<io::Number> coordinates;
-  bool decimal = true, any_kept = false, any_rounded = false;
+  bool decimal = true;
   for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
     if (is_empty(leaf)) continue;
     decimal = decimal && unit_of(leaf).base == 10;
-    const bool is_rounded = is_rounded_by_move(leaf);
-    any_kept = any_kept || !is_rounded;
-    any_rounded = any_rounded || is_rounded;
     add_need(leaf, coordinates);
   }
   for (const Plane& plane : plan_->planes) {
@@ -192,79 +258,97 @@ Result<Done> Operands::choose_grid() {
   }
   io::Mesh mesh = mesh_of_points(coordinates);
   mesh.decimal = decimal;
-  Result<io::Imported> imported =
-      io::import_scene(mesh, {.grid_bits = options_.grid_bits});
-  // What is moved and cannot be held by any grid is rounded, to a grid that
-  // holds the others. Where there is none, or no others, all are rounded: those
-  // that were not moved as little as can be, lest they cross themselves.
-  const bool is_moved = plan_->matrices.size() > 1 || any_rounded;
-  if (imported && imported->report.moved > 0 && is_moved &&
-      !options_.grid_bits) {
-    if (any_kept && choose_exact_grid(true)) return Done{};
-    const bool is_fine = any_kept || options_.finest_grid;
-    imported = io::import_scene(mesh, {.grid_bits = is_fine ? 54 : 40});
+  return mesh;
+}
+
+/// Chooses the grid that holds everything, or everything that is not free;
+/// returns false where there is none.
+bool Operands::choose_unrounded_grid() {
+  if (options_.exact) return choose_exact_grid(kNothing);
+  const auto imported =
+      io::import_scene(mesh_of_needs(), {.grid_bits = options_.grid_bits});
+  if (!imported || imported->report.moved > 0) return false;
+  set_grid(imported->report.unit, imported->report.grid_bits);
+  return true;
+}
+
+/// Chooses the grid to which everything is rounded: as little as can be, lest
+/// it cross itself, but where all was moved anyway.
+Result<Done> Operands::choose_rounded_grid() {
+  io::ImportOptions how;
+  how.grid_bits = options_.grid_bits;
+  bool all_moved = true, any = false;
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    if (is_empty(leaf)) continue;
+    all_moved = all_moved && is_rounded(leaf, kMoved);
+    any = true;
   }
+  if (!how.grid_bits) {
+    how.grid_bits = any && all_moved && !options_.finest_grid ? 40 : 54;
+  }
+  const auto imported = io::import_scene(mesh_of_needs(), how);
   if (!imported) return imported.error();
   set_grid(imported->report.unit, imported->report.grid_bits);
   return Done{};
 }
 
 /// Chooses a grid that holds everything exactly but for what is free, unless
-/// that is decimals and they are kept; with `rounds_moved`, also for what is
-/// moved by a map that grids do not hold, and planes of numbers that were
-/// computed. Returns false where no grid will do.
-bool Operands::choose_exact_grid(bool rounds_moved) {
-  const auto choose = [&](bool keeps_decimals) {
-    std::vector<io::Number> coordinates;
-    bool decimal = true, any_exact = false;
-    double least_size = std::numeric_limits<double>::infinity();
-    for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
-      if (is_empty(leaf)) continue;
-      const Source& source = source_of(leaf);
-      const bool is_kept = keeps_decimals && unit_of(leaf).base == 10;
-      const bool is_free = source.is_free && !is_exact(leaf) && !is_kept;
-      if (!is_free && !(rounds_moved && is_rounded_by_move(leaf))) {
-        decimal = decimal && unit_of(leaf).base == 10;
-        any_exact = true;
-        add_need(leaf, coordinates);
-        continue;
-      }
-      StepMap map = step_map(matrix_of(leaf), source.scene.unit());
-      const auto& points = source.scene.data().vertices;
-      coordinates.push_back(bound_of(extent_of(map, points)));
-      for (auto& row : map.rows) row[3] = 0;
-      least_size = std::min(least_size, size_of(extent_of(map, points)));
-    }
-    for (const Plane& plane : plan_->planes) {
-      if (rounds_moved && !is_short(plane)) {
-        least_size = std::min(least_size, size_of(plane));
-        continue;
-      }
-      for (const Numbers3& point : plane.points)
-        coordinates.insert(coordinates.end(), point.begin(), point.end());
-    }
-    io::Mesh mesh = mesh_of_points(coordinates);
-    mesh.decimal = decimal && any_exact;
-    const bool any_free = std::isfinite(least_size);
-    for (const GridTrial& trial : trials(any_free, options_.finest_grid)) {
-      const auto imported = io::import_scene(
-          mesh, {.grid_bits = trial.bits, .refine_bits = trial.refine_bits});
-      if (!imported || imported->report.moved > 0) continue;
-      const Unit unit = imported->report.unit;
-      const double step =
-          std::pow(static_cast<double>(unit.base), unit.exponent);
-      if (any_free && step > least_size * trial.fineness) continue;
-      set_grid(unit, trial.bits);
-      return true;
-    }
-    return false;
-  };
-  return choose(true) || choose(false);
+/// that is decimals and they are kept, and for what is to be rounded. Returns
+/// false where no grid will do.
+bool Operands::choose_exact_grid(unsigned rounds) {
+  return choose_exact_grid(rounds, true) || choose_exact_grid(rounds, false);
 }
 
-Result<Done> Operands::choose_exact_grid() {
-  if (choose_exact_grid(false) || choose_exact_grid(true)) return Done{};
-  return no_grid();
+bool Operands::choose_exact_grid(unsigned rounds, bool keeps_decimals) {
+  std::vector<io::Number> coordinates;
+  bool decimal = true, any_exact = false;
+  // Files are rounded as little as can be: what touches in them may cross.
+  bool only_finest = options_.finest_grid;
+  double least_size = std::numeric_limits<double>::infinity();
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    if (is_empty(leaf)) continue;
+    const Source& source = source_of(leaf);
+    const bool is_kept = keeps_decimals && unit_of(leaf).base == 10;
+    const bool is_free = source.is_free && !is_exact(leaf) && !is_kept &&
+                         !is_rounded_by_move(leaf);
+    if (!is_free && !is_rounded(leaf, rounds)) {
+      decimal = decimal && unit_of(leaf).base == 10;
+      any_exact = true;
+      add_need(leaf, coordinates);
+      continue;
+    }
+    only_finest =
+        only_finest || is_rounded(leaf, rounds & (kImported | kAllowed));
+    StepMap map = step_map(matrix_of(leaf), source.scene.unit());
+    const auto& points = source.scene.data().vertices;
+    coordinates.push_back(bound_of(extent_of(map, points)));
+    for (auto& row : map.rows) row[3] = 0;
+    least_size = std::min(least_size, size_of(extent_of(map, points)));
+  }
+  for (const Plane& plane : plan_->planes) {
+    if ((rounds & kMoved) != 0 && !is_short(plane)) {
+      least_size = std::min(least_size, size_of(plane));
+      continue;
+    }
+    for (const Numbers3& point : plane.points)
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
+  }
+  io::Mesh mesh = mesh_of_points(coordinates);
+  mesh.decimal = decimal && any_exact;
+  const bool any_free = std::isfinite(least_size);
+  for (const GridTrial& trial : trials(any_free, only_finest)) {
+    const auto imported = io::import_scene(
+        mesh, {.grid_bits = trial.bits, .refine_bits = trial.refine_bits});
+    if (!imported || imported->report.moved > 0) continue;
+    const Unit unit = only_finest && any_free
+                          ? finest(imported->report.unit, coordinates)
+                          : imported->report.unit;
+    const double step = std::pow(static_cast<double>(unit.base), unit.exponent);
+    if (any_free && step > least_size * trial.fineness) continue;
+    set_grid(unit, trial.bits);
+    return true;
+  }
+  return false;
 }
 
 /// Finds which leaves are exact solids whose planes some grid can have.
@@ -362,7 +446,7 @@ Error Operands::no_grid() const {
   for (std::size_t i = 0; i < plan_->leaves.size(); ++i) {
     const auto leaf = static_cast<std::int32_t>(i);
     const Source& source = source_of(leaf);
-    if (source.is_free || is_empty(leaf)) continue;
+    if (source.is_free || is_empty(leaf) || may_round(leaf)) continue;
     const auto& need = needs_[i];
     const Extent extent =
         need ? Extent{need->step, need->least, need->greatest}

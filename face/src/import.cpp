@@ -148,8 +148,8 @@ Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
                                    ? trusted_source(name, *imported)
                                    : csg::make_source(name, *imported, options);
   if (!source) return source.error();
-  source->is_free =
-      how.is_free || how.options.may_round || imported->report.moved > 0;
+  source->is_free = how.is_free;
+  source->may_round = how.options.may_round;
   source->merge_coplanar = how.options.merge_coplanar && groups.may_merge();
   source->attributed = std::move(attributed);
   if (!how.has_color.empty()) source->has_color = how.has_color;
@@ -250,7 +250,7 @@ Result<LeafData> file_leaf(const std::string& path,
   Result<csg::Source> source = csg::read_source(path, read);
   if (!source) return source.error();
   source->merge_coplanar = options.merge_coplanar;
-  source->is_free = options.may_round;
+  source->may_round = options.may_round;
   auto properties = std::make_shared<Mesh>();
   if (!is_exact) {
     properties->colors = source->scene.data().colors;

@@ -19,8 +19,7 @@ struct ImportHow {
   std::vector<bool> has_color = {};
 };
 
-/// The leaf that the mesh is; `properties` are its polygons', or null. What no
-/// grid of 54 bits holds is free.
+/// The leaf that the mesh is; `properties` are its polygons', or null.
 /// Errors: those of importing; kOpen, kSelfCrossing, kInsideOut.
 Result<LeafData> imported_leaf(const std::string& name, io::Mesh mesh,
                                std::shared_ptr<const Mesh> properties,

@@ -315,8 +315,9 @@ class Solid:
             Make polygons in one plane that share an edge and all properties
             one face before anything else.
         may_round : bool
-            Let any fine grid round the coordinates, where other operands need
-            one that does not hold them.
+            Let the finest grid round the coordinates, where other operands
+            need one that does not hold them, in place of an error. The
+            program does so with all files.
 
         Examples
         --------

@@ -44,7 +44,8 @@ function solidOf({ parts }) {
   const solids = parts.map((p) => Solid.fromFile(bytesOf.get(p.id),
     formatOf(p.name),
     // As the program reads its operands, so that the bytes are the same.
-    { name: p.name.replace(/\.\w+(\.gz)?$/, ""), mergeCoplanar: false }));
+    { name: p.name.replace(/\.\w+(\.gz)?$/, ""), mergeCoplanar: false,
+      mayRound: true }));
   return solids.reduce((all, solid, k) =>
     all[OPERATIONS[parts[k].operation] ?? "add"](solid));
 }

@@ -44,8 +44,9 @@ struct OperandOptions {
   /// Make polygons in one plane that share an edge and all properties one face
   /// before anything else: a mesh of triangles takes a third of the work.
   bool merge_coplanar = true;
-  /// Let any fine grid round the coordinates, where other operands need one
-  /// that does not hold them.
+  /// Let the finest grid round the coordinates, where other operands need one
+  /// that does not hold them, in place of an error. So do scripts. Coordinates
+  /// that no grid of 54 bits holds by themselves are rounded in any case.
   bool may_round = false;
 };
 

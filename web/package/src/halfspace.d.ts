@@ -93,7 +93,8 @@ export interface OperandOptions {
   resolve?: boolean;
   /** Make polygons in one plane one face first; true unless said. */
   mergeCoplanar?: boolean;
-  /** Let a fine grid round what other operands do not go together with. */
+  /** Let the finest grid round what other operands do not go together with,
+   *  in place of an error. The program does so with all files. */
   mayRound?: boolean;
   /** What messages call the file. */
   name?: string;
@@ -211,7 +212,7 @@ export interface View {
   height?: number;
   cull?: boolean;
   background?: Vector;
-  /** Marks what is seen from behind; of one sample a pixel. */
+  /** Marks what is seen from behind; of one sample a pixel, not in figures. */
   backColor?: Vector;
   /** Planes a, b, c, d: what has a x + b y + c z + d >= 0 is kept. */
   clips?: readonly (readonly [number, number, number, number])[];

@@ -35,9 +35,10 @@ struct OperandOptions {
   /// What mends other faults, for messages; empty: nothing is said of it.
   std::string mending_word = {};
   /// Whether it is an error if no grid holds the solids exactly. Free sources
-  /// are rounded all the same. So are, if need be, those moved by a map that is
-  /// not made of mirrors, quarter turns, powers of 2 and 5, and shifts by short
-  /// decimals, and planes whose numbers are not short.
+  /// are rounded all the same. So are, if need be, those that reading rounded
+  /// or that may be rounded; those moved by a map that is not made of mirrors,
+  /// quarter turns, powers of 2 and 5, and shifts by short decimals; and planes
+  /// whose numbers are not short.
   bool exact = false;
   /// What must be rounded goes to a grid of 54 bits, where it moves the least,
   /// and not to one that is fine enough for most.
@@ -64,6 +65,9 @@ struct Source {
   bool to_repair = false;  ///< its surface passes through itself
   /// Its coordinates were computed: any grid that is fine enough may hold them.
   bool is_free = false;
+  /// It may be rounded, as little as can be, where no grid holds all: matters
+  /// with OperandOptions::exact, for else all may.
+  bool may_round = false;
   /// Faces in one plane and of one colour become one before anything is done
   /// with them (by the fast library): a third of the work for a mesh of
   /// triangles. Origins then name the first of them.
@@ -257,9 +261,23 @@ class Operands {
   const Matrix& matrix_of(std::int32_t leaf) const;
   Unit unit_of(std::int32_t leaf) const;
   void set_grid(const Unit& unit, int bits);
+  /// What a grid need not hold, beside what is free.
+  enum Rounds : unsigned {
+    kNothing = 0,
+    kMoved = 1,     ///< what is_rounded_by_move() names, computed planes
+    kImported = 2,  ///< what reading rounded
+    kAllowed = 4    ///< what may be rounded
+  };
+  bool may_round(std::int32_t leaf) const;
+  bool is_rounded(std::int32_t leaf, unsigned rounds) const;
+  bool rounds_some(unsigned rounds) const;
+  bool may_round_all() const;
   Result<Done> choose_grid();
-  Result<Done> choose_exact_grid();
-  bool choose_exact_grid(bool rounds_moved);
+  bool choose_exact_grid(unsigned rounds);
+  bool choose_exact_grid(unsigned rounds, bool keeps_decimals);
+  bool choose_unrounded_grid();
+  Result<Done> choose_rounded_grid();
+  io::Mesh mesh_of_needs() const;
   Error no_grid() const;
   const Source& source_of(std::int32_t leaf) const;
   Result<Scene> moved_scene(const Leaf& leaf, const Source& source,
