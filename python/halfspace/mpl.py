@@ -24,6 +24,7 @@ Examples
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Dict, Iterable, List, Optional, Tuple
 
 import numpy as np
@@ -90,11 +91,41 @@ def exact(ax: Any, *, tolerance: float = 1e-5) -> "ExactDrawing":
             return child
     drawing = ExactDrawing(tolerance)
     ax.add_artist(drawing)
+    for artist in ax._children:
+        _take_over(artist)
     return drawing
 
 
 def _draw_nothing(renderer: Any) -> None:
     """Stands in for an artist's draw(): the axes' ExactDrawing draws it."""
+
+
+def _project_whole(collection: Any) -> Any:
+    """Stands in for a collection's do_3d_projection(), which sorts polygons
+    and makes paths of them, one by one, that nobody draws. What is left are the
+    colours and the depth."""
+    if collection.get_picker() is not None:  # picking takes the paths
+        return type(collection).do_3d_projection(collection)
+    parts = collection._segslices
+    collection._segslices = []
+    try:
+        depth = type(collection).do_3d_projection(collection)
+    finally:
+        collection._segslices = parts
+    collection._facecolors2d = collection._facecolor3d
+    collection._edgecolors2d = collection._edgecolor3d
+    return depth
+
+
+def _take_over(artist: Any) -> bool:
+    """Makes an artist that exact() draws leave its drawing to it; whether it is
+    one."""
+    if not isinstance(artist, _KINDS):
+        return False
+    artist.draw = _draw_nothing
+    if hasattr(artist, "_segslices"):
+        artist.do_3d_projection = partial(_project_whole, artist)
+    return True
 
 
 @dataclass
@@ -286,6 +317,7 @@ class ExactDrawing(Artist):  # type: ignore[misc]
         """Gives the axes their own drawing back."""
         for artist in self.axes._children:
             artist.__dict__.pop("draw", None)
+            artist.__dict__.pop("do_3d_projection", None)
         super().remove()
 
     def __getstate__(self) -> Dict[str, Any]:
@@ -300,9 +332,7 @@ class ExactDrawing(Artist):  # type: ignore[misc]
         if not self.get_visible():
             return
         artists = [artist for artist in self.axes._children
-                   if isinstance(artist, _KINDS)]
-        for artist in artists:
-            artist.draw = _draw_nothing
+                   if _take_over(artist)]
         shown = [artist for artist in artists if artist.get_visible()]
         frame = _Frame.of(self.axes)
         drawn = self._drawn(frame, [artist for artist in shown if isinstance(
@@ -423,12 +453,10 @@ class _Drawn:
                                   50_000_000)
         at = self.frame.to_screen(np.asarray(shown.vertices))
         regions = shown.regions
-        first = shown.first_corner.astype(np.intp)
-        points = at[shown.corners]
         filled = regions[regions[:, 1] >= 0]
-        for _, _, loop, count in filled.tolist():
-            bounds = first[loop:loop + count + 1]
-            self.paths.append(_closed(points, bounds))
+        self.paths = _closed(at[shown.corners],
+                             shown.first_corner.astype(np.intp),
+                             filled[:, 2], filled[:, 2] + filled[:, 3])
         self.colors = colors[filled[:, 0]]
         self.region_count = len(regions)
 
@@ -439,13 +467,10 @@ class _Drawn:
         image = self.frame.image(origin + step * points)
         at = self.frame.to_screen(image)
         bounds = first.astype(np.intp)
-        kept = []
-        for i in range(len(polygons)):
-            part = at[bounds[i]:bounds[i + 1]]
-            if np.isfinite(part).all():
-                self.paths.append(_closed(part, np.array([0, len(part)])))
-                kept.append(polygons[i])
-        self.colors = self.surfaces.colors[kept]
+        kept = np.flatnonzero(np.logical_and.reduceat(
+            np.isfinite(at).all(1), bounds[:-1]))
+        self.paths = _closed(at, bounds, kept, kept + 1)
+        self.colors = self.surfaces.colors[polygons[kept]]
 
     # Drawing.
 
@@ -641,12 +666,15 @@ class _Drawn:
         return lines, np.array(owners, np.int32)
 
 
-def _closed(points: Floats, bounds: npt.NDArray[np.intp]) -> Path:
-    """The path of loops, which are rows of points between bounds."""
-    vertices, codes = [], []
-    for begin, end in zip(bounds[:-1], bounds[1:]):
-        vertices += [points[begin:end], points[begin:begin + 1]]
-        code = np.full(end - begin + 1, Path.LINETO, Path.code_type)
-        code[0], code[-1] = Path.MOVETO, Path.CLOSEPOLY
-        codes.append(code)
-    return Path(np.concatenate(vertices), np.concatenate(codes))
+def _closed(points: Floats, first: npt.NDArray[np.intp], begins: Any,
+            ends: Any) -> List[Path]:
+    """Paths of loops, each of those from `begins` on that are before `ends`;
+    `first` are the loops' first rows of points, and the number of these."""
+    loops = len(first) - 1
+    vertices = np.insert(points, first[1:], points[first[:-1]], axis=0)
+    bounds = first + np.arange(loops + 1)
+    codes = np.full(len(vertices), Path.LINETO, Path.code_type)
+    codes[bounds[:-1]] = Path.MOVETO
+    codes[bounds[1:] - 1] = Path.CLOSEPOLY
+    return [Path(vertices[begin:end], codes[begin:end]) for begin, end in
+            zip(bounds[begins].tolist(), bounds[ends].tolist())]

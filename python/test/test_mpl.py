@@ -55,6 +55,19 @@ def test_it_goes_when_it_is_removed(ax):
     assert (picture(ax) == own).all()
 
 
+def test_surfaces_keep_their_colours_and_can_be_picked(ax):
+    plain, picked = ax.collections[:2]
+    picked.set_picker(True)
+    colours = [tuple(c.get_facecolor()[0]) for c in (plain, picked)]
+    drawing = mpl.exact(ax)
+    picture(ax)
+    assert [tuple(c.get_facecolor()[0]) for c in (plain, picked)] == colours
+    assert len(picked.get_paths()) == 64 and len(plain.get_paths()) == 0
+    drawing.remove()
+    picture(ax)
+    assert len(plain.get_paths()) == 64
+
+
 @pytest.mark.parametrize("ending", ["svg", "pdf", "pgf", "ps", "png"])
 def test_every_backend_draws_it(ax, tmp_path, ending):
     mpl.exact(ax)
