@@ -57,6 +57,11 @@ class FileGrid {
   FileNumber number_ = FileNumber::kDouble;
 };
 
+inline StepPoint step_point(const GridPoint& p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y),
+          static_cast<double>(p.z)};
+}
+
 /// The largest difference of coordinates.
 double distance(const StepPoint& from, const GridPoint& to);
 

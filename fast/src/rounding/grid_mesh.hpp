@@ -16,6 +16,15 @@ struct GridTriangle {
   std::int32_t number = -1;  ///< in a MeshIndex; -1: it has none yet
 };
 
+/// `marked`: by point.
+inline bool has_marked_corner(const GridTriangle& triangle,
+                              const std::vector<std::uint8_t>& marked) {
+  const auto& [a, b, c] = triangle.corners;
+  return marked[static_cast<std::size_t>(a)] != 0 ||
+         marked[static_cast<std::size_t>(b)] != 0 ||
+         marked[static_cast<std::size_t>(c)] != 0;
+}
+
 /// An oriented surface of triangles between grid points. As a chain, it counts
 /// a triangle as often as it is there.
 struct GridMesh {
@@ -32,8 +41,7 @@ struct GridMesh {
     return moved[static_cast<std::size_t>(p)] != 0;
   }
   bool is_moved(const GridTriangle& t) const {
-    return is_moved(t.corners[0]) || is_moved(t.corners[1]) ||
-           is_moved(t.corners[2]);
+    return has_marked_corner(t, moved);
   }
 };
 

@@ -92,6 +92,23 @@ void check_parts(const GridMesh& mesh, const std::vector<std::int32_t>& part,
     check(index, facing);
 }
 
+/// Where no triangles meet: at edges, and in front of parts.
+void check_winding(const GridMesh& mesh, const MeshIndex& index,
+                   MeshContacts& found) {
+  const MeshEdges uses(mesh);
+  uses.for_edges([&](std::int32_t low, const MeshEdgeUse* first,
+                     const MeshEdgeUse* last) {
+    if (last - first == 2) return;
+    const bool moved = std::any_of(first, last, [&](const MeshEdgeUse& use) {
+      return mesh.is_moved(
+          mesh.triangles[static_cast<std::size_t>(use.triangle)]);
+    });
+    if (moved && !alternates(mesh, low, first, last))
+      found.at_edges.push_back(first->triangle);
+  });
+  if (found.empty()) check_parts(mesh, parts_of(mesh, uses), index, found);
+}
+
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 /// Each of `triangles` against those that `for_near(t, call)` finds for it.
@@ -119,20 +136,25 @@ Pairs pairs_of(const GridMesh& mesh, const std::vector<std::int32_t>& triangles,
   return pairs;
 }
 
-/// If both moved, the first finds the other.
-Pairs find_pairs(const GridMesh& mesh, int threads, const MeshIndex& index) {
+/// Those of triangles with marked corners. If both have, the first finds the
+/// other.
+Pairs find_pairs(const GridMesh& mesh, const std::vector<std::uint8_t>& marked,
+                 int threads, const MeshIndex& index) {
   const auto triangle = [&](std::int32_t t) -> const GridTriangle& {
     return mesh.triangles[static_cast<std::size_t>(t)];
   };
+  const auto is_marked = [&](std::int32_t t) {
+    return has_marked_corner(triangle(t), marked);
+  };
   std::vector<std::int32_t> moved;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.is_moved(mesh.triangles[t]))
-      moved.push_back(static_cast<std::int32_t>(t));
+    const auto id = static_cast<std::int32_t>(t);
+    if (is_marked(id)) moved.push_back(id);
   }
   if (!index.is_empty()) {
     return pairs_of(mesh, moved, threads, [&](std::int32_t t, auto&& call) {
       index.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
-        if (other > t || !mesh.is_moved(triangle(other))) call(other);
+        if (other > t || !is_marked(other)) call(other);
       });
     });
   }
@@ -141,9 +163,9 @@ Pairs find_pairs(const GridMesh& mesh, int threads, const MeshIndex& index) {
   std::vector<std::int32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   return pairs_of(mesh, all, threads, [&](std::int32_t t, auto&& call) {
-    const bool is_moved = mesh.is_moved(triangle(t));
+    const bool is_own = is_marked(t);
     tree.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
-      if (!is_moved || other > t) call(other);
+      if (!is_own || other > t) call(other);
     });
   });
 }
@@ -207,20 +229,26 @@ MeshContacts contacts_of(const GridMesh& mesh, int threads,
       std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                   [&](const GridTriangle& t) { return mesh.is_moved(t); });
   if (!any_moved) return found;
-  found.pairs = find_pairs(mesh, threads, index);
-  if (!found.empty()) return found;
-  const MeshEdges uses(mesh);
-  uses.for_edges([&](std::int32_t low, const MeshEdgeUse* first,
-                     const MeshEdgeUse* last) {
-    if (last - first == 2) return;
-    const bool moved = std::any_of(first, last, [&](const MeshEdgeUse& use) {
-      return mesh.is_moved(
-          mesh.triangles[static_cast<std::size_t>(use.triangle)]);
-    });
-    if (moved && !alternates(mesh, low, first, last))
-      found.at_edges.push_back(first->triangle);
-  });
-  if (found.empty()) check_parts(mesh, parts_of(mesh, uses), index, found);
+  found.pairs = find_pairs(mesh, mesh.moved, threads, index);
+  if (found.empty()) check_winding(mesh, index, found);
+  return found;
+}
+
+MeshContacts contacts_after(const MeshContacts& before, const GridMesh& mesh,
+                            const std::vector<std::uint8_t>& changed,
+                            int threads, const MeshIndex& index) {
+  MeshContacts found;
+  found.pairs = find_pairs(mesh, changed, threads, index);
+  const auto is_changed = [&](std::int32_t t) {
+    return has_marked_corner(mesh.triangles[static_cast<std::size_t>(t)],
+                             changed);
+  };
+  for (const auto& pair : before.pairs) {
+    if (!is_changed(pair.first) && !is_changed(pair.second))
+      found.pairs.push_back(pair);
+  }
+  std::sort(found.pairs.begin(), found.pairs.end());
+  if (found.empty()) check_winding(mesh, index, found);
   return found;
 }
 

@@ -55,6 +55,15 @@ struct MeshContacts {
 MeshContacts contacts_of(const GridMesh& mesh, int threads,
                          const MeshIndex& index = {});
 
+/// The same, where triangles met, and only points that are marked here were
+/// moved since.
+///
+/// `before`: what contacts_of() found then, all pairs among it.
+/// `index`:  of the mesh as it is now, not empty.
+MeshContacts contacts_after(const MeshContacts& before, const GridMesh& mesh,
+                            const std::vector<std::uint8_t>& changed,
+                            int threads, const MeshIndex& index);
+
 /// Whether every edge is used as often in one direction as in the other.
 bool is_closed(const GridMesh& mesh);
 

@@ -24,14 +24,14 @@ MeshIndex::MeshIndex(const GridMesh& mesh) : places_(mesh.triangles.size()) {
       places_);
 }
 
-void MeshIndex::follow(GridMesh& mesh) {
+void MeshIndex::follow(GridMesh& mesh, const std::vector<std::uint8_t>& moved) {
   if (is_empty()) return;
   std::fill(places_.begin(), places_.end(), -1);
   std::vector<std::int32_t> changed;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     GridTriangle& triangle = mesh.triangles[t];
     const auto id = static_cast<std::int32_t>(t);
-    if (mesh.is_moved(triangle)) triangle.number = -1;
+    if (has_marked_corner(triangle, moved)) triangle.number = -1;
     if (triangle.number < 0)
       changed.push_back(id);
     else
@@ -47,7 +47,6 @@ void MeshIndex::follow(GridMesh& mesh) {
 
 void MeshIndex::keep_up(GridMesh& mesh) {
   constexpr std::size_t kMuch = 8;
-  follow(mesh);
   if (!is_empty() && kMuch * changed_count_ <= mesh.triangles.size()) return;
   *this = MeshIndex(mesh);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

@@ -24,9 +24,11 @@ class MeshIndex {
   /// Goes on with a mesh that came from one that it knew: points that are
   /// marked have moved, triangles were dropped, others added with no number.
   /// Does nothing if it is empty.
-  void follow(GridMesh& mesh);
-  /// The same, but if it is empty or much has changed it begins anew, with all
-  /// triangles of the mesh.
+  void follow(GridMesh& mesh) { follow(mesh, mesh.moved); }
+  /// The same, where other marks say which points have moved since.
+  void follow(GridMesh& mesh, const std::vector<std::uint8_t>& moved);
+  /// Begins anew, with all triangles of a mesh that it followed, if it is empty
+  /// or much has changed.
   void keep_up(GridMesh& mesh);
 
   /// Calls `found(triangle)` for each whose box overlaps `box`.

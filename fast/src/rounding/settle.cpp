@@ -1,11 +1,16 @@
 #include "rounding/settle.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "base/parallel.hpp"
+#include "rounding/grid_hash.hpp"
 #include "rounding/mesh_index.hpp"
 #include "rounding/resolve_mesh.hpp"
+#include "rounding/untangle.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -45,6 +50,8 @@ class Settler {
   bool coarsen(MeshContacts& contacts, std::int64_t first, std::int64_t last);
   bool go_on(Way way, MeshContacts& contacts, std::size_t in_vain);
   void note_contacts(const MeshContacts& contacts);
+  std::vector<std::uint8_t> may_move(const MeshContacts& contacts) const;
+  MeshContacts rounded(const std::vector<LoosePoint>& loose);
   bool round(Way way);
 
   const LooseMesh& start_;
@@ -91,6 +98,7 @@ bool Settler::coarsen(MeshContacts& contacts, std::int64_t first,
   }
   if (fewest > kMany && fewest > 2 * contacts.size()) return false;
   result_.mesh = std::move(best);
+  index_.follow(result_.mesh);
   contacts = std::move(best_contacts);
   note_move(best_move);
   return true;
@@ -120,6 +128,59 @@ void Settler::note_contacts(const MeshContacts& contacts) {
   if (!is_closed(start_.mesh)) result_.end = Settling::kOpen;
 }
 
+/// By point: whether it is a corner of triangles that meet, in a place where no
+/// point was that rounding did not move. Where a solid touches itself it stays
+/// as it is.
+std::vector<std::uint8_t> Settler::may_move(
+    const MeshContacts& contacts) const {
+  const GridMesh& mesh = result_.mesh;
+  std::vector<std::uint8_t> may(mesh.points.size());
+  std::unordered_set<GridPoint, GridPointHash> places;
+  contacts.for_triangles([&](std::int32_t t) {
+    for (const std::int32_t c :
+         mesh.triangles[static_cast<std::size_t>(t)].corners) {
+      may[static_cast<std::size_t>(c)] = 1;
+      places.insert(mesh.at(c));
+    }
+  });
+  std::vector<std::uint8_t> is_off(start_.mesh.points.size());
+  for (const LoosePoint& p : start_.loose) {
+    is_off[static_cast<std::size_t>(p.point)] =
+        distance(p.at, grid_.rounded(p.at, grid_.spacing())) > 0 ? 1 : 0;
+  }
+  for (std::size_t p = 0; p < is_off.size(); ++p) {
+    if (is_off[p] == 0) places.erase(start_.mesh.points[p]);
+  }
+  for (std::size_t p = 0; p < may.size(); ++p) {
+    if (may[p] != 0 && !places.contains(mesh.points[p])) may[p] = 0;
+  }
+  return may;
+}
+
+/// Rounds the loose points, to places where few triangles meet. Returns which
+/// do.
+MeshContacts Settler::rounded(const std::vector<LoosePoint>& loose) {
+  GridMesh& mesh = result_.mesh;
+  ++result_.rounds;
+  if (!loose.empty()) result_.max_move += start_.error;
+  LargestMove move = snap(mesh, loose, grid_);
+  const Collapse collapse = clean(mesh);
+  if (collapse.points + collapse.triangles > 0) result_.collapsed = true;
+  index_.follow(mesh);
+  MeshContacts contacts = contacts_of(mesh, threads_, index_);
+  if (!contacts.empty()) note_contacts(contacts);
+  if (!contacts.pairs.empty() && result_.end != Settling::kOpen) {
+    index_.keep_up(mesh);
+    const Untangled done =
+        untangle(mesh, may_move(contacts), loose, index_, grid_);
+    if (done.farthest.distance > move.distance) move = done.farthest;
+    index_.follow(mesh, done.changed);
+    contacts = contacts_after(contacts, mesh, done.changed, threads_, index_);
+  }
+  note_move(move);
+  return contacts;
+}
+
 /// Whether it came to an end. Contacts become fewer by a good share from round
 /// to round, or something else is done in so many of them.
 bool Settler::round(Way way) {
@@ -131,15 +192,8 @@ bool Settler::round(Way way) {
   std::size_t fewest = static_cast<std::size_t>(-1);
   std::size_t in_vain = 0;
   while (true) {
-    ++result_.rounds;
-    if (!loose.empty()) result_.max_move += start_.error;
-    note_move(snap(mesh, loose, grid_));
-    const Collapse collapse = clean(mesh);
-    if (collapse.points + collapse.triangles > 0) result_.collapsed = true;
-    index_.follow(mesh);
-    MeshContacts contacts = contacts_of(mesh, threads_, index_);
+    MeshContacts contacts = rounded(loose);
     if (contacts.empty()) return true;
-    note_contacts(contacts);
     if (result_.end == Settling::kOpen) return false;
     const std::size_t count = contacts.size();
     const bool too_many = count > std::max(kMany, 2 * mesh.triangles.size());

@@ -8,11 +8,6 @@
 namespace halfspace::fast {
 namespace {
 
-StepPoint step_point(const GridPoint& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y),
-          static_cast<double>(p.z)};
-}
-
 /// Moves points of a mesh, and notes how far.
 class Mover {
  public:

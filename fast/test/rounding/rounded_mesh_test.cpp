@@ -142,6 +142,25 @@ TEST(FastRounding, TheMeshIsTheSameForAnyNumberOfThreads) {
   EXPECT_GT(one->crossings, 0u);
 }
 
+TEST(FastRounding, NearlyCoincidentSheetsArePutApartAndNotCutUp) {
+  const double r = 512 * kSpacing;
+  std::size_t met = 0;
+  for (const double angle : {0.1, 0.02}) {
+    const Solid a = shapes::sphere(r, 12, 24, far_out({}));
+    const Solid b = shapes::sphere(
+        r, 12, 24, far_out(shapes::turned_about_each_axis(angle)), &a);
+    const Solid solid = boolean(BooleanOp::kDifference, a, b);
+    const auto mesh =
+        rounded_mesh(solid, {.number = FileNumber::kFloat, .triangles = true});
+    ASSERT_TRUE(mesh.has_value());
+    EXPECT_EQ(shapes::fault_of(*mesh, FileNumber::kFloat), "");
+    met += mesh->crossings;
+    EXPECT_LE(mesh->rounds, 4u) << angle;
+    EXPECT_LE(mesh->max_move, 12 * mesh->spacing) << angle;
+  }
+  EXPECT_GT(met, 20u);
+}
+
 TEST(FastRounding, WhatIsNoSolidAnyMoreIsFoundByTheTestItself) {
   const Solid solid = shapes::sphere(512 * kSpacing, 8, 12, far_out({}));
   auto mesh = rounded_mesh(solid, {.number = FileNumber::kFloat});
