@@ -26,8 +26,8 @@ constexpr std::int64_t kFirstWidth = 4;
 constexpr std::int64_t kLastNear = 64;
 /// How often merging is tried in vain with one least width.
 constexpr std::size_t kSameWidth = 4;
-/// Contacts become fewer by a good share if by this factor. More than so many
-/// take longer to resolve than to be counted anew.
+/// Coarsening makes contacts fewer by a good share if by this factor. More than
+/// so many take longer to resolve than to be counted anew.
 constexpr std::size_t kFewer = 3;
 constexpr std::size_t kMany = 1000;
 
@@ -181,8 +181,8 @@ MeshContacts Settler::rounded(const std::vector<LoosePoint>& loose) {
   return contacts;
 }
 
-/// Whether it came to an end. Contacts become fewer by a good share from round
-/// to round, or something else is done in so many of them.
+/// Whether it came to an end. Contacts become fewer from round to round, or
+/// something else is done, which is not done for ever.
 bool Settler::round(Way way) {
   GridMesh& mesh = result_.mesh;
   mesh = start_.mesh;
@@ -197,8 +197,7 @@ bool Settler::round(Way way) {
     if (result_.end == Settling::kOpen) return false;
     const std::size_t count = contacts.size();
     const bool too_many = count > std::max(kMany, 2 * mesh.triangles.size());
-    if ((too_many || fewest < kFewer * count) &&
-        !go_on(way, contacts, ++in_vain))
+    if ((too_many || fewest <= count) && !go_on(way, contacts, ++in_vain))
       return false;
     fewest = std::min(fewest, count);
     loose = resolve_mesh(mesh, contacts, index_, grid_, threads_);
