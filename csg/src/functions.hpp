@@ -64,6 +64,14 @@ Result<Matrix> transform_of(Function function, const Place& place,
 Result<HalfSpace> half_of(const Place& place,
                           const std::vector<io::Number>& numbers);
 
+/// The primitive of `function`, called at `place` with these numbers.
+///
+/// Requires: it is one of kBox to kHull.
+/// Errors:   kSyntax (not so many numbers as it takes, or one that it does not);
+///           those of hull_of().
+Result<io::Mesh> primitive_of(Function function, const Place& place,
+                              const std::vector<io::Number>& numbers);
+
 /// The half-space in which a coordinate is less than `value`, or greater.
 HalfSpace axis_half(std::size_t axis, bool less, const io::Number& value);
 

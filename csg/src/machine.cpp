@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "halfspace/csg/hull.hpp"
 #include "halfspace/csg/matrix.hpp"
-#include "halfspace/csg/primitives.hpp"
 #include "numbers.hpp"
 
 namespace halfspace::csg {
@@ -18,9 +16,6 @@ constexpr std::size_t kMostNodes = std::size_t{1} << 22;
 constexpr std::size_t kMostInstructions = std::size_t{1} << 22;
 constexpr std::size_t kMostValues = std::size_t{1} << 22;
 constexpr std::uint32_t kMostDepth = 1000;
-
-constexpr std::uint32_t kUsualSegments = 32;
-constexpr std::uint32_t kMostSegments = 1000;
 
 const char* kind_of(const Value& value) {
   switch (value.kind) {
@@ -50,26 +45,6 @@ bool flattened(std::vector<Value> values, Value::Kind kind,
     if (values.size() + flat.size() > kMostValues) return false;
   }
   return true;
-}
-
-std::optional<std::int64_t> whole_in(const Number& number, std::int64_t least,
-                                     std::int64_t most) {
-  const double value = io::to_double(number);
-  if (floor_of(number) != number || value < static_cast<double>(least) ||
-      value > static_cast<double>(most))
-    return std::nullopt;
-  return static_cast<std::int64_t>(value);
-}
-
-bool is_positive(const Number& number) { return number.mantissa > 0; }
-
-/// The points of a hull: more take minutes.
-constexpr std::size_t kMostHullPoints = 20000;
-
-/// Whether primitives of this size can be made in doubles.
-bool is_usable(const Number& number) {
-  const double size = std::abs(io::to_double(number));
-  return size < 1e100 && (number.mantissa == 0 || size > 1e-100);
 }
 
 }  // namespace
@@ -363,67 +338,8 @@ bool Machine::call_combine(const Instruction& at, std::vector<Value> values) {
 
 bool Machine::call_primitive(const Instruction& at,
                              const std::vector<Number>& numbers) {
-  const auto wrong = [&] { return fail(wrong_call(at.function, at.place)); };
-  if (!std::all_of(numbers.begin(), numbers.end(), is_usable)) return wrong();
-  const std::size_t count = numbers.size();
-  if (at.function == Function::kBox) {
-    if (count != 1 && count != 3) return wrong();
-    if (!std::all_of(numbers.begin(), numbers.end(), is_positive))
-      return wrong();
-    return push_primitive(at, box_mesh({}, {numbers[0], numbers[count / 3],
-                                            numbers[count == 3 ? 2 : 0]}));
-  }
-  if (at.function == Function::kHull) {
-    if (count < 12 || count % 3 != 0 || count > 3 * kMostHullPoints)
-      return wrong();
-    std::vector<Numbers3> points;
-    for (std::size_t i = 0; i < count; i += 3)
-      points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-    Result<io::Mesh> mesh = hull_of(std::move(points), true);
-    if (!mesh)
-      return fail(error_at(at.place, mesh.error().code, mesh.error().message));
-    return push_primitive(at, *std::move(mesh));
-  }
-  if (at.function == Function::kTorus) return call_torus(at, numbers);
-  const std::size_t lengths = at.function == Function::kSphere     ? 1
-                              : at.function == Function::kCylinder ? 2
-                                                                   : 3;
-  if (count != lengths && count != lengths + 1) return wrong();
-  std::uint32_t segments = kUsualSegments;
-  if (count > lengths) {
-    const auto asked = whole_in(numbers.back(), 3, kMostSegments);
-    if (!asked) return wrong();
-    segments = static_cast<std::uint32_t>(*asked);
-  }
-  if (at.function == Function::kSphere) {
-    if (!is_positive(numbers[0])) return wrong();
-    return push_primitive(at, sphere_mesh(numbers[0], segments));
-  }
-  const bool is_cone = at.function == Function::kCone;
-  const Number& low = numbers[0];
-  const Number& high = numbers[is_cone ? 1 : 0];
-  const Number& height = numbers[lengths - 1];
-  if (low.mantissa < 0 || high.mantissa < 0 ||
-      (low.mantissa == 0 && high.mantissa == 0) || !is_positive(height))
-    return wrong();
-  return push_primitive(at,
-                        frustum_mesh(low, high, Number{}, height, segments));
-}
-
-bool Machine::call_torus(const Instruction& at,
-                         const std::vector<Number>& numbers) {
-  const auto wrong = [&] { return fail(wrong_call(at.function, at.place)); };
-  if (numbers.size() < 2 || numbers.size() > 4 || !is_positive(numbers[1]) ||
-      !is_less(numbers[1], numbers[0]))
-    return wrong();
-  std::array<std::uint32_t, 2> segments = {kUsualSegments, kUsualSegments / 2};
-  for (std::size_t k = 2; k < numbers.size(); ++k) {
-    const auto asked = whole_in(numbers[k], 3, kMostSegments);
-    if (!asked) return wrong();
-    segments[k - 2] = static_cast<std::uint32_t>(*asked);
-  }
-  return push_primitive(
-      at, torus_mesh(numbers[0], numbers[1], segments[0], segments[1]));
+  Result<io::Mesh> mesh = primitive_of(at.function, at.place, numbers);
+  return mesh ? push_primitive(at, *std::move(mesh)) : fail(mesh.error());
 }
 
 bool Machine::call_range(const Instruction& at,

@@ -88,8 +88,6 @@ class Machine {
   bool call_combine(const Instruction& at, std::vector<Value> values);
   bool call_primitive(const Instruction& at,
                       const std::vector<io::Number>& numbers);
-  bool call_torus(const Instruction& at,
-                  const std::vector<io::Number>& numbers);
   bool call_range(const Instruction& at,
                   const std::vector<io::Number>& numbers);
   bool call_number(const Instruction& at,

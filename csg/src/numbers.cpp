@@ -69,4 +69,13 @@ Number floor_of(const Number& number) {
   return io::normalised(std::move(whole), 0, 0);
 }
 
+std::optional<std::int64_t> whole_in(const Number& number, std::int64_t least,
+                                     std::int64_t most) {
+  const double value = io::to_double(number);
+  if (floor_of(number) != number || value < static_cast<double>(least) ||
+      value > static_cast<double>(most))
+    return std::nullopt;
+  return static_cast<std::int64_t>(value);
+}
+
 }  // namespace halfspace::csg

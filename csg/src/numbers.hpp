@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "halfspace/io/number.hpp"
@@ -26,5 +27,9 @@ std::optional<io::Number> square_root(const io::Number& number);
 
 /// The greatest integer that is not above the number. Exact: yes.
 io::Number floor_of(const io::Number& number);
+
+/// The number, if it is an integer from `least` to `most`.
+std::optional<std::int64_t> whole_in(const io::Number& number,
+                                     std::int64_t least, std::int64_t most);
 
 }  // namespace halfspace::csg
