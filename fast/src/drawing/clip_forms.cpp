@@ -76,24 +76,6 @@ std::vector<Line> ClipForms::sections(const SceneEdges& edges,
   return lines;
 }
 
-/// Where a plane crosses the side between two corners, as the values f and g
-/// there say: (p (-g) + q f) / (f - g).
-SpacePoint ClipForms::crossing(VertexId u, VertexId v, const Form& form) const {
-  const SpacePoint p = sight_.point_of(u);
-  const SpacePoint q = sight_.point_of(v);
-  Wide<4> f(value_at(form, p));
-  Wide<4> g(value_at(form, q));
-  if (f.is_negative()) {
-    f = -f;
-    g = -g;
-  }
-  const auto part = [&](const Wide<4>& a, const Wide<4>& b) {
-    return multiply<4>(b, f) - multiply<4>(a, g);
-  };
-  return sight_.point_of(part(p.x, q.x), part(p.y, q.y), part(p.z, q.z),
-                         Wide<3>(f - g));
-}
-
 /// A convex polygon that is on both sides has two such points, each a corner or
 /// within a side; one that is on the positive side has a side in the plane, or
 /// a corner at most.
@@ -112,7 +94,7 @@ void ClipForms::add_section(PolygonId polygon, std::int32_t k,
     if (signs[c] == 0 && (before != 0 || signs[next] != 0)) {
       points.push_back(sight_.point_of(edges.first_of(corners[c])));
     } else if (signs[c] * signs[next] < 0) {
-      points.push_back(crossing(corners[c], corners[next], form(k)));
+      points.push_back(sight_.crossing(corners[c], corners[next], form(k)));
     }
   }
   if (points.size() != 2) return;

@@ -59,7 +59,6 @@ class ClipForms {
   }
   void add_section(PolygonId polygon, std::int32_t k, const SceneEdges& edges,
                    std::vector<Line>& lines) const;
-  SpacePoint crossing(VertexId u, VertexId v, const Form& form) const;
 
   const Sight& sight_;
   std::vector<Form> forms_;

@@ -115,25 +115,6 @@ class Crossings {
     return (positive > 0 && negative > 0) || on > 1;
   }
 
-  /// Where a plane crosses the side between two corners: with the values f and
-  /// g there, (p (-g) + q f) / (f - g).
-  SpacePoint crossing(VertexId u, VertexId v, PolygonId plane) const {
-    const Form form = sight_.plane_form(plane);
-    const SpacePoint p = sight_.point_of(u);
-    const SpacePoint q = sight_.point_of(v);
-    Wide<4> f(value_at(form, p));
-    Wide<4> g(value_at(form, q));
-    if (f.is_negative()) {
-      f = -f;
-      g = -g;
-    }
-    const auto part = [&](const Wide<4>& a, const Wide<4>& b) {
-      return multiply<4>(b, f) - multiply<4>(a, g);
-    };
-    return sight_.point_of(part(p.x, q.x), part(p.y, q.y), part(p.z, q.z),
-                           Wide<3>(f - g));
-  }
-
   std::optional<Common> common_of(PolygonId p, PolygonId plane,
                                   const std::vector<std::int8_t>& signs) {
     const auto corners = sight_.scene().corners(p);
@@ -156,7 +137,8 @@ class Crossings {
       if (signs[k] == 0) {
         extend(sight_.point_of(edges_.first_of(corners[k])));
       } else if (signs[k] * signs[next] < 0) {
-        extend(crossing(corners[k], corners[next], plane));
+        extend(sight_.crossing(corners[k], corners[next],
+                               sight_.plane_form(plane)));
       }
     }
     if (!common || !before(common->low, common->high)) return std::nullopt;

@@ -129,6 +129,23 @@ SpacePoint Sight::point_of(const Wide<4>& x, const Wide<4>& y, const Wide<4>& z,
   return p;
 }
 
+SpacePoint Sight::crossing(VertexId u, VertexId v, const Form& plane) const {
+  // With the values f and g there it is (p (-g) + q f) / (f - g).
+  const SpacePoint p = point_of(u);
+  const SpacePoint q = point_of(v);
+  Wide<4> f(value_at(plane, p));
+  Wide<4> g(value_at(plane, q));
+  if (f.is_negative()) {
+    f = -f;
+    g = -g;
+  }
+  const auto part = [&](const Wide<4>& a, const Wide<4>& b) {
+    return multiply<4>(b, f) - multiply<4>(a, g);
+  };
+  return point_of(part(p.x, q.x), part(p.y, q.y), part(p.z, q.z),
+                  Wide<3>(f - g));
+}
+
 int Sight::eye_sign(PolygonId polygon) {
   if (const int known =
           filtered_sign(view_.eye_value(filter_plane(polygon).plane))) {

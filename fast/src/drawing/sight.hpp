@@ -59,6 +59,8 @@ class Sight {
   /// A point by its homogeneous coordinates, w positive.
   SpacePoint point_of(const Wide<4>& x, const Wide<4>& y, const Wide<4>& z,
                       const Wide<3>& w) const;
+  /// Where a plane crosses the side between two corners, one on either side.
+  SpacePoint crossing(VertexId u, VertexId v, const Form& plane) const;
 
   /// The sign of a polygon's plane at the eye (S4.2).
   int eye_sign(PolygonId polygon);

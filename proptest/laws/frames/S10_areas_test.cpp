@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adapters/both.hpp"
+#include "generate/clip_planes.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/ref/area_image.hpp"
@@ -140,16 +141,9 @@ bool is_of_boxes(const Scene& scene) {
   return scene.polygon_count() != 0 && bad_edges(scene).empty();
 }
 
-std::uint64_t section_number_of(const SceneFile& view) {
-  std::uint64_t number = 0;
-  for (const GridPoint& p : view.scene.data().vertices)
-    number = mix(number + static_cast<std::uint64_t>(p.x + 3 * p.y + 7 * p.z));
-  return number;
-}
-
 /// A cut across an axis at a coordinate of the scene, or next to one.
 AxisCut cut_of(const SceneFile& view) {
-  const std::uint64_t number = section_number_of(view);
+  const std::uint64_t number = generate::number_of(view.scene);
   const auto& vertices = view.scene.data().vertices;
   AxisCut cut;
   cut.axis = number % 3;
@@ -221,27 +215,6 @@ TYPED_TEST(S10Areas, L6AreasAreThoseOfTheSceneCutBeforehand) {
   EXPECT_GT(capped, 15u);
 }
 
-/// One to three planes that pass corners, steep or along axes.
-std::vector<ClipPlane> planes_of_section(const SceneFile& view) {
-  const std::uint64_t number = section_number_of(view);
-  const auto& vertices = view.scene.data().vertices;
-  std::vector<ClipPlane> planes;
-  for (std::uint64_t k = 0; k < 1 + number % 3; ++k) {
-    const std::uint64_t own = mix(number + k);
-    const auto entry = [&](unsigned a) {
-      return Int128{static_cast<std::int64_t>(own >> 8 * a & 7) - 3};
-    };
-    ClipPlane plane{entry(0), entry(1), entry(2), 0};
-    if (plane.a == 0 && plane.b == 0 && plane.c == 0) plane.a = 1;
-    const GridPoint& p = vertices[own % vertices.size()];
-    const auto beside = static_cast<std::int64_t>(own >> 32 & 1);
-    plane.d = beside - plane.a * p.x - plane.b * p.y - plane.c * p.z;
-    planes.push_back(plane);
-  }
-  const auto made = make_clips(planes, view.scene.grid_bits());
-  return made ? *made : std::vector<ClipPlane>();
-}
-
 /// The view with planes that cut it, and caps in three of four; nothing of
 /// scenes that are open, empty or too large.
 std::optional<SceneFile> section_of(const SceneFile& whole,
@@ -251,9 +224,10 @@ std::optional<SceneFile> section_of(const SceneFile& whole,
       !bad_edges(whole.scene).empty())
     return std::nullopt;
   SceneFile view = whole;
-  view.options.clips = planes_of_section(view);
+  const std::uint64_t number = generate::number_of(view.scene);
+  view.options.clips = generate::clip_planes(view.scene, 1 + number % 3);
   if (view.options.clips.empty()) return std::nullopt;
-  if (section_number_of(view) % 4 != 0)
+  if (number % 4 != 0)
     view.options.caps = CapStyle{{9, 208, 77}, Rgb{200, 1, 100}};
   return view;
 }

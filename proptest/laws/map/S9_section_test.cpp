@@ -8,11 +8,11 @@
 
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
+#include "generate/clip_planes.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/visible_map.hpp"
-#include "halfspace/splitmix.hpp"
 #include "laws/law.hpp"
 
 /// Laws of drawings of sections (S9.8).
@@ -92,41 +92,20 @@ struct FastSections {
   }
 };
 
-std::uint64_t number_of(const SceneFile& view) {
-  std::uint64_t sum = 11;
-  for (const GridPoint& p : view.scene.data().vertices)
-    sum = 31 * sum + static_cast<std::uint64_t>(p.x + 3 * p.y + 7 * p.z);
-  return mix(sum);
-}
-
 /// The view with planes through corners or beside them, and a cap where that
 /// can be. Nothing of scenes that are empty or too large.
 std::optional<SceneFile> section_of(const SceneFile& whole) {
   const Scene& scene = whole.scene;
   if (scene.polygon_count() == 0 || scene.polygon_count() > kMostPolygons)
     return std::nullopt;
-  const std::uint64_t number = number_of(whole);
+  const std::uint64_t number = generate::number_of(scene);
   SceneFile view = whole;
   view.options.caps = std::nullopt;
   if (bad_edges(scene).empty() && number % 4 != 0)
     view.options.caps = CapStyle{{9, 208, 77}, std::nullopt};
-  const auto& vertices = scene.data().vertices;
-  std::vector<ClipPlane> planes;
-  for (std::uint64_t k = 0; k < (view.options.caps ? 1 : 1 + number % 2); ++k) {
-    const std::uint64_t own = mix(number + k);
-    const auto entry = [&](unsigned a) {
-      return Int128{static_cast<std::int64_t>(own >> 8 * a & 7) - 3};
-    };
-    ClipPlane plane{entry(0), entry(1), entry(2), 0};
-    if (plane.a == 0 && plane.b == 0 && plane.c == 0) plane.a = 1;
-    const GridPoint& p = vertices[own % vertices.size()];
-    const auto beside = static_cast<std::int64_t>(own >> 32 & 1);
-    plane.d = beside - plane.a * p.x - plane.b * p.y - plane.c * p.z;
-    planes.push_back(plane);
-  }
-  const auto made = make_clips(planes, scene.grid_bits());
-  if (!made) return std::nullopt;
-  view.options.clips = *made;
+  view.options.clips =
+      generate::clip_planes(scene, view.options.caps ? 1 : 1 + number % 2);
+  if (view.options.clips.empty()) return std::nullopt;
   return view;
 }
 
