@@ -33,6 +33,15 @@ function(halfspace_test_target target)
   target_compile_options(${target} PRIVATE ${HALFSPACE_TEST_OPTIONS})
 endfunction()
 
+# Unit tests of rooms that do all of the work: optimising them takes nearly half
+# of the time they are compiled in (io's 25.6 s, without it 14.5).
+function(halfspace_unit_test_target target)
+  halfspace_test_target(${target})
+  if(HALFSPACE_TEST_OPTIONS)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
+
 # Sources of a target that a unity build compiles as one: what they name for
 # themselves must differ. Those in no group are compiled alone. Small groups can
 # be one unit, since reading headers takes longer than their own code: that of

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "cases.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "intersect/candidates.hpp"
@@ -91,14 +92,8 @@ void expect_surface(const Solid& solid, const Cubes& cubes) {
 }
 
 TEST(FastBoolean, SolidsOfCubesAreCombinedCubeByCube) {
-// Sanitizers slow it down, and check other pairs of cubes as well.
-#ifdef __SANITIZE_ADDRESS__
-  constexpr int kPairs = 10;
-#else
-  constexpr int kPairs = 40;
-#endif
   std::uint64_t state = 17;
-  for (std::size_t pair = 0; pair < kPairs; ++pair) {
+  for (std::size_t pair = 0; pair < cases(40); ++pair) {
     SCOPED_TRACE("pair " + std::to_string(pair));
     const int lump = pair % 4 == 0 ? 1 : pair % 4 == 3 ? 4 : 2;
     const Cubes a = lattice::random_cubes(lump, state);
@@ -129,7 +124,7 @@ std::uint64_t asked(const char* name, std::uint64_t otherwise) {
 }
 
 TEST(FastBoolean, ManyPairsOfSolidsOfCubes) {
-  const std::uint64_t count = asked("HALFSPACE_LATTICE_PAIRS", 100);
+  const std::uint64_t count = asked("HALFSPACE_LATTICE_PAIRS", cases(100));
   std::uint64_t state = asked("HALFSPACE_LATTICE_SEED", 1) << 40;
   for (std::uint64_t pair = 0; pair < count; ++pair) {
     SCOPED_TRACE("pair " + std::to_string(pair));

@@ -11,6 +11,7 @@
 
 #include "boolean/arrangement.hpp"
 #include "boolean/conform.hpp"
+#include "cases.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/check_operand.hpp"
@@ -247,7 +248,8 @@ TEST(FastConform, IsAskedForOnlyWhereAFaceHasAnEdgeThatIsNotItsOwn) {
   EXPECT_EQ(have_nodes(c, blocks({{{0, 0, 2}, {4, 1, 3}}})), kBoth);
   // Neither edges nor points that faces share by right.
   std::uint64_t state = 11;
-  for (int i = 0; i < 40; ++i) {
+  const auto count = static_cast<int>(cases(40));
+  for (int i = 0; i < count; ++i) {
     const Solid x =
         to_solid(lattice::surface(lattice::random_cubes(1 + i % 3, state)));
     const Solid y =

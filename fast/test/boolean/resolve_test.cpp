@@ -9,6 +9,7 @@
 
 #include "boolean/nonsense.hpp"
 #include "boolean/shells.hpp"
+#include "cases.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/fast/chain.hpp"
 #include "halfspace/fast/check_operand.hpp"
@@ -119,7 +120,7 @@ TEST(Resolve, SolidsThroughEachOtherBecomeTheirUnion) {
 
 TEST(Resolve, RepairKeepsWhatIsWoundRound) {
   std::size_t crossed = 0, inside = 0;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= cases(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Solid solid = nonsense(seed);
     const Resolved resolved = resolve(solid);
@@ -139,8 +140,8 @@ TEST(Resolve, RepairKeepsWhatIsWoundRound) {
       ASSERT_EQ(after.winding(v, v), is_inside ? 1 : 0);
     }
   }
-  EXPECT_GT(crossed, 200u);
-  EXPECT_GT(inside, 200u);
+  EXPECT_GT(crossed, cases(200));
+  EXPECT_GT(inside, cases(200));
 }
 
 }  // namespace

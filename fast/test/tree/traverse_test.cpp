@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "cases.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/render.hpp"
 #include "scenes.hpp"
@@ -68,7 +69,7 @@ BspTree chain(const Scene& scene) {
 }
 
 TEST(Deep, AChainOfAMillionNodesNeedsLittleStack) {
-  constexpr std::int32_t kCount = 1'000'000;
+  constexpr auto kCount = static_cast<std::int32_t>(cases(1'000'000));
   with_small_stack([] {
     const Scene scene = stack_of_triangles(kCount);
     BspTree tree = chain(scene);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "camera/view.hpp"
+#include "cases.hpp"
 #include "no_fallback.hpp"
 #include "raster/kernel/tile_kernel.hpp"
 #include "raster/tile_buffer.hpp"
@@ -316,11 +317,11 @@ TEST(KernelBounds, SmallPolygonsAskWhereTheirErrorMatters) {
   Random random;
   std::size_t changed = 0;
   std::size_t drawn = 0;
-  for (int round = 0; round < 8000; ++round) {
+  for (std::uint64_t round = 0; round < cases(8000); ++round) {
     const auto error = static_cast<float>(random.from_to(0x1p-11, 0x1.fp-11));
     const Polygon p = in_floats(round % 4 == 0 ? random.triangle(25, error)
                                                : random.quadrangle(30, error));
-    const Off off = kOffs[static_cast<std::size_t>(round / 4 % 3)];
+    const Off off = kOffs[round / 4 % 3];
     const auto found = draw_small(p, plain_view(), error, off, false);
     // What it leaves undone is done by others; a part may be drawn by then.
     if (found->is_left) continue;
@@ -333,7 +334,7 @@ TEST(KernelBounds, SmallPolygonsAskWhereTheirErrorMatters) {
     if (HasFatalFailure()) return;
   }
   if (&best_kernel() != &kPortableKernel) {
-    EXPECT_GT(drawn, 2000u);
+    EXPECT_GT(drawn, cases(2000));
   }
 }
 
