@@ -1,4 +1,4 @@
-#include "exact/weights.hpp"
+#include "weights.hpp"
 
 #include <algorithm>
 #include <cmath>

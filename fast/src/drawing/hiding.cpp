@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "exact/short_product.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -125,8 +127,8 @@ bool Hiding::is_point(const Line& line) {
   };
   if (differ(p.across, q.across) || differ(p.down, q.down)) return false;
   const auto parallel = [&](const Form& f, const Form& g) {
-    return multiply<20>(value_at(f, p), value_at(g, q)) ==
-           multiply<20>(value_at(f, q), value_at(g, p));
+    return short_product<20>(value_at(f, p), value_at(g, q)) ==
+           short_product<20>(value_at(f, q), value_at(g, p));
   };
   ++sight_.stats().exact;
   // In perspective both are one ray from the eye: (x, y, w) in proportion.
@@ -172,7 +174,8 @@ int Hiding::compare(const Line& line, const Cut& f, const Cut& g) {
   ++sight_.stats().exact;
   const ExactCut p = exact_cut(line, f);
   const ExactCut q = exact_cut(line, g);
-  return sign(multiply<20>(p.from, q.to) - multiply<20>(q.from, p.to));
+  return sign(short_product<20>(p.from, q.to) -
+              short_product<20>(q.from, p.to));
 }
 
 Hiding::ExactCut Hiding::exact_cut(const Line& line, const Cut& cut) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "exact/short_product.hpp"
 #include "exact/wide_draws.hpp"
 
 namespace halfspace::fast {
@@ -21,6 +22,7 @@ void check_products() {
     // Only what fits is asked for.
     if (abs(product) >= (cpp_int(1) << (64 * kResult - 1))) continue;
     ASSERT_EQ(to_big(multiply<kResult>(a, b)), product);
+    ASSERT_EQ(short_product<kResult>(a, b), multiply<kResult>(a, b));
   }
 }
 
@@ -33,6 +35,22 @@ TEST(Wide, ProductsAreTrueWhereTheyFit) {
   check_products<2, 6, 6>();
   check_products<8, 3, 8>();
   check_products<4, 4, 4>();
+  check_products<7, 4, 10>();
+  check_products<10, 10, 20>();
+}
+
+TEST(Wide, ShortProductsOfTheLeastAndTheGreatestAreTrue) {
+  const auto expect_true = [](std::int64_t a, std::int64_t b) {
+    const Wide<6> x(a), y(b);
+    EXPECT_EQ(to_big(short_product<9>(x, y)), cpp_int(a) * b);
+    EXPECT_EQ(short_product<1>(x, y).words[0], short_product<9>(x, y).words[0]);
+  };
+  for (const std::int64_t a : {INT64_MIN, std::int64_t{-1}, std::int64_t{0},
+                               std::int64_t{1}, INT64_MAX}) {
+    for (const std::int64_t b : {INT64_MIN, std::int64_t{-1}, std::int64_t{0},
+                                 std::int64_t{1}, INT64_MAX})
+      expect_true(a, b);
+  }
 }
 
 TEST(Wide, SumsDifferencesAndSignsAreTrue) {
