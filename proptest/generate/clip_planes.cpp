@@ -4,15 +4,8 @@
 
 namespace halfspace::generate {
 
-std::uint64_t number_of(const Scene& scene) {
-  std::uint64_t number = 0;
-  for (const GridPoint& p : scene.data().vertices)
-    number = mix(number + static_cast<std::uint64_t>(p.x + 3 * p.y + 7 * p.z));
-  return number;
-}
-
-std::vector<ClipPlane> clip_planes(const Scene& scene, std::uint64_t count) {
-  const std::uint64_t number = number_of(scene);
+std::vector<ClipPlane> clip_planes(const Scene& scene, std::uint64_t number,
+                                   std::uint64_t count) {
   const auto& vertices = scene.data().vertices;
   std::vector<ClipPlane> planes;
   for (std::uint64_t k = 0; k < count; ++k) {

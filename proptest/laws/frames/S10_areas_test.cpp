@@ -141,9 +141,16 @@ bool is_of_boxes(const Scene& scene) {
   return scene.polygon_count() != 0 && bad_edges(scene).empty();
 }
 
+std::uint64_t section_number_of(const SceneFile& view) {
+  std::uint64_t number = 0;
+  for (const GridPoint& p : view.scene.data().vertices)
+    number = mix(number + static_cast<std::uint64_t>(p.x + 3 * p.y + 7 * p.z));
+  return number;
+}
+
 /// A cut across an axis at a coordinate of the scene, or next to one.
 AxisCut cut_of(const SceneFile& view) {
-  const std::uint64_t number = generate::number_of(view.scene);
+  const std::uint64_t number = section_number_of(view);
   const auto& vertices = view.scene.data().vertices;
   AxisCut cut;
   cut.axis = number % 3;
@@ -224,8 +231,9 @@ std::optional<SceneFile> section_of(const SceneFile& whole,
       !bad_edges(whole.scene).empty())
     return std::nullopt;
   SceneFile view = whole;
-  const std::uint64_t number = generate::number_of(view.scene);
-  view.options.clips = generate::clip_planes(view.scene, 1 + number % 3);
+  const std::uint64_t number = section_number_of(view);
+  view.options.clips =
+      generate::clip_planes(view.scene, number, 1 + number % 3);
   if (view.options.clips.empty()) return std::nullopt;
   if (number % 4 != 0)
     view.options.caps = CapStyle{{9, 208, 77}, Rgb{200, 1, 100}};

@@ -13,6 +13,7 @@
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/visible_map.hpp"
+#include "halfspace/splitmix.hpp"
 #include "laws/law.hpp"
 
 /// Laws of drawings of sections (S9.8).
@@ -92,19 +93,26 @@ struct FastSections {
   }
 };
 
+std::uint64_t number_of(const SceneFile& view) {
+  std::uint64_t sum = 11;
+  for (const GridPoint& p : view.scene.data().vertices)
+    sum = 31 * sum + static_cast<std::uint64_t>(p.x + 3 * p.y + 7 * p.z);
+  return mix(sum);
+}
+
 /// The view with planes through corners or beside them, and a cap where that
 /// can be. Nothing of scenes that are empty or too large.
 std::optional<SceneFile> section_of(const SceneFile& whole) {
   const Scene& scene = whole.scene;
   if (scene.polygon_count() == 0 || scene.polygon_count() > kMostPolygons)
     return std::nullopt;
-  const std::uint64_t number = generate::number_of(scene);
+  const std::uint64_t number = number_of(whole);
   SceneFile view = whole;
   view.options.caps = std::nullopt;
   if (bad_edges(scene).empty() && number % 4 != 0)
     view.options.caps = CapStyle{{9, 208, 77}, std::nullopt};
-  view.options.clips =
-      generate::clip_planes(scene, view.options.caps ? 1 : 1 + number % 2);
+  view.options.clips = generate::clip_planes(
+      scene, number, view.options.caps ? 1 : 1 + number % 2);
   if (view.options.clips.empty()) return std::nullopt;
   return view;
 }
