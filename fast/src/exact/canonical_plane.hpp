@@ -30,13 +30,24 @@ template <class Int>
 bool orient_normal(Vector3<Int>& n) {
   const bool flipped = (n.x != 0 ? n.x : n.y != 0 ? n.y : n.z) < 0;
   // Unpredictable, so without a branch.
-  const Int sign = flipped ? -1 : 1;
-  n = {sign * n.x, sign * n.y, sign * n.z};
+  const Int mask = flipped ? -1 : 0;
+  n = {(n.x ^ mask) - mask, (n.y ^ mask) - mask, (n.z ^ mask) - mask};
   return flipped;
 }
 
 /// Divides a normal by its greatest common divisor.
 inline void reduce_normal(Vector3<Int128>& n) {
+  if (is_short(n.x) && is_short(n.y) && is_short(n.z)) {
+    Vector3<std::int64_t> m = {static_cast<std::int64_t>(n.x),
+                               static_cast<std::int64_t>(n.y),
+                               static_cast<std::int64_t>(n.z)};
+    auto divisor = greatest_common_divisor(size_of(m.x), size_of(m.y));
+    if (divisor != 1) divisor = greatest_common_divisor(divisor, size_of(m.z));
+    if (divisor == 1) return;
+    const auto by = static_cast<std::int64_t>(divisor);
+    n = {m.x / by, m.y / by, m.z / by};
+    return;
+  }
   auto divisor = greatest_common_divisor(size_of(n.x), size_of(n.y));
   if (divisor != 1) divisor = greatest_common_divisor(divisor, size_of(n.z));
   if (divisor == 1) return;

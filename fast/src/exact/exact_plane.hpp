@@ -48,6 +48,17 @@ template <int kBits>
 Vector3<typename Grid<kBits>::Normal> cross(const Vector3<std::int64_t>& u,
                                             const Vector3<std::int64_t>& v) {
   using N = typename Grid<kBits>::Normal;
+  if constexpr (kSlowProducts && sizeof(N) == sizeof(Int128)) {
+    constexpr std::int64_t kMost = std::int64_t{1} << 31;
+    const auto fits = [](const Vector3<std::int64_t>& d) {
+      return d.x < kMost && d.x > -kMost && d.y < kMost && d.y > -kMost &&
+             d.z < kMost && d.z > -kMost;
+    };
+    if (fits(u) && fits(v)) {
+      return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z,
+              u.x * v.y - u.y * v.x};
+    }
+  }
   return {N{u.y} * v.z - N{u.z} * v.y, N{u.z} * v.x - N{u.x} * v.z,
           N{u.x} * v.y - N{u.y} * v.x};
 }
@@ -65,6 +76,14 @@ typename Grid<kBits>::Value value_at(const ExactPlane<kBits>& plane,
                                      const GridPoint& p) {
   const Vector3<std::int64_t> v = difference(plane.origin, p);
   if constexpr (kBits == 54) {
+    if (kSlowProducts && is_short(plane.normal.x) && is_short(plane.normal.y) &&
+        is_short(plane.normal.z)) {
+      const auto times = [](Int128 n, std::int64_t d) {
+        return product_of(static_cast<std::int64_t>(n), d);
+      };
+      return times(plane.normal.x, v.x) + times(plane.normal.y, v.y) +
+             times(plane.normal.z, v.z);
+    }
     return multiply<3>(plane.normal.x, Int128{v.x}) +
            multiply<3>(plane.normal.y, Int128{v.y}) +
            multiply<3>(plane.normal.z, Int128{v.z});

@@ -4,12 +4,57 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "halfspace/int128.hpp"
 
 namespace halfspace::fast {
 
 __extension__ typedef unsigned __int128 Uint128;
+
+/// Whether no instruction gives both words of a product: then it pays to look
+/// how long numbers are, which mostly are far shorter than they may be.
+#if defined(__wasm__)
+constexpr bool kSlowProducts = true;
+#else
+constexpr bool kSlowProducts = false;
+#endif
+
+/// The low word of a * b + add + carry; its high word becomes the carry.
+inline std::uint64_t multiply_words(std::uint64_t a, std::uint64_t b,
+                                    std::uint64_t add, std::uint64_t& carry) {
+  constexpr std::uint64_t kHalf = 0xffffffff;
+  const std::uint64_t a0 = a & kHalf, a1 = a >> 32;
+  const std::uint64_t b0 = b & kHalf, b1 = b >> 32;
+  const std::uint64_t low = a0 * b0;
+  const std::uint64_t left = a1 * b0, right = a0 * b1;
+  const std::uint64_t middle = (low >> 32) + (left & kHalf) + (right & kHalf);
+  std::uint64_t high = a1 * b1 + (left >> 32) + (right >> 32) + (middle >> 32);
+  std::uint64_t word = (low & kHalf) | (middle << 32);
+  word += add;
+  high += word < add ? 1u : 0u;
+  word += carry;
+  high += word < carry ? 1u : 0u;
+  carry = high;
+  return word;
+}
+
+/// a * b.
+inline Int128 product_of(std::int64_t a, std::int64_t b) {
+  if constexpr (!kSlowProducts) return Int128{a} * b;
+  std::uint64_t high = 0;
+  const std::uint64_t low = multiply_words(
+      static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), 0, high);
+  if (a < 0) high -= static_cast<std::uint64_t>(b);
+  if (b < 0) high -= static_cast<std::uint64_t>(a);
+  return static_cast<Int128>((Uint128{high} << 64) | low);
+}
+
+/// Whether the value is less than 2^62 in size, about.
+constexpr bool is_short(Int128 value) {
+  return value == static_cast<std::int64_t>(value) &&
+         value < (std::int64_t{1} << 62) && value > -(std::int64_t{1} << 62);
+}
 
 /// A signed integer of `kWords` words of 64 bits in two's complement, least
 /// word first. Lives in registers or on the stack; nothing allocates.
@@ -84,6 +129,51 @@ constexpr Wide<kWords> size_of(const Wide<kWords>& a) {
   return a.is_negative() ? -a : a;
 }
 
+/// How many words hold the value with its sign.
+template <std::size_t kWords>
+std::size_t length_of(const Wide<kWords>& a) {
+  const std::uint64_t fill = a.is_negative() ? ~std::uint64_t{0} : 0;
+  std::size_t length = kWords;
+  while (length > 1 && a.words[length - 1] == fill &&
+         (a.words[length - 2] >> 63) == (fill & 1)) {
+    --length;
+  }
+  return length;
+}
+
+/// multiply() below, of as many words as the values have.
+template <std::size_t kResult, std::size_t kA, std::size_t kB>
+Wide<kResult> multiply_short(const Wide<kA>& a, const Wide<kB>& b) {
+  const std::size_t a_length = length_of(a), b_length = length_of(b);
+  const std::size_t full =
+      a_length + b_length < kResult ? a_length + b_length : kResult;
+  Wide<kResult> product;
+  for (std::size_t i = 0; i < a_length && i < full; ++i) {
+    std::uint64_t carry = 0;
+    for (std::size_t j = 0; j < b_length && i + j < full; ++j) {
+      product.words[i + j] =
+          multiply_words(a.words[i], b.words[j], product.words[i + j], carry);
+    }
+    if (i + b_length < full) product.words[i + b_length] = carry;
+  }
+  const auto subtract = [&](const auto& value, std::size_t length,
+                            std::size_t shift) {
+    std::uint64_t borrow = 0;
+    for (std::size_t i = shift; i < full && i - shift < length; ++i) {
+      const Uint128 d =
+          Uint128{product.words[i]} - value.words[i - shift] - borrow;
+      product.words[i] = static_cast<std::uint64_t>(d);
+      borrow = static_cast<std::uint64_t>(d >> 64) & 1u;
+    }
+  };
+  if (a.is_negative()) subtract(b, b_length, a_length);
+  if (b.is_negative()) subtract(a, a_length, b_length);
+  const bool negative = (product.words[full - 1] >> 63) != 0;
+  for (std::size_t i = full; i < kResult; ++i)
+    product.words[i] = negative ? ~std::uint64_t{0} : 0;
+  return product;
+}
+
 /// a * b in `kResult` words.
 ///
 /// The words are multiplied as if unsigned. With A words in a, reading a < 0 as
@@ -91,6 +181,9 @@ constexpr Wide<kWords> size_of(const Wide<kWords>& a) {
 /// for b. The product of both excesses lies beyond A + B words.
 template <std::size_t kResult, std::size_t kA, std::size_t kB>
 constexpr Wide<kResult> multiply(const Wide<kA>& a, const Wide<kB>& b) {
+  if constexpr (kSlowProducts) {
+    if (!std::is_constant_evaluated()) return multiply_short<kResult>(a, b);
+  }
   constexpr std::size_t kFull = kA + kB < kResult ? kA + kB : kResult;
   Wide<kFull> product;
   for (std::size_t i = 0; i < kA && i < kFull; ++i) {

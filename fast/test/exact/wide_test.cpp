@@ -95,5 +95,27 @@ TEST(Wide, DoublesAreTheNearest) {
   }
 }
 
+// What a module for the web does, which has no products of two words.
+TEST(Wide, ProductsOfFewWordsAreTheProducts) {
+  std::mt19937_64 random(29);
+  for (int round = 0; round < 20000; ++round) {
+    const auto a = random_wide<4>(random, 1 + random() % 4);
+    const auto b = random_wide<3>(random, 1 + random() % 3);
+    ASSERT_EQ(to_big(multiply_short<8>(a, b)), to_big(a) * to_big(b)) << round;
+    ASSERT_EQ(multiply_short<5>(a, b), multiply<5>(a, b)) << round;
+    ASSERT_EQ(Wide<4>(a), multiply_short<4>(Wide<2>(1), a)) << round;
+    const std::uint64_t x = a.words[0], y = b.words[0], add = a.words[1];
+    std::uint64_t carry = b.words[1];
+    const Uint128 expected = Uint128{x} * y + add + carry;
+    const std::uint64_t low = multiply_words(x, y, add, carry);
+    ASSERT_EQ((Uint128{carry} << 64) | low, expected) << round;
+  }
+  for (const int bits : {0, 61, 62, 63, 64}) {
+    const Int128 value = Int128{1} << bits;
+    EXPECT_EQ(is_short(value), bits < 62) << bits;
+    EXPECT_EQ(is_short(-value), bits < 62) << bits;
+  }
+}
+
 }  // namespace
 }  // namespace halfspace::fast
