@@ -51,6 +51,7 @@ struct WebScene {
   std::optional<ScalarField> field;           ///< of a mesh with numbers
   std::optional<fast::ScalarColors> scalars;  ///< its colours
   ColorImage colors;
+  std::vector<std::uint32_t> opaque;  ///< the colours with alphas
   ItemImage items;
 
   const Scene& scene() const { return figure.scene(); }
@@ -216,40 +217,73 @@ struct AskedFigure {
   int decimals = 3;
 };
 
+/// Adds the regions that are seen, or their borders, or both.
+Result<Done> add_map(WebScene& shown, const Camera& camera,
+                     const AskedFigure& asked, const ImageOptions& image,
+                     io::Figure& figure) {
+  const fast::BspTree* tree = shown.divided_tree();
+  if (tree == nullptr) return stopped();
+  const std::string by = asked.by.empty() ? "face" : asked.by;
+  const auto map = fast::section_map(
+      shown.scene(), *tree, camera,
+      {image.cull, tools::keys_of(shown.figure, by, false, image.caps)}, image,
+      {});
+  if (!map) return map.error();
+  if (!asked.by.empty()) {
+    tools::FillStyle style;
+    style.by = by;
+    style.background = image.background;
+    if (image.caps) style.caps = *image.caps;
+    tools::add_regions(figure, *map, shown.figure, style, {});
+  }
+  if (asked.lines == 1) tools::add_borders(figure, *map, asked.line_width, {});
+  return Done{};
+}
+
+Result<Done> add_edges(WebScene& shown, const Camera& camera,
+                       const AskedFigure& asked, const ImageOptions& image,
+                       io::Figure& figure) {
+  DrawingOptions options;
+  options.cull = image.cull;
+  options.clips = image.clips;
+  options.caps = image.caps.has_value();
+  options.crease_cosine = static_cast<std::int32_t>(std::lround(std::ldexp(
+      std::cos(asked.crease_deg * std::numbers::pi / 180), kCosineBits)));
+  const auto drawing = fast::draw(shown.scene(), camera, options);
+  if (!drawing) return drawing.error();
+  tools::StrokeStyle style;
+  style.width = asked.line_width;
+  style.hidden =
+      asked.lines == 3 ? tools::Hidden::kDashed : tools::Hidden::kGone;
+  tools::add_strokes(figure, *drawing, style, {});
+  return Done{};
+}
+
 Result<std::string> drawn(WebScene& shown, const AskedView& view,
                           const AskedFigure& asked, std::string_view ending) {
+  if (view.back_color) {
+    return Error{ErrorCode::kOutOfRange,
+                 "back faces are marked in pictures, not in figures"};
+  }
+  if (asked.lines >= 2 && view.caps && view.clips.size() > 1) {
+    return Error{ErrorCode::kOutOfRange,
+                 "where caps of several planes meet, no edge is drawn: one "
+                 "plane, no caps or no edges"};
+  }
   const auto viewed = io::look_at(shown.scene(), view.camera);
   if (!viewed) return viewed.error();
+  const auto image = image_options(shown, view);
+  if (!image) return image.error();
   io::Figure figure;
   figure.width = view.camera.width_px;
   figure.height = view.camera.height_px;
   if (!asked.by.empty() || asked.lines == 1) {
-    const fast::BspTree* tree = shown.divided_tree();
-    if (tree == nullptr) return stopped();
-    const std::string by = asked.by.empty() ? "face" : asked.by;
-    const auto map =
-        fast::visible_map(shown.scene(), *tree, viewed->camera,
-                          {view.cull, tools::keys_of(shown.figure, by)}, {});
-    if (!map) return map.error();
-    if (!asked.by.empty()) {
-      tools::add_regions(figure, *map, shown.figure,
-                         {.by = by, .background = view.background}, {});
-    }
-    if (asked.lines == 1)
-      tools::add_borders(figure, *map, asked.line_width, {});
+    const auto done = add_map(shown, viewed->camera, asked, *image, figure);
+    if (!done) return done.error();
   }
   if (asked.lines >= 2) {
-    DrawingOptions options;
-    options.cull = view.cull;
-    options.crease_cosine = static_cast<std::int32_t>(std::lround(std::ldexp(
-        std::cos(asked.crease_deg * std::numbers::pi / 180), kCosineBits)));
-    const auto drawing = fast::draw(shown.scene(), viewed->camera, options);
-    if (!drawing) return drawing.error();
-    tools::StrokeStyle style;
-    style.width = asked.line_width;
-    style.hidden =
-        asked.lines == 3 ? tools::Hidden::kDashed : tools::Hidden::kGone;
-    tools::add_strokes(figure, *drawing, style, {});
+    const auto done = add_edges(shown, viewed->camera, asked, *image, figure);
+    if (!done) return done.error();
   }
   return io::figure_bytes(ending, figure, {asked.decimals});
 }
@@ -300,6 +334,16 @@ Result<std::unique_ptr<WebScene>> scene_by_scalars(const std::string& path,
   shown->figure.files.assign(shown->scene().polygon_count(), 0);
   shown->field = *std::move(field);
   return shown;
+}
+
+/// Colours of four bytes, as canvases take them: the least byte is red.
+void make_opaque(const ColorImage& colors, std::vector<std::uint32_t>& to) {
+  to.resize(colors.pixels.size());
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    const Rgb& c = colors.pixels[k];
+    to[k] = 0xff000000u | static_cast<std::uint32_t>(c.b) << 16 |
+            static_cast<std::uint32_t>(c.g) << 8 | c.r;
+  }
 }
 
 double step_of_scene(const Scene& scene) {
@@ -408,14 +452,16 @@ int hs_scene_view(const WebScene* shown, double x, double y, double z,
                             view.fov_deg,  view.ortho_height};
       });
 }
-/// The addresses of ids and of colours, which the next picture overwrites.
+/// The addresses of ids and of colours with alphas, which the next picture
+/// overwrites.
 HALFSPACE_EXPORT(hs_scene_render)
 int hs_scene_render(WebScene* shown, const double* view, int samples) {
   return answered(rendered(*shown, view_from(view), samples), [&](Done) {
+    make_opaque(shown->colors, shown->opaque);
     answer().integers = {handle_of(shown->items.pixels.data()),
                          shown->items.width_px,
                          shown->items.height_px,
-                         handle_of(shown->colors.pixels.data()),
+                         handle_of(shown->opaque.data()),
                          shown->colors.width_px,
                          shown->colors.height_px};
   });

@@ -65,6 +65,33 @@ await test("files are those of the program", () => {
   }
 });
 
+await test("operands that no grid holds are rounded as the program does", () => {
+  // Decimals of 21 digits; of 4, far away; and doubles.
+  const text = new TextDecoder().decode(
+    Solid.box([0, 0, 0], [1, 1, 1]).save("obj"));
+  const scaled = (f) => new TextEncoder().encode(text.replace(/^v .*$/gm,
+    (line) => `v ${line.split(" ").slice(1).map(Number).map(f).join(" ")}`));
+  const files = {
+    fine: scaled((c) => c ? "1.23456789012345678901" : "-0.3"),
+    far: scaled((c) => c ? "987654.3" : "0.1"),
+  };
+  for (const [name, bytes] of Object.entries(files))
+    fs.writeFileSync(`${name}.obj`, bytes);
+  fs.writeFileSync("third.ply", Solid.box([0, 0, 0], [1 / 3, 1e-9, 2 / 7])
+    .save("ply"));
+  files.third = bytesOf("third.ply");
+  const read = (name, options = { mayRound: true, mergeCoplanar: false }) =>
+    Solid.fromFile(files[name], name === "third" ? "ply" : "obj", options);
+  for (const [a, b] of [["fine", "far"], ["far", "third"], ["third", "fine"]]) {
+    native("csg", "A - B", `A=${a}.${a === "third" ? "ply" : "obj"}`,
+      `B=${b}.${b === "third" ? "ply" : "obj"}`, "-o", "native.stl", "--quiet");
+    const part = read(a).subtract(read(b));
+    same(part.save("stl"), bytesOf("native.stl"), `${a} - ${b}`);
+    assert.ok(part.rounding().moved > 0 && part.rounding().gridBits === 54);
+  }
+  fails("OUT_OF_RANGE", () => read("far", {}).add(read("third", {})).volume());
+});
+
 await test("measures are exact", () => {
   const corner = Solid.box([0, 0, 0], [1, 1, 1])
     .intersect(Solid.halfSpace([1, 2, 3], 1));
@@ -169,6 +196,14 @@ await test("pictures and figures are those of the program", () => {
     same(scene.draw(view, { fill, lines }), bytesOf("part.svg"),
       `SVG with ${fill} and ${lines}`);
   }
+  native("draw", "part.obj", "-o", "cut.svg", ...camera, "--fill", "colour",
+    "--lines", "edges", "--clip", "-1,0,0,2.5", "--cap", "hatch");
+  const half = { ...view, clips: [[-1, 0, 0, 2.5]], caps: "hatch" };
+  same(scene.draw(half, { lines: "edges" }), bytesOf("cut.svg"),
+    "SVG of a section");
+  fails("OUT_OF_RANGE", () => scene.draw({ ...view, backColor: [1, 2, 3] }));
+  fails("OUT_OF_RANGE", () => scene.draw(
+    { ...half, clips: [[-1, 0, 0, 2.5], [0, -1, 0, 2]] }, { lines: "edges" }));
   native("render", "part.obj", "--ids", "clip.npy", ...camera, "--clip",
     "-1,0,0,2.5", "--cap", "200,80,40");
   const cut = scene.render({ ...view, clips: [[-1, 0, 0, 2.5]],
@@ -343,7 +378,8 @@ await test("a module that ran out of memory is begun again", async () => {
   const other = await import(
     pathToFileURL(path.join(packageDir, "halfspace.js")) + "?small");
   await other.init({ wasm: withPages(fs.readFileSync(process.argv[5]), 1200) });
-  const solid = other.Solid.sphere(1);
+  // The first of its kind, and so where the next module has its first.
+  const solid = other.Solid.box([0, 0, 0], [1, 1, 1]);
   const broken = (work) => assert.throws(work, (e) => e.code === "BROKEN" &&
     /memory|reset/.test(e.message));
   const { error } = console;
@@ -352,7 +388,14 @@ await test("a module that ran out of memory is begun again", async () => {
   broken(() => solid.volume());
   await other.reset();
   broken(() => solid.volume());
-  assert.equal(other.Solid.box([0, 0, 0], [1, 1, 1]).volume(), 1);
+  const box = other.Solid.box([0, 0, 0], [1, 1, 1]);
+  assert.equal(box.volume(), 1);
+  // What was made before names nothing there, and gives nothing back.
+  solid.dispose();
+  const more = Array.from({ length: 8 }, (_, k) => box.scale(k + 1));
+  assert.equal(box.add(box.translate([1, 0, 0])).volume(), 2);
+  assert.deepEqual(more.map((m) => m.volume()),
+    more.map((_, k) => (k + 1) ** 3));
   console.error = error;
 });
 

@@ -8,7 +8,7 @@ import { pathToFileURL } from "node:url";
 
 const load = (name) => import(
   pathToFileURL(path.join(path.resolve(process.argv[2]), name)));
-const { Solid, Scene } = await load("halfspace.js");
+const { Solid, Scene, memoryBytes, scope } = await load("halfspace.js");
 const { default: Module } = await load("manifold.js");
 const wasm = await Module();
 wasm.setup();
@@ -39,6 +39,39 @@ const kept = [...section];
 brick.translate([5, 5, 5]).bounds();
 Solid.sphere(1, 300).volume();
 assert.deepEqual([...section], kept);
+
+// Parts of arrays are taken, and their copies given back.
+const corners = Float64Array.of(9, 9, 9, 0, 0, 0, 6, 0, 0, 0, 1, 0, 0, 0, 1);
+assert.equal(Solid.hull(corners.subarray(3)).volume(), 1);
+const many = new Float64Array(3 * 20000);
+for (let k = 0; k < 2; ++k) scope(() => { Solid.hull(many); });
+const before = memoryBytes();
+for (let k = 0; k < 100; ++k) scope(() => { Solid.hull(many); });
+assert.equal(memoryBytes(), before);
+
+// What scopes return stays, until the scope around them ends.
+const [one, other] = scope(() => [brick.scale(2), brick.scale(3)]);
+assert.equal(one.volume() + other.volume(), 6 * 35);
+assert.equal(scope(() => brick.scale(4)).volume(), 6 * 64);
+let inner = null;
+scope(() => { inner = scope(() => brick.scale(5)); });
+assert.throws(() => inner.volume(), (e) => e.code === "DISPOSED");
+
+// Errors have their index and their words.
+const wrong = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 7] };
+assert.throws(() => Solid.fromMesh(wrong).volume(), (e) =>
+  e.code === "BAD_INDEX" && e.index === 2 && e.words !== "");
+assert.throws(() => Solid.fromMesh({ ...wrong, triangles: [0, 1, 2] }).volume(),
+  (e) => e.code === "OPEN" && /open/.test(e.words));
+
+// Work within a report of other work leaves that its reports.
+const row = (n) => Solid.union(Array.from({ length: n }, (_, k) =>
+  brick.translate([2 * k, 0, 0])));
+let reports = 0;
+row(40).evaluate({ progress: () => {
+  if (++reports === 1) row(7).evaluate({ progress: () => true });
+} });
+assert.ok(reports > 1);
 
 // Materials and colours of polygons are in their own arrays.
 const mesh = brick.mesh();
@@ -78,6 +111,71 @@ assert.ok(scene.pick({ ...view, near: 18 }, 22, 17)?.point[2] !== 3);
 const below = { ...view, eye: [0.5, 1, 1], orthographic: false, fov: 40 };
 assert.ok(count(below) > 0);
 assert.equal(count({ ...below, cull: true }), 0);
+
+const ground = scene.render({ ...view, background: [10, 20, 30] });
+assert.deepEqual([...ground.rgba.subarray(0, 4)], [10, 20, 30, 255]);
+assert.equal(ground.ids[0], -1);
+// The brick is 3.2 high from there.
+const flat = scene.view({ azimuth: 0, elevation: 0, orthographic: true });
+assert.ok(flat.orthoHeight > 3 && flat.orthoHeight < 8);
+assert.equal(flat.fov, scene.view({ azimuth: 0, elevation: 0 }).fov);
+
+// Options of meshes and files.
+const soup = (solids) => {
+  const parts = solids.map((s) => s.mesh());
+  const vertices = parts.flatMap((m) => [...m.vertices]);
+  let at = 0;
+  const triangles = parts.flatMap((m) => {
+    const moved = [...m.corners].map((c) => c + at);
+    at += m.vertexCount;
+    return moved;
+  });
+  return { vertices, triangles };
+};
+const crossing = soup([Solid.box([0, 0, 0], [2, 2, 2]),
+  Solid.box([1, 1, 1], [3, 3, 3])]);
+assert.throws(() => Solid.fromMesh(crossing).volume(),
+  (e) => e.code === "SELF_CROSSING");
+assert.equal(Solid.fromMesh(crossing, { resolve: true }).volume(), 15);
+const faces = (options) => Solid.fromMesh(soup([brick]), options)
+  .mesh({ triangles: false }).polygonCount;
+assert.equal(faces({ mergeCoplanar: false }), 12);
+assert.equal(faces({}), 6);
+const wide = brick.add(Solid.box([1, 0, 0], [2, 2, 3]));
+const count4 = (text) => [...text.matchAll(/^f /gm)].length;
+const saved = (options) =>
+  count4(new TextDecoder().decode(wide.save("obj", options)));
+assert.equal(saved({ merge: "plane" }), 6);
+assert.equal(saved({ merge: "plane", triangles: true }), 12);
+assert.equal(saved({}), 10);
+assert.equal(wide.mesh({ merge: "plane" }).polygonCount, 12);
+const obj = (text) => new TextEncoder().encode(text);
+const sheet = obj("v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n");
+const { solid: shell } = Solid.mended(sheet, "obj", { thicken: 0.5 });
+assert.ok(Math.abs(shell.volume() - 4) < 0.01, shell.volume());
+// A box, the top of which has corners of its own a little beside.
+const box = new TextDecoder().decode(brick.save("obj", { merge: "plane" }));
+const lines = box.split("\n").filter((l) => l.startsWith("v "));
+const top = box.split("\n").filter((l) => l.startsWith("f "));
+const apart = obj([...lines, ...lines.map((l) =>
+  `v ${l.slice(2).split(" ").map((c, k) => Number(c) + (k === 0 ? 0.01 : 0))
+    .join(" ")}`), ...top.slice(1), `f ${top[0].slice(2).split(" ")
+  .map((c) => Number(c) + lines.length).join(" ")}`].join("\n") + "\n");
+const welded = Solid.mended(apart, "obj", { weld: 0.02 });
+assert.equal(welded.solid.shellCount(), 1);
+assert.ok(welded.done.some((line) => /weld/.test(line)), welded.done.join());
+assert.throws(() => Solid.mended(apart, "obj"), (e) => e.code === "OPEN");
+
+// Figures: creases, widths, digits.
+const drum = Scene.of(Solid.cylinder(1, 2, 8));
+const figure = (options) => drum.svg({ ...drum.view({ azimuth: 10,
+  elevation: 20 }), width: 200, height: 200 }, { fill: "none", ...options });
+const edges = figure({ lines: "edges" });
+assert.ok(figure({ lines: "edges", crease: 60 }).length < edges.length);
+assert.match(figure({ lines: "edges", lineWidth: 7.5 }), /7\.5/);
+assert.ok(!/7\.5"/.test(edges));
+assert.match(edges, /\d\.\d{3}/);
+assert.ok(!/\d\.\d{2}/.test(figure({ lines: "edges", decimals: 1 })));
 
 // The order feed: what is behind comes first, or last.
 const two = Scene.of([brick, brick.translate([0, 0, 5])]);

@@ -116,6 +116,21 @@ try {
   await choose("axis", "");
   await inPage(() => halfspacePage.changeSection());
 
+  // Files that no one grid holds go together as in the program.
+  native("csg", "box(1)", "-o", "unit.obj");
+  for (const [name, ends] of [["fine", ["-0.3", "1.23456789012345678901"]],
+    ["far", ["0.1", "987654.3"]]]) {
+    fs.writeFileSync(`${name}.obj`, read("unit.obj").toString().replace(
+      /^v .*$/gm, (line) => `v ${line.split(" ").slice(1)
+        .map((c) => ends[Number(c)]).join(" ")}`));
+  }
+  await inPage(() => halfspacePage.load([]));
+  await open("fine.obj", "far.obj");
+  await inPage(() => halfspacePage.load(halfspacePage.parts.map((p, k) =>
+    k === 1 ? { ...p, operation: "subtract" } : p)));
+  native("csg", "a - b", "a=fine.obj", "b=far.obj", "-o", "rounded.stl");
+  same(await saved("stl"), read("rounded.stl"), "rounded operands");
+
   // Colours by a property, and by a file of numbers beside the mesh.
   fs.writeFileSync("wave.ply", heatedWave());
   fs.writeFileSync("wave.csv",

@@ -1009,15 +1009,8 @@ export class Scene extends Owner {
       answerIntegers();
     const ids = new Int32Array(core.memory.buffer, idsAt >>> 0,
       idColumns * idRows).slice();
-    const rgb = new Uint8Array(core.memory.buffer, colorsAt >>> 0,
-      3 * width * height);
-    const rgba = new Uint8ClampedArray(4 * width * height);
-    for (let from = 0, to = 0; from < rgb.length; from += 3, to += 4) {
-      rgba[to] = rgb[from];
-      rgba[to + 1] = rgb[from + 1];
-      rgba[to + 2] = rgb[from + 2];
-      rgba[to + 3] = 255;
-    }
+    const rgba = new Uint8ClampedArray(core.memory.buffer, colorsAt >>> 0,
+      4 * width * height).slice();
     return { width, height, ids, rgba };
   }
   /** What is seen at a pixel, or null. */
