@@ -8,23 +8,13 @@
 
 namespace halfspace::fast {
 
-/// How many words of the value hold it with its sign, one at least.
-template <std::size_t kWords>
-std::size_t used_words(const Wide<kWords>& a) {
-  const std::uint64_t fill = a.is_negative() ? ~std::uint64_t{0} : 0;
-  std::size_t used = kWords;
-  while (used > 1 && a.words[used - 1] == fill &&
-         ((a.words[used - 2] ^ fill) >> 63) == 0)
-    --used;
-  return used;
-}
-
 /// As multiply(), for values that seldom fill their words: only the words that
 /// are used are multiplied.
 template <std::size_t kResult, std::size_t kA, std::size_t kB>
 Wide<kResult> short_product(const Wide<kA>& a, const Wide<kB>& b) {
-  const std::size_t used_a = used_words(a);
-  const std::size_t used_b = used_words(b);
+  if constexpr (kSlowProducts) return multiply_short<kResult>(a, b);
+  const std::size_t used_a = length_of(a);
+  const std::size_t used_b = length_of(b);
   const std::size_t full = std::min(used_a + used_b, kResult);
   Wide<kResult> product;
   for (std::size_t i = 0; i < used_a && i < full; ++i) {
