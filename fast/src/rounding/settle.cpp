@@ -172,7 +172,7 @@ MeshContacts Settler::rounded(const std::vector<LoosePoint>& loose) {
   if (!contacts.pairs.empty() && result_.end != Settling::kOpen) {
     index_.keep_up(mesh);
     const Untangled done =
-        untangle(mesh, may_move(contacts), loose, index_, grid_);
+        untangle(mesh, contacts, may_move(contacts), loose, index_, grid_);
     if (done.farthest.distance > move.distance) move = done.farthest;
     index_.follow(mesh, done.changed);
     contacts = contacts_after(contacts, mesh, done.changed, threads_, index_);

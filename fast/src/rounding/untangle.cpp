@@ -58,9 +58,11 @@ class Untangler {
     pairs_left_ = kPairsAlways + kPairsEach * mesh.triangles.size();
   }
 
-  Untangled run(const std::vector<std::uint8_t>& may,
+  Untangled run(const MeshContacts& contacts,
+                const std::vector<std::uint8_t>& may,
                 const std::vector<LoosePoint>& loose) {
     const std::size_t loose_count = take_corners(may, loose);
+    take_stars(contacts);
     std::size_t count = loose_count;
     for (std::size_t sweep = 0; sweep < kSweeps; ++sweep) {
       bool any = false;
@@ -74,16 +76,19 @@ class Untangler {
   }
 
  private:
+  /// Triangles that may meet, one of them of the corner that is tried.
+  struct Pair {
+    std::int32_t own;
+    std::int32_t other;
+  };
   /// A point that may move.
   struct Corner {
     std::int32_t point = 0;
     StepPoint place;                 ///< where it was to be
     std::vector<std::int32_t> star;  ///< its triangles
-  };
-  /// Triangles that may meet, one of them of the corner that is tried.
-  struct Pair {
-    std::int32_t own;
-    std::int32_t other;
+    std::vector<Pair> met;           ///< of its triangles, in the beginning
+    bool was_tried = false;
+    bool is_done = false;  ///< when it was last looked at none met any more
   };
 
   const GridTriangle& triangle(std::int32_t t) const {
@@ -96,12 +101,14 @@ class Untangler {
 
   std::size_t take_corners(std::vector<std::uint8_t> may,
                            const std::vector<LoosePoint>& loose);
-  void take_stars();
+  void take_stars(const MeshContacts& contacts);
   void find_pairs(const Corner& corner);
   bool have_areas(const Corner& corner) const;
   std::size_t meetings(std::size_t most);
   std::vector<GridPoint> places_near(const StepPoint& place) const;
-  bool improve(const Corner& corner);
+  bool pair_meets(const Pair& pair) const;
+  bool improve(Corner& corner);
+  bool move(const Corner& corner, std::size_t& fewest);
   void note_farthest();
 
   GridMesh& mesh_;
@@ -121,19 +128,18 @@ std::size_t Untangler::take_corners(std::vector<std::uint8_t> may,
   for (const LoosePoint& p : loose) {
     if (std::exchange(may[static_cast<std::size_t>(p.point)],
                       std::uint8_t{0}) != 0)
-      corners_.push_back({p.point, p.at, {}});
+      corners_.push_back({p.point, p.at, {}, {}});
   }
   const std::size_t count = corners_.size();
   for (std::size_t p = 0; p < may.size(); ++p) {
     if (may[p] == 0) continue;
     const auto point = static_cast<std::int32_t>(p);
-    corners_.push_back({point, step_point(mesh_.at(point)), {}});
+    corners_.push_back({point, step_point(mesh_.at(point)), {}, {}});
   }
-  take_stars();
   return count;
 }
 
-void Untangler::take_stars() {
+void Untangler::take_stars(const MeshContacts& contacts) {
   std::vector<std::int32_t> number(mesh_.points.size(), -1);
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     number[static_cast<std::size_t>(corners_[i].point)] =
@@ -145,6 +151,15 @@ void Untangler::take_stars() {
       if (i < 0) continue;
       corners_[static_cast<std::size_t>(i)].star.push_back(
           static_cast<std::int32_t>(t));
+    }
+  }
+  for (const auto& [first, second] : contacts.pairs) {
+    for (const std::int32_t t : {first, second}) {
+      for (const std::int32_t c : triangle(t).corners) {
+        const std::int32_t i = number[static_cast<std::size_t>(c)];
+        if (i < 0) continue;
+        corners_[static_cast<std::size_t>(i)].met.push_back({first, second});
+      }
     }
   }
 }
@@ -183,15 +198,18 @@ bool Untangler::have_areas(const Corner& corner) const {
       });
 }
 
+bool Untangler::pair_meets(const Pair& pair) const {
+  return overlap(box(pair.own), box(pair.other)) &&
+         triangles_meet(mesh_, triangle(pair.own), triangle(pair.other));
+}
+
 /// How many pairs meet; `most` if they are as many or more. The one that made
 /// them so is looked at first the next time.
 std::size_t Untangler::meetings(std::size_t most) {
   std::size_t count = 0;
   for (Pair& pair : pairs_) {
     if (pairs_left_ > 0) --pairs_left_;
-    if (!overlap(box(pair.own), box(pair.other)) ||
-        !triangles_meet(mesh_, triangle(pair.own), triangle(pair.other)))
-      continue;
+    if (!pair_meets(pair)) continue;
     std::swap(pair, pairs_[count]);
     if (++count == most) break;
   }
@@ -220,12 +238,25 @@ std::vector<GridPoint> Untangler::places_near(const StepPoint& place) const {
   return result;
 }
 
-/// Moves a corner, if that helps.
-bool Untangler::improve(const Corner& corner) {
-  if (corner.star.size() > kMostTriangles) return false;
+/// Moves a corner, if that helps. Nothing is to be done where what met is apart
+/// already: who moves into another one's way tries again.
+bool Untangler::improve(Corner& corner) {
+  if (corner.is_done || corner.star.size() > kMostTriangles) return false;
+  if (!std::exchange(corner.was_tried, true) &&
+      std::none_of(corner.met.begin(), corner.met.end(),
+                   [&](const Pair& pair) { return pair_meets(pair); })) {
+    corner.is_done = true;
+    return false;
+  }
   find_pairs(corner);
   std::size_t fewest = meetings(pairs_.size() + 1);
-  if (fewest == 0) return false;
+  const bool moved = fewest > 0 && move(corner, fewest);
+  corner.is_done = fewest == 0;
+  return moved;
+}
+
+/// Moves a corner to where fewer of its pairs meet, `fewest` so far.
+bool Untangler::move(const Corner& corner, std::size_t& fewest) {
   const auto p = static_cast<std::size_t>(corner.point);
   GridPoint& at = mesh_.points[p];
   const GridPoint old = at;
@@ -257,10 +288,11 @@ void Untangler::note_farthest() {
 
 }  // namespace
 
-Untangled untangle(GridMesh& mesh, const std::vector<std::uint8_t>& may,
+Untangled untangle(GridMesh& mesh, const MeshContacts& contacts,
+                   const std::vector<std::uint8_t>& may,
                    const std::vector<LoosePoint>& loose, const MeshIndex& index,
                    const FileGrid& grid) {
-  return Untangler(mesh, index, grid).run(may, loose);
+  return Untangler(mesh, index, grid).run(contacts, may, loose);
 }
 
 }  // namespace halfspace::fast

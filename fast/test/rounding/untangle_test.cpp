@@ -105,8 +105,8 @@ TEST(FastUntangle, SheetsThatRoundingMadeMeetArePutApart) {
     ASSERT_FALSE(contacts.pairs.empty());
     MeshIndex index;
     index.keep_up(mesh);
-    const Untangled done =
-        untangle(mesh, corners_of(contacts, mesh), pillow.loose, index, grid);
+    const Untangled done = untangle(mesh, contacts, corners_of(contacts, mesh),
+                                    pillow.loose, index, grid);
     index.follow(mesh, done.changed);
     const MeshContacts left =
         contacts_after(contacts, mesh, done.changed, 1, index);
@@ -132,15 +132,17 @@ TEST(FastUntangle, OnlyWhatMayMoveAndMeetsOthersMoves) {
   snap(mesh, pillow.loose, grid);
   clean(mesh);
   const std::vector<GridPoint> rounded = mesh.points;
-  const std::vector<std::uint8_t> meets =
-      corners_of(contacts_of(mesh, 1), mesh);
+  const MeshContacts contacts = contacts_of(mesh, 1);
+  const std::vector<std::uint8_t> meets = corners_of(contacts, mesh);
   MeshIndex index;
   index.keep_up(mesh);
   std::vector<std::uint8_t> may(mesh.points.size());
-  EXPECT_EQ(untangle(mesh, may, pillow.loose, index, grid).changed, may);
+  EXPECT_EQ(untangle(mesh, contacts, may, pillow.loose, index, grid).changed,
+            may);
   EXPECT_EQ(mesh.points, rounded);
   may.assign(may.size(), 1);
-  const Untangled done = untangle(mesh, may, pillow.loose, index, grid);
+  const Untangled done =
+      untangle(mesh, contacts, may, pillow.loose, index, grid);
   std::size_t moved = 0;
   for (std::size_t p = 0; p < may.size(); ++p) {
     EXPECT_LE(done.changed[p], meets[p]);
