@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "exact/short_product.hpp"
-
 namespace halfspace::fast {
 namespace {
 
@@ -127,8 +125,8 @@ bool Hiding::is_point(const Line& line) {
   };
   if (differ(p.across, q.across) || differ(p.down, q.down)) return false;
   const auto parallel = [&](const Form& f, const Form& g) {
-    return short_product<20>(value_at(f, p), value_at(g, q)) ==
-           short_product<20>(value_at(f, q), value_at(g, p));
+    return multiply_short<20>(value_at(f, p), value_at(g, q)) ==
+           multiply_short<20>(value_at(f, q), value_at(g, p));
   };
   ++sight_.stats().exact;
   // In perspective both are one ray from the eye: (x, y, w) in proportion.
@@ -174,8 +172,8 @@ int Hiding::compare(const Line& line, const Cut& f, const Cut& g) {
   ++sight_.stats().exact;
   const ExactCut p = exact_cut(line, f);
   const ExactCut q = exact_cut(line, g);
-  return sign(short_product<20>(p.from, q.to) -
-              short_product<20>(q.from, p.to));
+  return sign(multiply_short<20>(p.from, q.to) -
+              multiply_short<20>(q.from, p.to));
 }
 
 Hiding::ExactCut Hiding::exact_cut(const Line& line, const Cut& cut) {

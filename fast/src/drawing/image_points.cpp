@@ -1,7 +1,6 @@
 #include "drawing/image_points.hpp"
 
 #include "exact/nearest_double.hpp"
-#include "exact/short_product.hpp"
 
 namespace halfspace::fast {
 /// Between values f and g of different signs at the ends, a form is 0 at
@@ -18,8 +17,8 @@ ExactImagePoint ImagePoints::exact(const Line& line, const Cut& cut) const {
   const FormValue f = size_of(value_at(form, line.from));
   const FormValue g = size_of(value_at(form, line.to));
   const auto mean = [&](const Form& of) {
-    return short_product<20>(value_at(of, line.from), g) +
-           short_product<20>(value_at(of, line.to), f);
+    return multiply_short<20>(value_at(of, line.from), g) +
+           multiply_short<20>(value_at(of, line.to), f);
   };
   return {mean(sight_.x_form()), mean(sight_.y_form()), mean(sight_.w_form())};
 }
@@ -35,9 +34,9 @@ double ImagePoints::share(const Line& line, const Cut& cut) const {
   if (cut.kind == CutKind::kTo) return 1;
   const Form form = hiding_.form_of(cut);
   const Wide<20> f =
-      short_product<20>(size_of(value_at(form, line.from)), line.to.w);
+      multiply_short<20>(size_of(value_at(form, line.from)), line.to.w);
   const Wide<20> g =
-      short_product<20>(size_of(value_at(form, line.to)), line.from.w);
+      multiply_short<20>(size_of(value_at(form, line.to)), line.from.w);
   bool rounded = false;
   return quotient(f, f + g, rounded);
 }

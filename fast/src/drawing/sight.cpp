@@ -4,22 +4,21 @@
 #include <limits>
 
 #include "exact/nearest_double.hpp"
-#include "exact/short_product.hpp"
 #include "halfspace/fast/predicate.hpp"
 
 namespace halfspace::fast {
 namespace {
 
 Wide<8> dot(const Vector3<Wide<8>>& u, const LatticeVector& v) {
-  return short_product<8>(u.x, Wide<2>(v.x)) +
-         short_product<8>(u.y, Wide<2>(v.y)) +
-         short_product<8>(u.z, Wide<2>(v.z));
+  return multiply_short<8>(u.x, Wide<2>(v.x)) +
+         multiply_short<8>(u.y, Wide<2>(v.y)) +
+         multiply_short<8>(u.z, Wide<2>(v.z));
 }
 
 Vector3<Wide<8>> cross(const Vector3<Wide<4>>& u, const Vector3<Wide<4>>& v) {
-  return {short_product<8>(u.y, v.z) - short_product<8>(u.z, v.y),
-          short_product<8>(u.z, v.x) - short_product<8>(u.x, v.z),
-          short_product<8>(u.x, v.y) - short_product<8>(u.y, v.x)};
+  return {multiply_short<8>(u.y, v.z) - multiply_short<8>(u.z, v.y),
+          multiply_short<8>(u.z, v.x) - multiply_short<8>(u.x, v.z),
+          multiply_short<8>(u.x, v.y) - multiply_short<8>(u.y, v.x)};
 }
 
 Vector3<Wide<4>> wide(const LatticeVector& v) {
@@ -46,8 +45,8 @@ Form difference(const Form& f, const Form& g) {
 }  // namespace
 
 FormValue value_at(const Form& form, const SpacePoint& p) {
-  return short_product<10>(form.a, p.x) + short_product<10>(form.b, p.y) +
-         short_product<10>(form.c, p.z) + short_product<10>(form.d, p.w);
+  return multiply_short<10>(form.a, p.x) + multiply_short<10>(form.b, p.y) +
+         multiply_short<10>(form.c, p.z) + multiply_short<10>(form.d, p.w);
 }
 
 Sight::Sight(const Scene& scene, const Camera& camera)
@@ -231,16 +230,16 @@ Form Sight::side_form(VertexId a, VertexId b) const {
           ? cross(wide(minus(to, camera_.eye)), wide(minus(from, camera_.eye)))
           : cross(wide(camera_.eye), wide(minus(to, from)));
   const auto slope = [](const Wide<8>& value) {
-    return short_product<7>(value, Wide<2>(kStep));
+    return multiply_short<7>(value, Wide<2>(kStep));
   };
   return {slope(normal.x), slope(normal.y), slope(normal.z),
           -FormInt(dot(normal, perspective ? camera_.eye : from))};
 }
 
 FormValue Sight::at_eye(const Form& form) const {
-  const FormValue along = short_product<10>(form.a, Wide<2>(camera_.eye.x)) +
-                          short_product<10>(form.b, Wide<2>(camera_.eye.y)) +
-                          short_product<10>(form.c, Wide<2>(camera_.eye.z));
+  const FormValue along = multiply_short<10>(form.a, Wide<2>(camera_.eye.x)) +
+                          multiply_short<10>(form.b, Wide<2>(camera_.eye.y)) +
+                          multiply_short<10>(form.c, Wide<2>(camera_.eye.z));
   return camera_.perspective ? along + multiply<10>(form.d, kStep) : along;
 }
 
@@ -249,7 +248,7 @@ Form Sight::through_eye(const Form& plane, const Form& form) const {
   const FormValue p = at_eye(plane);
   const FormValue f = at_eye(form);
   const auto part = [&](const FormInt& a, const FormInt& b) {
-    return FormInt(short_product<10>(p, a) - short_product<10>(f, b));
+    return FormInt(multiply_short<10>(p, a) - multiply_short<10>(f, b));
   };
   return {part(form.a, plane.a), part(form.b, plane.b), part(form.c, plane.c),
           part(form.d, plane.d)};

@@ -11,7 +11,6 @@
 #include "base/hash_index.hpp"
 #include "exact/cell_hash.hpp"
 #include "exact/nearest_double.hpp"
-#include "exact/short_product.hpp"
 #include "halfspace/assert.hpp"
 
 namespace halfspace::fast {
@@ -51,8 +50,8 @@ ImageLine image_line(const Form& form) {
 bool is_same(const ImageLine& f, const ImageLine& g) {
   if (f.hash != g.hash || f.largest != g.largest) return false;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (short_product<14>(f.form[k], g.form[g.largest]) !=
-        short_product<14>(g.form[k], f.form[f.largest]))
+    if (multiply_short<14>(f.form[k], g.form[g.largest]) !=
+        multiply_short<14>(g.form[k], f.form[f.largest]))
       return false;
   }
   return true;
@@ -133,7 +132,7 @@ class Joining {
     const ExactImagePoint& q = exact_[second];
     const Wide<20>& a = by_x_ ? p.x : p.y;
     const Wide<20>& b = by_x_ ? q.x : q.y;
-    return sign(short_product<40>(a, q.w) - short_product<40>(b, p.w));
+    return sign(multiply_short<40>(a, q.w) - multiply_short<40>(b, p.w));
   }
 
   /// The number of an end in `exact_`, worked out when it is first asked for.

@@ -12,8 +12,8 @@ namespace halfspace::fast {
 
 __extension__ typedef unsigned __int128 Uint128;
 
-/// Whether no instruction gives both words of a product: then it pays to look
-/// how long numbers are, which mostly are far shorter than they may be.
+/// Whether no instruction gives both words of a product: then it pays always,
+/// not only for many words, to look how long numbers are (multiply_short()).
 #if defined(__wasm__)
 constexpr bool kSlowProducts = true;
 #else
@@ -21,8 +21,14 @@ constexpr bool kSlowProducts = false;
 #endif
 
 /// The low word of a * b + add + carry; its high word becomes the carry.
-inline std::uint64_t multiply_words(std::uint64_t a, std::uint64_t b,
-                                    std::uint64_t add, std::uint64_t& carry) {
+template <bool kSlow = kSlowProducts>
+std::uint64_t multiply_words(std::uint64_t a, std::uint64_t b,
+                             std::uint64_t add, std::uint64_t& carry) {
+  if constexpr (!kSlow) {
+    const Uint128 t = Uint128{a} * b + add + carry;
+    carry = static_cast<std::uint64_t>(t >> 64);
+    return static_cast<std::uint64_t>(t);
+  }
   constexpr std::uint64_t kHalf = 0xffffffff;
   const std::uint64_t a0 = a & kHalf, a1 = a >> 32;
   const std::uint64_t b0 = b & kHalf, b1 = b >> 32;
@@ -141,7 +147,8 @@ std::size_t length_of(const Wide<kWords>& a) {
   return length;
 }
 
-/// multiply() below, of as many words as the values have.
+/// multiply() below, of as many words as the values have: for numbers that are
+/// mostly far shorter than they may be.
 template <std::size_t kResult, std::size_t kA, std::size_t kB>
 Wide<kResult> multiply_short(const Wide<kA>& a, const Wide<kB>& b) {
   const std::size_t a_length = length_of(a), b_length = length_of(b);

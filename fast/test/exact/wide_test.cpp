@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "exact/short_product.hpp"
 #include "exact/wide_draws.hpp"
 
 namespace halfspace::fast {
@@ -22,7 +21,7 @@ void check_products() {
     // Only what fits is asked for.
     if (abs(product) >= (cpp_int(1) << (64 * kResult - 1))) continue;
     ASSERT_EQ(to_big(multiply<kResult>(a, b)), product);
-    ASSERT_EQ(short_product<kResult>(a, b), multiply<kResult>(a, b));
+    ASSERT_EQ(multiply_short<kResult>(a, b), multiply<kResult>(a, b));
   }
 }
 
@@ -42,8 +41,9 @@ TEST(Wide, ProductsAreTrueWhereTheyFit) {
 TEST(Wide, ShortProductsOfTheLeastAndTheGreatestAreTrue) {
   const auto expect_true = [](std::int64_t a, std::int64_t b) {
     const Wide<6> x(a), y(b);
-    EXPECT_EQ(to_big(short_product<9>(x, y)), cpp_int(a) * b);
-    EXPECT_EQ(short_product<1>(x, y).words[0], short_product<9>(x, y).words[0]);
+    EXPECT_EQ(to_big(multiply_short<9>(x, y)), cpp_int(a) * b);
+    EXPECT_EQ(multiply_short<1>(x, y).words[0],
+              multiply_short<9>(x, y).words[0]);
   };
   for (const std::int64_t a : {INT64_MIN, std::int64_t{-1}, std::int64_t{0},
                                std::int64_t{1}, INT64_MAX}) {
@@ -95,7 +95,7 @@ TEST(Wide, DoublesAreTheNearest) {
   }
 }
 
-// What a module for the web does, which has no products of two words.
+// And those that a module for the web makes of halves, as it has no others.
 TEST(Wide, ProductsOfFewWordsAreTheProducts) {
   std::mt19937_64 random(29);
   for (int round = 0; round < 20000; ++round) {
@@ -107,7 +107,7 @@ TEST(Wide, ProductsOfFewWordsAreTheProducts) {
     const std::uint64_t x = a.words[0], y = b.words[0], add = a.words[1];
     std::uint64_t carry = b.words[1];
     const Uint128 expected = Uint128{x} * y + add + carry;
-    const std::uint64_t low = multiply_words(x, y, add, carry);
+    const std::uint64_t low = multiply_words<true>(x, y, add, carry);
     ASSERT_EQ((Uint128{carry} << 64) | low, expected) << round;
   }
   for (const int bits : {0, 61, 62, 63, 64}) {
