@@ -86,5 +86,8 @@ Error stopped();
 /// have it.
 Error no_marks();
 
+/// The error of a view with transparent polygons, where there can be none.
+Error no_alpha(const char* where);
+
 }  // namespace detail
 }  // namespace halfspace

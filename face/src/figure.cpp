@@ -5,6 +5,7 @@
 
 #include "display_state.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/transparent_map.hpp"
 #include "halfspace/fast/visible_map.hpp"
 
 /// Figures of a display: what is seen as regions.
@@ -35,8 +36,9 @@ Result<Done> Figure::save(const std::filesystem::path& path) const {
     io::FigureRegion drawn;
     drawn.fill = region.color;
     drawn.is_background = region.polygon == kBackground;
-    drawn.title = drawn.is_background
-                      ? "background"
+    drawn.title = drawn.is_background ? "background"
+                  : region.polygon == kComposed
+                      ? "composed"
                       : "polygon " + std::to_string(region.polygon);
     for (const std::vector<Point2>& loop : region.loops) {
       auto& points = drawn.loops.emplace_back();
@@ -81,6 +83,38 @@ std::vector<std::int32_t> Display::State::keys_of(
   return keys;
 }
 
+namespace {
+
+/// The loops of a region, as the face hands them out.
+std::vector<std::vector<Point2>> points_of(const fast::VisibleMap& map,
+                                           const fast::MapRegion& region) {
+  std::vector<std::vector<Point2>> loops;
+  for (const auto& loop : fast::loops_of(map, region)) {
+    std::vector<Point2>& points = loops.emplace_back();
+    for (const auto& [x, y] : loop) points.push_back({x, y});
+  }
+  return loops;
+}
+
+/// What is seen through polygons, in regions of one colour (S7.8).
+Result<Figure> composed_figure(const Scene& scene, const fast::BspTree& tree,
+                               const Camera& camera, const View& view) {
+  const auto map = fast::transparent_map(
+      scene, tree, camera, {view.cull, view.alpha, view.background});
+  if (!map) return map.error();
+  Figure figure{view.width_px, view.height_px, {}, {}};
+  for (const fast::MapRegion& region : map->regions) {
+    const bool is_background = region.item == kBackground;
+    figure.regions.push_back(
+        {is_background ? kBackground : kComposed,
+         is_background ? view.background : color_of_key(region.key),
+         points_of(*map, region)});
+  }
+  return figure;
+}
+
+}  // namespace
+
 Result<Figure> Display::figure(const View& view, FigureKey by) const {
   if (view.back_color) return detail::no_marks();
   const Result<Camera> camera = detail::camera_of(state_->scene, view);
@@ -90,6 +124,11 @@ Result<Figure> Display::figure(const View& view, FigureKey by) const {
   const fast::BspTree* tree = state_->ordered_tree(view);
   if (tree == nullptr) return detail::stopped();
   const Scene& scene = state_->scene;
+  if (view.alpha != kOpaque) {
+    if (!view.clips.empty() || view.caps)
+      return detail::no_alpha("in figures that clip planes cut");
+    return composed_figure(scene, *tree, *camera, view);
+  }
   const auto map = fast::section_map(
       scene, *tree, *camera, {view.cull, state_->keys_of(by, options->caps)},
       *options);
@@ -111,10 +150,7 @@ Result<Figure> Display::figure(const View& view, FigureKey by) const {
           state_->polygon_of(is_hatch ? region.item - kPlanes : region.item);
       seen.color = is_hatch ? hatch_of(*options->caps) : options->caps->color;
     }
-    for (const auto& loop : fast::loops_of(*map, region)) {
-      std::vector<Point2>& points = seen.loops.emplace_back();
-      for (const auto& [x, y] : loop) points.push_back({x, y});
-    }
+    seen.loops = points_of(*map, region);
   }
   return figure;
 }

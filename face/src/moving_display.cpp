@@ -257,6 +257,8 @@ Result<MovingPicture> MovingDisplay::render(const View& view) const {
                  "objects have no clip planes and no anti-aliasing"};
   }
   if (view.back_color) return detail::no_marks();
+  if (view.alpha != kOpaque)
+    return detail::no_alpha("in pictures of objects that move");
   const Lock lock(state.mutex);
   const Result<Done> prepared = state.prepare(view);
   if (!prepared) return prepared.error();

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "display_state.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/io/color_map.hpp"
 #include "halfspace/io/import.hpp"
@@ -159,6 +160,7 @@ Result<Picture> ScalarDisplay::render(const View& view,
     return Error{ErrorCode::kOutOfRange,
                  "scalars colour both sides; back faces have no mark"};
   }
+  if (view.alpha != kOpaque) return detail::no_alpha("where scalars are seen");
   const Result<io::ColorMap> map = map_of(style.map);
   if (!map) return map.error();
   const auto range = scale_range_of(state_->field.values, style);

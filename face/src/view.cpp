@@ -7,6 +7,7 @@
 #include "display_state.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/fast/area_image.hpp"
+#include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/io/clip.hpp"
@@ -64,6 +65,11 @@ Error no_marks() {
           "back faces are marked in pictures of one sample a pixel"};
 }
 
+Error no_alpha(const char* where) {
+  return {ErrorCode::kOutOfRange,
+          std::string("polygons are opaque ") + where + "; leave out alpha"};
+}
+
 }  // namespace detail
 
 namespace {
@@ -115,6 +121,11 @@ Result<fast::Rendering> Display::State::rendered(
     const View& view, const std::optional<fast::Rectangle>& part) {
   if (view.back_color && view.anti_aliasing != AntiAliasing::kNone)
     return detail::no_marks();
+  const bool is_opaque = view.alpha == kOpaque || part.has_value();
+  if (!is_opaque && view.anti_aliasing != AntiAliasing::kNone)
+    return detail::no_alpha("in pictures of many samples a pixel");
+  if (!is_opaque && (view.caps || view.back_color))
+    return detail::no_alpha("in pictures with caps or marked back faces");
   const Result<Camera> camera = detail::camera_of(scene, view);
   if (!camera) return camera.error();
   const Result<ImageOptions> options = options_of(view);
@@ -130,10 +141,12 @@ Result<fast::Rendering> Display::State::rendered(
                      std::to_string(kMaxImageSize / samples) +
                      " columns and rows"};
   }
-  const fast::BspTree* made = picture_tree(view);
+  const fast::BspTree* made =
+      is_opaque ? picture_tree(view) : ordered_tree(view);
   if (made == nullptr) return detail::stopped();
   fast::Rendering image =
-      samples == 1
+      !is_opaque ? fast::blend(scene, *made, *camera, *options, view.alpha, how)
+      : samples == 1
           ? fast::render(scene, *made, *camera, *options, how)
           : fast::render_samples(scene, *made, *camera, *options, samples, how);
   if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {

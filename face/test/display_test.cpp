@@ -344,6 +344,60 @@ TEST(FaceDisplay, BackFacesAreMarked) {
             ErrorCode::kOutOfRange);
 }
 
+TEST(FaceDisplay, PolygonsMayBeTransparent) {
+  const Rgb red = {200, 40, 0};
+  Mesh box = *Solid::box({0, 0, 0}, {2, 2, 2}).mesh();
+  box.colors.assign(box.polygon_count(), red);
+  const Display display = *Display::of(box);
+  View view = small_view();
+  view.eye = Point{1, -9, 1};
+  view.target = Point{1, 1, 1};
+  view.background = {10, 20, 250};
+  const Picture opaque = *display.render(view);
+  view.alpha = 100;
+  const Picture glass = *display.render(view);
+  EXPECT_EQ(glass.polygons.pixels, opaque.polygons.pixels);
+  // Two sides lie one behind the other, or four behind each other.
+  const auto over = [](Rgb front, Rgb behind) {
+    const auto channel = [](int c, int v) {
+      return static_cast<std::uint8_t>((2 * (100 * c + 155 * v) + 255) / 510);
+    };
+    return Rgb{channel(front.r, behind.r), channel(front.g, behind.g),
+               channel(front.b, behind.b)};
+  };
+  const Rgb twice = over(red, over(red, view.background));
+  const auto& pixels = glass.colors.pixels;
+  EXPECT_GT(std::count(pixels.begin(), pixels.end(), twice), 100);
+  // A figure has the same colours, in regions.
+  const Figure figure = *display.figure(view);
+  EXPECT_TRUE(std::any_of(figure.regions.begin(), figure.regions.end(),
+                          [&](const SeenRegion& r) {
+                            return r.polygon == kComposed && r.color == twice;
+                          }));
+  EXPECT_EQ(std::count_if(figure.regions.begin(), figure.regions.end(),
+                          [&](const SeenRegion& r) {
+                            return r.polygon == kBackground &&
+                                   r.color == view.background;
+                          }),
+            1);
+  EXPECT_TRUE(figure.save("glass.svg").has_value());
+  // Nothing is seen of what hides nothing.
+  view.alpha = 0;
+  const Picture none = *display.render(view);
+  EXPECT_EQ(std::count(none.colors.pixels.begin(), none.colors.pixels.end(),
+                       view.background),
+            static_cast<std::ptrdiff_t>(none.colors.pixels.size()));
+  // What has no transparency says so.
+  view.anti_aliasing = AntiAliasing::k2;
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+  view.anti_aliasing = AntiAliasing::kNone;
+  view.clips = {{{0, 1, 0}, 1}};
+  EXPECT_TRUE(display.render(view));
+  EXPECT_EQ(display.figure(view).error().code, ErrorCode::kOutOfRange);
+  view.caps = CapStyle{{1, 2, 3}, {}};
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+}
+
 TEST(FaceDisplay, SeenAreasAreThoseOfTheImage) {
   // A face of a cube that fills a quarter of the image, and half of it hidden.
   View view;

@@ -150,6 +150,9 @@ TEST(MovingDisplay, RegionsAndModelsAreChecked) {
   view.back_color = Rgb{1, 2, 3};
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
   view.back_color.reset();
+  view.alpha = 9;
+  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+  view.alpha = kOpaque;
   view.anti_aliasing = AntiAliasing::k2;
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
 }

@@ -91,6 +91,9 @@ TEST(ScalarDisplay, BadInputIsAnError) {
   areas.back_color = Rgb{1, 2, 3};
   EXPECT_EQ(display->render(areas).error().code, ErrorCode::kOutOfRange);
   areas.back_color.reset();
+  areas.alpha = 9;
+  EXPECT_EQ(display->render(areas).error().code, ErrorCode::kOutOfRange);
+  areas.alpha = kOpaque;
   areas.anti_aliasing = AntiAliasing::kExactArea;
   EXPECT_EQ(display->render(areas).error().code, ErrorCode::kOutOfRange);
   const auto empty = ScalarDisplay::of(square(std::nan(""), std::nan("")));

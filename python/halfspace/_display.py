@@ -70,6 +70,9 @@ class View:
     back_color : sequence of 3 ints, optional
         Marks what is seen from behind, in its own light; only of pictures with
         one sample a pixel.
+    alpha : int
+        How much of what is behind a polygon it hides, in pictures and figures:
+        255 all of it, less alpha / 255 of it.
     anti_aliasing : {1, 2, 4, 8, "area"}
         What of a pixel its colour is taken from: one sample, the mean of so
         many each way, or the exact integral of all that is seen in it.
@@ -106,11 +109,14 @@ class View:
     caps: Optional[CapStyle] = None
     background: Sequence[int] = (255, 255, 255)
     back_color: Optional[Sequence[int]] = None
+    alpha: int = 255
     anti_aliasing: Union[int, Literal["area"]] = 1
     threads: int = 0
     progress: Optional[Progress] = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
+        if not 0 <= self.alpha <= 255:
+            raise ValueError(f"alpha is {self.alpha!r}, not from 0 to 255")
         if self.anti_aliasing not in (1, 2, 4, 8, "area"):
             raise ValueError(f"anti_aliasing is {self.anti_aliasing!r}, not 1, "
                              "2, 4, 8 or 'area'")

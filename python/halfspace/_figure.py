@@ -83,9 +83,10 @@ class SeenRegion(NamedTuple):
     Attributes
     ----------
     polygon : int
-        The first of those that are seen in it, as in `Picture.ids`.
+        The first of those that are seen in it, as in `Picture.ids`; -2 where
+        polygons are transparent (`View.alpha`).
     color : tuple of 3 ints
-        Of that polygon.
+        Of that polygon, or what is seen of all.
     loops : list of ndarray of float64, shape (n, 2)
         The outer one first, then those of holes. Units: pixels.
     """

@@ -69,6 +69,7 @@ View view_from(const py::object& object) {
   view.background = rgb_of(object.attr("background"));
   if (!object.attr("back_color").is_none())
     view.back_color = rgb_of(object.attr("back_color"));
+  view.alpha = object.attr("alpha").cast<std::uint8_t>();
   const py::object anti_aliasing = object.attr("anti_aliasing");
   view.anti_aliasing = py::isinstance<py::str>(anti_aliasing)
                            ? AntiAliasing::kExactArea

@@ -128,6 +128,26 @@ def test_back_faces_are_marked():
     assert caught.value.code is ErrorCode.OUT_OF_RANGE
 
 
+def test_polygons_may_be_transparent():
+    mesh = CUBE.mesh()
+    display = Display.of(Mesh(mesh.vertices, mesh.faces, colors=np.full(
+        (len(mesh), 3), 200)))
+    view = View(eye=(0.5, -5, 0.5), target=(0.5, 0.5, 0.5), width_px=24,
+                height_px=18, background=(0, 0, 0), alpha=100)
+    glass = display.render(view)
+    once = (2 * 100 * 200 + 255) // 510
+    twice = (2 * (100 * 200 + 155 * once) + 255) // 510
+    assert (glass.colors == twice).all(axis=2).any()
+    figure = display.figure(view)
+    colors = {(region.polygon, int(region.color[0])) for region in figure}
+    assert (-2, twice) in colors and (-1, 0) in colors
+    with pytest.raises(ValueError):
+        View(alpha=256)
+    with pytest.raises(Error) as caught:
+        display.render(replace(view, anti_aliasing=2))
+    assert caught.value.code is ErrorCode.OUT_OF_RANGE
+
+
 def test_anti_aliasing_and_figures_of_cuts(tmp_path):
     display = Display.of([CUBE, CUBE.translated((0.5, 0.5, 0.5))])
     view = View(width_px=24, height_px=18)

@@ -55,6 +55,10 @@ struct View {
   /// Marks what is seen from behind, in its own light (S5.8); nothing: it is
   /// coloured as from before.
   std::optional<Rgb> back_color = {};
+  /// How much of what is behind a polygon it hides, in pictures and figures:
+  /// all of it, or alpha / 255 of it, one polygon over the other (S5.6, S7.8).
+  /// Elsewhere polygons hide all.
+  std::uint8_t alpha = kOpaque;
   AntiAliasing anti_aliasing = AntiAliasing::kNone;
   int threads = 0;  ///< 0: as many as the machine has
   /// Of the display's tree, which the first view makes.
@@ -97,12 +101,16 @@ enum class FigureKey : std::uint8_t { kPolygon, kSolid, kColor };
 
 /// A part of the image in which one polygon, solid or colour is seen (S7.3).
 struct SeenRegion {
-  /// The first of those that are seen in it, as in Picture::polygons.
+  /// The first of those that are seen in it, as in Picture::polygons; with
+  /// View::alpha, which shows several, kComposed.
   std::int32_t polygon = 0;
-  Rgb color;  ///< of that polygon
+  Rgb color;  ///< of that polygon, or what the eye gets of all of them
   /// The outer one first, then those of holes. Units: pixels; nearest doubles.
   std::vector<std::vector<Point2>> loops = {};
 };
+
+/// What is seen in a region where polygons are transparent.
+constexpr std::int32_t kComposed = -2;
 
 /// All that is seen: regions that fill the image, and lines over them.
 struct HALFSPACE_API Figure {
