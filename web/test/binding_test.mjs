@@ -103,6 +103,9 @@ near(seen.point[2], 3);
 assert.ok(Math.abs(seen.point[0] - 0.75) < 0.06 &&
   Math.abs(seen.point[1] - 1.25) < 0.06, seen.point.join());
 near(seen.distance, 17);
+assert.deepEqual(scene.pick({ ...view, clips: [[0, 0, -1, 1]],
+  caps: [1, 2, 3] }, 22, 17),
+{ polygon: scene.polygonCount, source: -1, point: null, distance: null });
 const count = (v) => scene.render(v).ids.filter((id) => id !== -1).length;
 assert.equal(count(view), 200);
 assert.equal(count({ ...view, orthoHeight: 8 }), 50);

@@ -284,9 +284,11 @@ export class Scene implements Owned {
   /** The view, with what it does not say so that all is seen. */
   view(partial?: View): View;
   render(view?: View, options?: { progress?: Progress }): Picture;
+  /** What is at a pixel. A cap is no polygon: of the k-th plane it is
+   *  polygonCount + k, of source -1, and where it is seen is not told. */
   pick(view: View, x: number, y: number):
-    { polygon: number; source: number; point: number[]; distance: number } |
-    null;
+    { polygon: number; source: number; point: number[] | null;
+      distance: number | null } | null;
   draw(view?: View, options?: DrawOptions): Uint8Array;
   svg(view?: View, options?: DrawOptions): string;
   /** Parts of polygons as vertices, three numbers each, and by vertex the

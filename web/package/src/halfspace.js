@@ -1019,6 +1019,7 @@ export class Scene extends Owner {
     withCopies([numbers], (v) => ask("hs_scene_pick", this._at, v.at, x, y));
     const [polygon, source, px, py, pz, distance] = answerNumbers();
     if (polygon < 0) return null;
+    if (source < 0) return { polygon, source, point: null, distance: null };
     return { polygon, source, point: [px, py, pz], distance };
   }
   /** A figure of vectors as bytes; svg unless another format is said. */
