@@ -1,6 +1,7 @@
 #include "definition/definition.hpp"
 #include "fuzz.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/image/screens.hpp"
@@ -156,7 +157,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
          -(normal[0] * p.x + normal[1] * p.y + (normal[2] + 1) * p.z)});
   }
   cut.options.clips = *make_clips(cut.options.clips, view.scene.grid_bits());
-  if (bad_edges(cut.scene).empty()) cut.options.caps = CapStyle{};
+  if (bad_edges(cut.scene).empty()) {
+    cut.options.caps = CapStyle{};
+    if (cut.scene.polygon_count() % 2 == 0)
+      cut.options.parts = told_apart(connected_parts(cut.scene), CapStyle{});
+  }
   const std::string cut_text = write_scene(cut);
   const auto section = ref::zbuffer(cut.scene, *cut.camera, cut.options);
   const auto expect_section = [&](const auto& rendering) {

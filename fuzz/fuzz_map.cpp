@@ -2,6 +2,7 @@
 
 #include "fuzz.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
@@ -115,6 +116,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
       cut.options.caps =
           CapStyle{{200, 80, 40},
                    size % 2 == 0 ? std::optional(Rgb{1, 2, 3}) : std::nullopt};
+      if (size % 4 < 2) {
+        cut.options.parts =
+            told_apart(connected_parts(cut.scene), *cut.options.caps);
+      }
     }
     const auto left =
         fast::render_area(cut.scene, divided, *cut.camera, cut.options);

@@ -135,6 +135,7 @@ class Scene:
         self.polygons, self.camera, self.scale = polygons, camera, scale
         self.background = background
         self.clips, self.caps, self.cull = [], None, False
+        self.parts, self.styles = [], []
 
     def clip_value(self, clip, at, below):
         """A clip plane's value at the point at / below, times what is
@@ -143,16 +144,16 @@ class Scene:
         value = dot((a, b, c), at) + d * below * LATTICE * self.scale
         return value * sign(below)
 
-    def winding(self, at, clip):
-        """The winding number at the point, moved a little to the kept side of
-        the clip plane that it is in."""
+    def windings(self, at, clip):
+        """The winding numbers of parts at the point, moved a little to the kept
+        side of the clip plane that it is in."""
         chance = random.Random(str(at))
         while True:
             way = tuple(chance.randint(-10**6, 10**6) for _ in range(3))
             if dot(way, clip[:3]) <= 0:
                 continue
-            count = 0
-            for polygon in self.polygons:
+            counts = dict.fromkeys(self.parts or [0], 0)
+            for number, polygon in enumerate(self.polygons):
                 speed = dot(polygon.normal, way)
                 if speed == 0:
                     break
@@ -164,9 +165,10 @@ class Scene:
                 if inside is None:
                     break
                 if inside:
-                    count += 1 if speed > 0 else -1
+                    part = self.parts[number] if self.parts else 0
+                    counts[part] += 1 if speed > 0 else -1
             else:
-                return count
+                return counts
 
     def seen(self, x, y, below):
         """What the ray of the image point (x, y) / below meets first."""
@@ -197,9 +199,9 @@ class Scene:
             best, item = t, number
         if self.caps:
             for k, clip in enumerate(self.clips):
-                t = self.cap_at(k, clip, origin, way, scale)
+                t, part = self.cap_at(k, clip, origin, way, scale)
                 if t is not None and (best is None or t < best):
-                    best, item = t, len(self.polygons) + k
+                    best, item = t, len(self.polygons) + k + 16 * part
         return item
 
     def is_left(self, polygon, at, down):
@@ -214,20 +216,27 @@ class Scene:
         return True
 
     def cap_at(self, k, clip, origin, way, scale):
-        """The ray parameter of the plane's cap, if the ray meets it."""
+        """The ray parameter of the plane's cap, if the ray meets it, and the
+        part that it is of, or how many there are where it is of several."""
         speed = dot(clip[:3], way)
         if speed == 0 or (self.cull and speed < 0):
-            return None
+            return None, 0
         step = scale if self.camera.w else 1
         height = dot(clip[:3], origin) + clip[3] * LATTICE * self.scale * scale
         t = F(-height * step, speed * scale)
         if not self.camera.is_seen(t) or (self.camera.w and t <= 0):
-            return None
+            return None, 0
         at = tuple(F(o, scale) + t * F(w, step) for o, w in zip(origin, way))
         for other, plane in enumerate(self.clips):
             if other != k and self.clip_value(plane, at, 1) < 0:
-                return None
-        return t if self.winding(at, clip) > 0 else None
+                return None, 0
+        windings = self.windings(at, clip)
+        if sum(windings.values()) <= 0:
+            return None, 0
+        if not self.parts:
+            return t, 0
+        inside = [part for part, winding in windings.items() if winding > 0]
+        return t, inside[0] if len(inside) == 1 else len(self.styles) - 1
 
     def color(self, item, x, y):
         """The colour of an item at the point (x, y) of the image."""
@@ -236,11 +245,15 @@ class Scene:
         if item < len(self.polygons):
             return self.polygons[item].color
         k = item - len(self.polygons)
-        solid, hatch = self.caps
-        if hatch:
-            value = x - y + F(1, 2) if k % 2 else x + y - F(1, 2)
-            if value % 8 < 2:
-                return hatch
+        part, period = k // 16, 8
+        solid, hatch = self.styles[part] if self.parts else self.caps
+        is_several = bool(self.parts) and part == len(self.styles) - 1
+        values = [x + y - F(1, 2), x - y + F(1, 2)]
+        if not is_several:
+            values = values[(k + part) % 2:][:1]
+            period = 16 if part % 4 > 1 else 8
+        if hatch and any(value % period < 2 for value in values):
+            return hatch
         return solid
 
     def image(self, samples=1):
@@ -318,7 +331,7 @@ class Scene:
                     (2**16 - k) * pe + k * value_at(p, point(x, y), 1)
                     if camera.w else
                     2**16 * value_at(p, point(x, y), 1) - k * pe)
-        if self.caps and self.caps[1]:
+        if self.caps and any(h for _, h in [self.caps] + self.styles):
             for k in range(-camera.height - 8, camera.width + camera.height):
                 for edge in (0, 2):
                     at = F(8 * (k // 8) + edge)
@@ -389,6 +402,7 @@ class Given:
     def __init__(self, chance):
         self.chance = chance
         self.vertices, self.polygons, self.colors = [], [], []
+        self.part_of = []  # by polygon, of solids
 
     def add(self, corners):
         first = len(self.vertices)
@@ -500,7 +514,7 @@ class Given:
                                  near)
             return
 
-    def text(self, clips=(), caps=None, cull=False):
+    def text(self, clips=(), caps=None, cull=False, parts=(), styles=()):
         lines = ["halfspace-scene 1", "unit 2 0", "grid 26"]
         lines += ["v %d %d %d" % v for v in self.vertices]
         for polygon, color in zip(self.polygons, self.colors):
@@ -516,9 +530,12 @@ class Given:
             lines.append("cull")
         lines += ["clip %d %d %d %d" % clip for clip in clips]
         if caps:
-            solid, hatch = caps
-            lines.append("caps %d %d %d" % solid + (
-                " hatch %d %d %d" % hatch if hatch else ""))
+            for word, (solid, hatch) in [("caps", caps)] + [
+                    ("cap", style) for style in styles]:
+                lines.append(word + " %d %d %d" % solid + (
+                    " hatch %d %d %d" % hatch if hatch else ""))
+            lines += ["part %d %d 1" % (part, k)
+                      for k, part in enumerate(parts)]
         return "\n".join(lines + ["end", ""])
 
     def corners(self, scale=1):
@@ -647,10 +664,17 @@ def check_render(program, folder, scene, name, options, samples=1):
 
 def random_given(chance, solids, width=9, height=7):
     given = Given(chance)
-    for _ in range(chance.randint(1, 3) if solids else chance.randint(1, 9)):
+    for k in range(chance.randint(1, 3) if solids else chance.randint(1, 9)):
         given.add_solid() if solids else given.add_random()
+        given.part_of += [k] * (len(given.polygons) - len(given.part_of))
     given.add_camera(width, height)
     return given
+
+
+def random_style(chance):
+    """Of caps: a colour, and maybe one of hatching."""
+    return (tuple(chance.randrange(256) for _ in range(3)),
+            chance.choice((None, (9, 200, 40))))
 
 
 def write_section(chance, folder, solids, size, clips=True):
@@ -661,10 +685,14 @@ def write_section(chance, folder, solids, size, clips=True):
         scene.clips = some_clips(chance, given, chance.choice((1, 1, 2, 3, 8)))
     scene.cull = chance.randrange(4) == 0
     if solids and clips:
-        scene.caps = (tuple(chance.randrange(256) for _ in range(3)),
-                      chance.choice((None, (9, 200, 40))))
+        scene.caps = random_style(chance)
+        if chance.randrange(2):
+            scene.parts = given.part_of
+            scene.styles = [random_style(chance)
+                            for _ in range(scene.parts[-1] + 2)]
     (folder / "a.scene").write_text(
-        given.text(scene.clips, scene.caps, scene.cull))
+        given.text(scene.clips, scene.caps, scene.cull, scene.parts,
+                   scene.styles))
     return given, scene
 
 

@@ -36,6 +36,10 @@ struct [[gnu::visibility("hidden")]] Display::State {
   std::optional<fast::BspTree> tree;
   std::optional<fast::BspTree> ordered;
   std::optional<bool> closed;
+  /// The solid of each polygon of the scene, for caps that tell them apart, and
+  /// whether each is closed.
+  std::optional<std::vector<std::uint32_t>> solids;
+  bool solids_closed = false;
 
   static Result<std::unique_ptr<State>> of(io::Mesh mesh);
 
@@ -50,11 +54,13 @@ struct [[gnu::visibility("hidden")]] Display::State {
 
   /// The keys of a figure's regions by polygon of the scene, then, with caps,
   /// those of S10.5.
-  std::vector<std::int32_t> keys_of(FigureKey by,
-                                    const std::optional<CapStyle>& caps) const;
+  std::vector<std::int32_t> keys_of(FigureKey by, const ImageOptions& options)
+      const;
 
   /// What a view says about its image; whether caps can be is looked at once.
   Result<ImageOptions> options_of(const View& view);
+  /// Requires: the mutex; view.caps.
+  Result<std::shared_ptr<const CapParts>> cap_parts_of(const View& view);
   Result<fast::Rendering> rendered(const View& view,
                                    const std::optional<fast::Rectangle>& part);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "display_state.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/image/transparent_map.hpp"
 #include "halfspace/fast/visible_map.hpp"
@@ -11,8 +12,6 @@
 /// Figures of a display: what is seen as regions.
 namespace halfspace {
 namespace {
-
-Rgb hatch_of(const CapStyle& caps) { return caps.hatch.value_or(caps.color); }
 
 /// Numbers colours in the order in which they come.
 class ColorKeys {
@@ -60,7 +59,7 @@ Result<Done> Figure::save(const std::filesystem::path& path) const {
 }
 
 std::vector<std::int32_t> Display::State::keys_of(
-    FigureKey by, const std::optional<CapStyle>& caps) const {
+    FigureKey by, const ImageOptions& options) const {
   std::vector<std::int32_t> keys;
   ColorKeys colors;
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
@@ -70,15 +69,10 @@ std::vector<std::int32_t> Display::State::keys_of(
                    : by == FigureKey::kSolid ? solid_of(polygon)
                                              : colors.of(scene.color(id)));
   }
-  if (!caps) return keys;
-  const auto count = static_cast<std::int32_t>(polygon_count);
-  for (const bool is_hatch : {false, true}) {
-    const Rgb color = is_hatch ? hatch_of(*caps) : caps->color;
-    for (std::int32_t k = 0; k < std::int32_t{kMostClipPlanes}; ++k) {
-      const std::int32_t own =
-          count + k + (is_hatch ? std::int32_t{kMostClipPlanes} : 0);
-      keys.push_back(by == FigureKey::kColor ? colors.of(color) : own);
-    }
+  for (std::size_t k = 0; k < cap_item_count(options); ++k) {
+    keys.push_back(by == FigureKey::kColor
+                       ? colors.of(color_of(options, cap_item(k)))
+                       : static_cast<std::int32_t>(polygon_count + k));
   }
   return keys;
 }
@@ -129,12 +123,11 @@ Result<Figure> Display::figure(const View& view, FigureKey by) const {
       return detail::no_alpha("in figures that clip planes cut");
     return composed_figure(scene, *tree, *camera, view);
   }
-  const auto map = fast::section_map(
-      scene, *tree, *camera, {view.cull, state_->keys_of(by, options->caps)},
-      *options);
+  const auto map =
+      fast::section_map(scene, *tree, *camera,
+                        {view.cull, state_->keys_of(by, *options)}, *options);
   if (!map) return map.error();
   const auto count = static_cast<PolygonId>(scene.polygon_count());
-  constexpr PolygonId kPlanes = kMostClipPlanes;
   Figure figure{view.width_px, view.height_px, {}, {}};
   for (const fast::MapRegion& region : map->regions) {
     SeenRegion& seen = figure.regions.emplace_back();
@@ -145,10 +138,10 @@ Result<Figure> Display::figure(const View& view, FigureKey by) const {
       seen.polygon = state_->polygon_of(region.item);
       seen.color = scene.color(region.item);
     } else {
-      const bool is_hatch = region.item - count >= kPlanes;
-      seen.polygon =
-          state_->polygon_of(is_hatch ? region.item - kPlanes : region.item);
-      seen.color = is_hatch ? hatch_of(*options->caps) : options->caps->color;
+      CapItem cap = cap_item(static_cast<std::size_t>(region.item - count));
+      seen.color = color_of(*options, cap);
+      cap.is_hatched = false;
+      seen.polygon = state_->polygon_of(count + number_of(cap));
     }
     seen.loops = points_of(*map, region);
   }

@@ -161,6 +161,10 @@ Result<Picture> ScalarDisplay::render(const View& view,
                  "scalars colour both sides; back faces have no mark"};
   }
   if (view.alpha != kOpaque) return detail::no_alpha("where scalars are seen");
+  if (view.caps_by_solid) {
+    return Error{ErrorCode::kOutOfRange,
+                 "where scalars are seen, caps are not told apart by solids"};
+  }
   const Result<io::ColorMap> map = map_of(style.map);
   if (!map) return map.error();
   const auto range = scale_range_of(state_->field.values, style);

@@ -6,6 +6,7 @@
 
 #include "display_state.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/ray.hpp"
@@ -112,9 +113,31 @@ Result<ImageOptions> Display::State::options_of(const View& view) {
   options.caps = view.caps;
   const Lock lock(mutex);
   if (!closed) closed = bad_edges(scene).empty();
-  if (*closed) return options;
+  if (!*closed) {
+    return Error{ErrorCode::kOpen,
+                 "caps fill solids, and what is displayed is not closed"};
+  }
+  if (!view.caps_by_solid) return options;
+  auto parts = cap_parts_of(view);
+  if (!parts) return parts.error();
+  options.parts = *std::move(parts);
+  return options;
+}
+
+Result<std::shared_ptr<const CapParts>> Display::State::cap_parts_of(
+    const View& view) {
+  if (!solids) {
+    std::vector<std::uint32_t> own;
+    for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+      const std::int32_t polygon = polygon_of(static_cast<PolygonId>(p));
+      own.push_back(static_cast<std::uint32_t>(solid_of(polygon)));
+    }
+    solids_closed = are_parts_closed(scene, own);
+    solids = std::move(own);
+  }
+  if (solids_closed) return told_apart(*solids, *view.caps);
   return Error{ErrorCode::kOpen,
-               "caps fill solids, and what is displayed is not closed"};
+               "caps fill solids, and one of those displayed is not closed"};
 }
 
 Result<fast::Rendering> Display::State::rendered(

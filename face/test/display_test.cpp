@@ -305,6 +305,45 @@ TEST(FaceDisplay, ClipPlanesCutAndCapsFill) {
   EXPECT_EQ(Display::of(open)->render(view).error().code, ErrorCode::kOpen);
 }
 
+TEST(FaceDisplay, CapsAreToldApartBySolids) {
+  // Seen from above: one box, both, and the other, from left to right.
+  const std::vector<Solid> solids = {Solid::box({0, 0, 0}, {4, 2, 2}),
+                                     Solid::box({2, 0, 0}, {6, 2, 2})};
+  const Display display = *Display::of(solids);
+  View view;
+  view.orthographic = true;
+  view.ortho_height = 6;
+  view.eye = Point{3, 1, 9};
+  view.target = Point{3, 1, 0};
+  view.up = Point{0, 1, 0};
+  view.width_px = view.height_px = 60;
+  view.clips = {{{0, 0, -1}, -1}};
+  view.caps = CapStyle{{1, 2, 3}, {}};
+  const auto count = static_cast<std::int32_t>(display.polygon_count());
+  const Picture alike = *display.render(view);
+  view.caps_by_solid = true;
+  const Picture apart = *display.render(view);
+  const std::int32_t kMiddle = 30;
+  for (const std::int32_t x : {10, 30, 50})
+    EXPECT_EQ(alike.polygons.at(x, kMiddle), count);
+  EXPECT_EQ(apart.polygons.at(10, kMiddle), count);
+  EXPECT_EQ(apart.polygons.at(30, kMiddle), count + 32);
+  EXPECT_EQ(apart.polygons.at(50, kMiddle), count + 16);
+  EXPECT_EQ(apart.colors.at(30, kMiddle), (Rgb{1, 2, 3}));
+  EXPECT_NE(apart.colors.at(10, kMiddle), apart.colors.at(50, kMiddle));
+  EXPECT_EQ((*display.pick(view, 50, kMiddle))->polygon, count + 16);
+  // Exact areas and regions, too.
+  const Figure figure = *display.figure(view, FigureKey::kPolygon);
+  std::vector<std::int32_t> caps;
+  for (const SeenRegion& region : figure.regions) {
+    if (region.polygon >= count) caps.push_back(region.polygon - count);
+  }
+  std::sort(caps.begin(), caps.end());
+  EXPECT_EQ(caps, (std::vector<std::int32_t>{0, 16, 32}));
+  view.anti_aliasing = AntiAliasing::kExactArea;
+  EXPECT_EQ(display.render(view)->colors.at(30, kMiddle), (Rgb{1, 2, 3}));
+}
+
 TEST(FaceDisplay, BackFacesAreMarked) {
   const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
   View view = small_view();

@@ -94,6 +94,9 @@ TEST(ScalarDisplay, BadInputIsAnError) {
   areas.alpha = 9;
   EXPECT_EQ(display->render(areas).error().code, ErrorCode::kOutOfRange);
   areas.alpha = kOpaque;
+  areas.caps_by_solid = true;
+  EXPECT_EQ(display->render(areas).error().code, ErrorCode::kOutOfRange);
+  areas.caps_by_solid = false;
   areas.anti_aliasing = AntiAliasing::kExactArea;
   EXPECT_EQ(display->render(areas).error().code, ErrorCode::kOutOfRange);
   const auto empty = ScalarDisplay::of(square(std::nan(""), std::nan("")));

@@ -13,6 +13,7 @@
 #include "halfspace/ref/screens.hpp"
 #include "halfspace/splitmix.hpp"
 #include "laws/changed_views.hpp"
+#include "laws/frames/cap_looks.hpp"
 #include "laws/law.hpp"
 
 /// Laws of clip planes and caps (S10).
@@ -25,7 +26,7 @@ using definition::Integer;
 constexpr int kClippedViews = 300;
 
 constexpr ScreenKind kScreens[] = {ScreenKind::kList, ScreenKind::kBsp1,
-                                      ScreenKind::kQuad, ScreenKind::kBsp2};
+                                   ScreenKind::kQuad, ScreenKind::kBsp2};
 
 std::optional<Int128> to_int128(const Integer& value) {
   if (abs(value) >> 126 != 0) return std::nullopt;
@@ -303,7 +304,9 @@ TYPED_TEST(S10Sections, L2AllMethodsAgree) {
 
 TYPED_TEST(S10Sections, L2AllMethodsAgreeWithCaps) {
   std::size_t capped = 0;
-  for_all_capped([&](const SceneFile& view) {
+  for_all_capped([&](const SceneFile& whole) {
+    SceneFile view = whole;
+    if (seed_of(view) % 2 == 0) tell_parts_apart(view);
     const Image expected =
         oracle::zbuffer(view.scene, *view.camera, view.options);
     for (const Image& image : TypeParam::all_methods(view)) {
@@ -492,19 +495,6 @@ std::optional<SceneFile> magnified_section(const SceneFile& view,
   return large;
 }
 
-/// The colour of a cap at the point of sample (x, y) of so many a pixel.
-Rgb stripe_color(const CapStyle& style, std::size_t cap, std::int32_t x,
-                 std::int32_t y, std::int32_t samples) {
-  if (!style.hatch) return style.color;
-  const Fraction px = Fraction(2 * x + 1) / Fraction(2 * samples);
-  const Fraction py = Fraction(2 * y + 1) / Fraction(2 * samples);
-  const Fraction half = Fraction(1) / Fraction(2);
-  Fraction rest = cap % 2 == 0 ? Fraction(px + py - half) : px - py + half;
-  while (rest < 0) rest += 8;
-  while (rest >= 8) rest -= 8;
-  return rest < 2 ? *style.hatch : style.color;
-}
-
 /// The mean of the samples of pixel (i, j) of a flat image that is so many
 /// times as large; stripes of caps are as many times as wide (S10.4).
 Rgb mean_of_samples(const SceneFile& view, const Image& large,
@@ -515,11 +505,11 @@ Rgb mean_of_samples(const SceneFile& view, const Image& large,
     const std::int32_t x = i * samples + s % samples;
     const std::int32_t y = j * samples + s / samples;
     const PolygonId item = large.items.at(x, y);
-    const Rgb color = item < count
-                          ? large.colors.at(x, y)
-                          : stripe_color(*view.options.caps,
-                                         static_cast<std::size_t>(item - count),
-                                         x, y, samples);
+    const Rgb color =
+        item < count
+            ? large.colors.at(x, y)
+            : stripe_color(view.options, static_cast<std::size_t>(item - count),
+                           x, y, samples);
     sum[0] += color.r;
     sum[1] += color.g;
     sum[2] += color.b;
@@ -580,9 +570,76 @@ TYPED_TEST(S10Sections, L5SamplesOfCapsAreALargerImages) {
     if (!bad_edges(whole.scene).empty()) return;
     SceneFile view = clipped(whole);
     view.options.caps = CapStyle{{9, 8, 7}, Rgb{201, 102, 3}};
+    if (seed_of(view) % 2 == 0) tell_parts_apart(view);
     mixed += expect_means<TypeParam>(view);
   });
   EXPECT_GT(mixed, 100u);
+}
+
+/// The view with the polygons of one part alone.
+SceneFile only_part(const SceneFile& view,
+                    const std::vector<std::uint32_t>& part_of,
+                    std::uint32_t part) {
+  const Scene& scene = view.scene;
+  SceneData data;
+  data.unit = scene.unit();
+  data.grid_bits = scene.grid_bits();
+  data.vertices = scene.data().vertices;
+  for (const PolygonId id : ids_of(scene)) {
+    if (part_of[static_cast<std::size_t>(id)] != part) continue;
+    const auto corners = scene.corners(id);
+    data.corners.insert(data.corners.end(), corners.begin(), corners.end());
+    data.first_corner.push_back(
+        static_cast<std::uint32_t>(data.corners.size()));
+    data.colors.push_back(scene.color(id));
+  }
+  return with_scene(view, *make_scene(std::move(data)));
+}
+
+TYPED_TEST(S10Sections, L8PartsAreToldApartByTheCapsOfEachAlone) {
+  std::size_t of_one = 0;
+  std::size_t of_several = 0;
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    const SceneFile view =
+        cut_boxes(number, 2 + static_cast<int>(number % 3), 16, 12);
+    const ItemImage without = TypeParam::render(view);
+    SceneFile apart = view;
+    tell_parts_apart(apart);
+    const auto& part_of = apart.options.parts->part_of;
+    const auto parts = static_cast<std::uint32_t>(apart.options.parts->count());
+    std::vector<ItemImage> alone;
+    std::vector<PolygonId> alone_count;
+    for (std::uint32_t part = 0; part < parts; ++part) {
+      const SceneFile one = only_part(view, part_of, part);
+      alone.push_back(TypeParam::render(one));
+      alone_count.push_back(static_cast<PolygonId>(one.scene.polygon_count()));
+    }
+    const Image image = TypeParam::samples(apart, 1);
+    const auto count = static_cast<PolygonId>(view.scene.polygon_count());
+    for (std::int32_t j = 0; j < without.height_px; ++j) {
+      for (std::int32_t i = 0; i < without.width_px; ++i) {
+        const PolygonId item = image.items.at(i, j);
+        if (without.at(i, j) < count) {
+          ASSERT_EQ(item, without.at(i, j));
+          continue;
+        }
+        std::vector<std::uint32_t> inside;
+        for (std::uint32_t part = 0; part < parts; ++part) {
+          if (alone[part].at(i, j) >= alone_count[part]) inside.push_back(part);
+        }
+        ASSERT_FALSE(inside.empty());
+        const std::uint32_t part = inside.size() == 1 ? inside[0] : parts;
+        ASSERT_EQ(item, count + static_cast<PolygonId>(16 * part));
+        ASSERT_EQ(
+            image.colors.at(i, j),
+            stripe_color(apart.options, static_cast<std::size_t>(item - count),
+                         i, j, 1));
+        ++(inside.size() == 1 ? of_one : of_several);
+      }
+    }
+  }
+  EXPECT_GT(of_one, 300u);
+  EXPECT_GT(of_several, 100u);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/camera.hpp"
-#include "halfspace/cap_stripes.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/clip.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/boolean.hpp"
@@ -350,6 +350,17 @@ void take_all() {
   take(&ref::section_map);  // S10.5
   take(&fast::render_area);  // S10.5
   take(&fast::section_map);  // S10.5
+  take(&connected_parts);  // S10.6
+  take(&are_parts_closed);  // S10.6
+  take(&told_apart);  // S10.6
+  take(&cap_color_at_sample);  // S10.6
+  take(&ref::add_caps);  // S10.6
+  {  // S10.6
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  take(&fast::section_map);  // S10.6
   take(&make_scalars);  // S11.1
   take(&ref::scalar_at);  // S11.2
   {  // S11.2
@@ -394,5 +405,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 191 ? 0 : 1;
+  return halfspace::taken == 198 ? 0 : 1;
 }

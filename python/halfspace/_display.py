@@ -65,6 +65,10 @@ class View:
         What is on the negative side of any is not there; up to eight.
     caps : CapStyle, optional
         Fills the cuts of what is closed; None: they stay open.
+    caps_by_solid : bool
+        Tells the caps of the display's solids apart: each has a colour of its
+        own, and lines in another direction or at another distance if there are
+        any; caps look as `caps` says where several solids are.
     background : sequence of 3 ints
         Red, green and blue, 0 to 255.
     back_color : sequence of 3 ints, optional
@@ -107,6 +111,7 @@ class View:
     cull: bool = False
     clips: Sequence[Union[Plane, Tuple[Vector, float]]] = ()
     caps: Optional[CapStyle] = None
+    caps_by_solid: bool = False
     background: Sequence[int] = (255, 255, 255)
     back_color: Optional[Sequence[int]] = None
     alpha: int = 255
@@ -458,8 +463,9 @@ class Display:
 
     def render(self, view: View = View()) -> Picture:
         """The picture: at each pixel the nearest polygon, or as
-        ``polygon_count + k`` the cap of the k-th different clip plane. Exact,
-        whatever the number of threads.
+        ``polygon_count + k`` the cap of the k-th different clip plane; with
+        `View.caps_by_solid` 16 s more for that of solid s, or, where several
+        are, of their number. Exact, whatever the number of threads.
 
         Raises
         ------

@@ -66,6 +66,7 @@ View view_from(const py::object& object) {
        object.attr("clips").cast<std::vector<std::pair<Triple, double>>>())
     view.clips.push_back({point_of(normal), offset});
   view.caps = caps_from(object.attr("caps"));
+  view.caps_by_solid = object.attr("caps_by_solid").cast<bool>();
   view.background = rgb_of(object.attr("background"));
   if (!object.attr("back_color").is_none())
     view.back_color = rgb_of(object.attr("back_color"));

@@ -177,6 +177,20 @@ def test_anti_aliasing_and_figures_of_cuts(tmp_path):
     assert caught.value.code is ErrorCode.UNKNOWN_FORMAT
 
 
+def test_caps_are_told_apart_by_solids():
+    left, right = (Solid.box((x, 0, 0), (x + 4, 2, 2)) for x in (0, 2))
+    display = Display.of([left, right])
+    view = View(eye=(3, 1, 9), target=(3, 1, 0), up=(0, 1, 0), width_px=60,
+                height_px=60, orthographic=True, ortho_height=6,
+                clips=[Plane((0, 0, -1), -1)], caps=CapStyle((1, 2, 3)))
+    picture = display.render(replace(view, caps_by_solid=True))
+    numbers = picture.ids[30, [10, 30, 50]] - display.polygon_count
+    assert numbers.tolist() == [0, 32, 16]
+    assert picture.colors[30, 30].tolist() == [1, 2, 3]
+    assert (display.render(view).ids[30, [10, 30, 50]]
+            == display.polygon_count).all()
+
+
 def test_drawings_have_visible_and_hidden_lines(tmp_path):
     lines = Display.of(CUBE).draw(VIEW)
     assert sorted(lines.layers.tolist()) == [0] * 9 + [1] * 3

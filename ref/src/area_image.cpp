@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/ref/shade.hpp"
 
 namespace halfspace::ref {
@@ -80,7 +81,6 @@ ColorImage render_area(const Scene& scene, const Camera& camera,
                        const ImageOptions& options) {
   const std::vector<MapArc> map = section_map(scene, camera, options);
   const auto polygons = static_cast<std::int32_t>(scene.polygon_count());
-  constexpr auto kMostCaps = static_cast<std::int32_t>(kMostClipPlanes);
   std::set<std::int32_t> keys;
   for (const MapArc& arc : map) keys.insert({arc.left, arc.right});
   keys.erase(kOutsideKey);
@@ -94,8 +94,8 @@ ColorImage render_area(const Scene& scene, const Camera& camera,
         const ImagePoint centroid = {seen.x / seen.area, seen.y / seen.area};
         ExactColor color = exact(options.background);
         if (key >= polygons) {
-          const bool hatched = key - polygons >= kMostCaps;
-          color = exact(hatched ? *options.caps->hatch : options.caps->color);
+          color = exact(color_of(
+              options, cap_item(static_cast<std::size_t>(key - polygons))));
         } else if (key != kBackgroundKey) {
           color = exact_color_at(scene, camera, key, centroid, options.shading);
         }

@@ -1,5 +1,5 @@
 #include "halfspace/assert.hpp"
-#include "halfspace/cap_stripes.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/render.hpp"
@@ -32,7 +32,7 @@ ExactColor mean_color(const Scene& scene, const Camera& camera,
       ExactColor color = exact(options.background);
       if (seen >= polygons) {
         color = exact(cap_color_at_sample(
-            *options.caps, static_cast<std::size_t>(seen - polygons),
+            options, cap_item(static_cast<std::size_t>(seen - polygons)),
             i * samples + a, j * samples + b, samples));
       } else if (seen != kBackground) {
         color = exact_color_at(scene, camera, seen,

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "exact_double.hpp"
-#include "halfspace/cap_stripes.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/ref/shade.hpp"
 
 namespace halfspace::ref {
@@ -59,9 +59,9 @@ ColorImage color_scalars(const Scene& scene, const Camera& camera,
     const PolygonId seen = items.at(i, j);
     if (seen == kBackground) return options.background;
     if (seen >= polygons) {
-      return cap_color_at_sample(*options.caps,
-                                 static_cast<std::size_t>(seen - polygons), i,
-                                 j, samples);
+      return cap_color_at_sample(
+          options, cap_item(static_cast<std::size_t>(seen - polygons)), i, j,
+          samples);
     }
     const ImagePoint at = {Rational(2 * i + 1) / Rational(2 * samples),
                            Rational(2 * j + 1) / Rational(2 * samples)};

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/ref/predicate.hpp"
 #include "vector.hpp"
 
@@ -110,8 +111,9 @@ ColorImage colors_of(const Scene& scene, const Camera& camera,
       const PolygonId seen = items.at(i, j);
       if (seen == kBackground) continue;
       if (seen >= polygons) {
-        colors.at(i, j) = cap_color(
-            *options.caps, static_cast<std::size_t>(seen - polygons), i, j);
+        colors.at(i, j) = cap_color_at_sample(
+            options, cap_item(static_cast<std::size_t>(seen - polygons)), i, j,
+            1);
         continue;
       }
       colors.at(i, j) = color_at(scene, camera, seen, i, j, options.shading);

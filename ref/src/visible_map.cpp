@@ -8,6 +8,7 @@
 
 #include "covering.hpp"
 #include "frames/caps.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/ref/clip.hpp"
 
 namespace halfspace::ref {
@@ -96,7 +97,7 @@ class Forms {
           if (polygon) add(nearness_of(caps_->plane(k)) - polygon->nearness);
         }
       }
-      if (options_.caps->hatch) add_stripes(add);
+      add_stripes(add);
     }
     return lines;
   }
@@ -150,10 +151,16 @@ class Forms {
     return scale * plane.at_image;
   }
 
-  /// The lines at which hatching begins and ends: of caps with even numbers
-  /// x + y, with odd ones x - y.
+  /// The lines at which hatching may begin and end: what has a period of 16
+  /// pixels is at some of those of 8.
   template <class Add>
   void add_stripes(const Add& add) const {
+    bool has_hatch = options_.caps->hatch.has_value();
+    if (options_.parts) {
+      for (const CapStyle& style : options_.parts->styles)
+        has_hatch = has_hatch || style.hatch;
+    }
+    if (!has_hatch) return;
     const std::int32_t most = width_ + height_;
     for (std::int32_t start = -8 * (most / 8 + 1); start <= most; start += 8) {
       for (const std::int32_t at : {start, start + 2}) {
@@ -164,16 +171,22 @@ class Forms {
   }
 
   /// Whether the point beside p is in a stripe of the cap's hatching.
-  static bool is_in_stripe(std::size_t k, const ImagePoint& p,
-                           const Rational& dx, const Rational& dy) {
+  bool is_hatched(const CapItem& cap, const ImagePoint& p, const Rational& dx,
+                  const Rational& dy) const {
+    if (!style_of(options_, cap).hatch) return false;
+    const CapStripes stripes = stripes_of(options_, cap);
     const Rational half = Rational(1) / Rational(2);
-    const bool is_even = k % 2 == 0;
-    const Rational across = is_even ? p.x + p.y - half : p.x - p.y + half;
-    const Rational grows = is_even ? dx + dy : dx - dy;
-    // Between -8 and 8 by steps: exact, and no division with rest is needed.
-    Rational rest = across;
-    while (rest >= Rational(8)) rest = rest - Rational(8);
-    while (sign(rest) < 0) rest = rest + Rational(8);
+    return (stripes.by_sum &&
+            is_in_stripe(p.x + p.y - half, dx + dy, stripes.period)) ||
+           (stripes.by_difference &&
+            is_in_stripe(p.x - p.y + half, dx - dy, stripes.period));
+  }
+  static bool is_in_stripe(Rational rest, const Rational& grows,
+                           std::int32_t every) {
+    // By steps: exact, and no division with rest is needed.
+    const Rational period = every;
+    while (rest >= period) rest = rest - period;
+    while (sign(rest) < 0) rest = rest + period;
     if (sign(rest) == 0) return sign(grows) > 0;
     if (rest == Rational(2)) return sign(grows) < 0;
     return rest < Rational(2);
@@ -189,13 +202,14 @@ class Forms {
     if (nearest != nullptr) front = *nearest;
     const auto count = static_cast<std::int32_t>(polygons_.size());
     for (std::size_t k = 0; k < caps_->count(); ++k) {
-      if (!caps_->shows(k, sign_of)) continue;
+      const auto part = caps_->part_at(k, sign_of);
+      if (!part) continue;
       const Affine own = nearness_of(caps_->plane(k));
       if (front && sign_of(own - *front) <= 0) continue;
       front = own;
-      key = count + static_cast<std::int32_t>(k);
-      if (options_.caps->hatch && is_in_stripe(k, p, dx, dy))
-        key += static_cast<std::int32_t>(kMostClipPlanes);
+      CapItem cap = {k, *part, false};
+      cap.is_hatched = is_hatched(cap, p, dx, dy);
+      key = count + number_of(cap);
     }
     return key;
   }

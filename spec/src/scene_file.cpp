@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "token_lines.hpp"
 
 namespace halfspace {
@@ -28,6 +29,10 @@ class Reader : private TokenLines {
   bool option_line();
   bool clip_line();
   bool caps_line();
+  bool cap_line();
+  bool part_line();
+  bool style(CapStyle& value);
+  Result<Done> add_parts(const Scene& scene);
   bool vertex();
   bool polygon();
   bool color(std::size_t token, Rgb& value);
@@ -40,6 +45,14 @@ class Reader : private TokenLines {
   std::vector<std::int64_t> polygon_lines_;
   CameraData camera_;
   ImageOptions options_;
+  /// So many polygons, from one on, belong to a part.
+  struct PartRun {
+    std::size_t part = 0;
+    std::size_t from = 0;
+    std::size_t count = 0;
+  };
+  CapParts parts_;
+  std::vector<PartRun> part_runs_;
   struct {
     bool eye = false, s0 = false, sx = false, sy = false, near = false,
          size = false, cull = false, shade = false, background = false,
@@ -243,18 +256,59 @@ bool Reader::clip_line() {
   return true;
 }
 
-bool Reader::caps_line() {
-  CapStyle style;
-  if (!once(seen_.caps)) return false;
+/// A colour, and maybe that of hatching, after the first token.
+bool Reader::style(CapStyle& value) {
   const bool has_hatch = tokens_.size() == 8 && tokens_[4] == "hatch";
   if (tokens_.size() != 4 && !has_hatch) {
     return fail(ErrorCode::kSyntax,
-                "after 'caps' comes a colour, and maybe 'hatch' and another");
+                "after " + in_quotes(tokens_[0]) +
+                    " comes a colour, and maybe 'hatch' and another");
   }
-  if (!color(1, style.color)) return false;
-  if (has_hatch && !color(5, style.hatch.emplace())) return false;
-  options_.caps = style;
+  return color(1, value.color) &&
+         (!has_hatch || color(5, value.hatch.emplace()));
+}
+
+bool Reader::caps_line() {
+  return once(seen_.caps) && style(options_.caps.emplace());
+}
+
+bool Reader::cap_line() { return style(parts_.styles.emplace_back()); }
+
+bool Reader::part_line() {
+  PartRun run;
+  constexpr Int128 kLimit = kMaxCount;
+  if (!count_is(3) || !integer(1, 0, kLimit, run.part) ||
+      !integer(2, 0, kLimit, run.from) || !integer(3, 1, kLimit, run.count))
+    return false;
+  part_runs_.push_back(run);
   return true;
+}
+
+/// The parts whose caps are told apart (S10.6), if any.
+Result<Done> Reader::add_parts(const Scene& scene) {
+  if (parts_.styles.empty() && part_runs_.empty()) return Done{};
+  const auto bad = [](const std::string& message) {
+    return Error{ErrorCode::kSyntax, message};
+  };
+  if (!options_.caps) return bad("parts are told apart by caps: give 'caps'");
+  if (parts_.styles.size() < 2)
+    return bad("a 'cap' line for each part comes before one for several");
+  parts_.part_of.assign(scene.polygon_count(), 0);
+  for (const PartRun& run : part_runs_) {
+    if (run.part >= parts_.count() ||
+        run.from + run.count > scene.polygon_count()) {
+      return Error{ErrorCode::kBadIndex,
+                   "a 'part' line names parts without a 'cap' line, or "
+                   "polygons that there are not"};
+    }
+    std::fill_n(parts_.part_of.begin() + static_cast<std::ptrdiff_t>(run.from),
+                run.count, static_cast<std::uint32_t>(run.part));
+  }
+  if (!are_parts_closed(scene, parts_.part_of))
+    return Error{ErrorCode::kOpen,
+                 "caps fill solids, and a part is not closed"};
+  options_.parts = std::make_shared<const CapParts>(std::move(parts_));
+  return Done{};
 }
 
 bool Reader::body_line() {
@@ -269,6 +323,8 @@ bool Reader::body_line() {
   if (is_one_of({"cull", "shade", "background"})) return option_line();
   if (tokens_[0] == "clip") return clip_line();
   if (tokens_[0] == "caps") return caps_line();
+  if (tokens_[0] == "cap") return cap_line();
+  if (tokens_[0] == "part") return part_line();
   if (is_one_of({kMagic, "unit", "grid"})) {
     bool seen = true;
     return once(seen);
@@ -310,7 +366,6 @@ Result<SceneFile> Reader::finish() {
     }
     return error;
   }
-  file.options = options_;
   if (seen_.eye) {
     Result<Camera> camera = make_camera(camera_, scene->grid_bits());
     if (!camera) return camera.error();
@@ -320,6 +375,9 @@ Result<SceneFile> Reader::finish() {
     return Error{ErrorCode::kOpen,
                  "caps fill solids, and the scene is not closed"};
   }
+  const Result<Done> parted = add_parts(*scene);
+  if (!parted) return parted.error();
+  file.options = options_;
   file.scene = *std::move(scene);
   return file;
 }

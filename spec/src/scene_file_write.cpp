@@ -44,6 +44,29 @@ void write_camera(std::string& text, const CameraData& camera) {
   text += '\n';
 }
 
+void write_style(std::string& text, const char* keyword,
+                 const CapStyle& style) {
+  text += keyword;
+  write_color(text, style.color);
+  if (style.hatch) {
+    text += " hatch";
+    write_color(text, *style.hatch);
+  }
+  text += '\n';
+}
+
+void write_parts(std::string& text, const CapParts& parts) {
+  for (const CapStyle& style : parts.styles) write_style(text, "cap", style);
+  const std::vector<std::uint32_t>& part_of = parts.part_of;
+  for (std::size_t from = 0, to = 0; from < part_of.size(); from = to) {
+    while (to < part_of.size() && part_of[to] == part_of[from]) ++to;
+    text += "part";
+    write_values(text, {part_of[from], static_cast<Int128>(from),
+                        static_cast<Int128>(to - from)});
+    text += '\n';
+  }
+}
+
 }  // namespace
 
 std::string write_scene(const SceneFile& file) {
@@ -75,13 +98,8 @@ std::string write_scene(const SceneFile& file) {
     text += '\n';
   }
   if (const auto& caps = file.options.caps) {
-    text += "caps";
-    write_color(text, caps->color);
-    if (caps->hatch) {
-      text += " hatch";
-      write_color(text, *caps->hatch);
-    }
-    text += '\n';
+    write_style(text, "caps", *caps);
+    if (const auto& parts = file.options.parts) write_parts(text, *parts);
   }
   return text + "end\n";
 }

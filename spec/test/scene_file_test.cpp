@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+
+#include "halfspace/cap_parts.hpp"
 
 namespace halfspace {
 namespace {
@@ -332,6 +335,61 @@ TEST(SceneFile, HoldsNumbersAtTheirLimits) {
       read_scene("halfspace-scene 1\nunit 2 0\ngrid 26\nend\n")->camera);
   EXPECT_FALSE(
       read_scene("halfspace-scene 1\nunit 2 0\ngrid 26\nnear 1\nend\n"));
+}
+
+/// Two tetrahedra, whose corners are 0 to 3 and 4 to 7, with these lines.
+std::string two_parts(const std::string& lines) {
+  std::string text = "halfspace-scene 1\nunit 10 0\ngrid 26\n";
+  for (const int at : {0, 9}) {
+    const std::string x = std::to_string(at);
+    text += "v " + x + " 0 0\nv " + std::to_string(at + 4) + " 0 0\nv " + x +
+            " 4 0\nv " + x + " 0 4\n";
+  }
+  for (const int first : {0, 4}) {
+    for (const auto& [a, b, c] :
+         {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+      text += "p " + std::to_string(first + a) + " " +
+              std::to_string(first + b) + " " + std::to_string(first + c) +
+              " color 1 2 3\n";
+    }
+  }
+  return text + lines + "end\n";
+}
+
+TEST(SceneFile, SaysOfWhatPartsAClosedSceneIs) {
+  const std::string caps = "caps 9 9 9\n";
+  const std::string looks =
+      caps + "cap 1 1 1\ncap 2 2 2 hatch 3 3 3\ncap 4 4 4\n";
+  const auto file = read_scene(two_parts(looks + "part 1 4 4\n"));
+  ASSERT_TRUE(file) << file.error().message;
+  const CapParts& parts = *file->options.parts;
+  EXPECT_EQ(parts.part_of,
+            (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(parts.part_of, connected_parts(file->scene));
+  ASSERT_EQ(parts.count(), 2u);
+  EXPECT_EQ(parts.styles[1], (CapStyle{{2, 2, 2}, Rgb{3, 3, 3}}));
+  EXPECT_EQ(parts.styles[2], (CapStyle{{4, 4, 4}, std::nullopt}));
+  const auto again = read_scene(write_scene(*file));
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(*again, *file);
+  SceneFile other = *file;
+  other.options.parts = told_apart(parts.part_of, {});
+  EXPECT_NE(other, *file);
+
+  const auto code = [](const std::string& lines) {
+    return code_of(two_parts(lines));
+  };
+  EXPECT_EQ(code("part 0 0 8\n"), ErrorCode::kSyntax);
+  EXPECT_EQ(code("cap 1 1 1\ncap 2 2 2\n"), ErrorCode::kSyntax);
+  EXPECT_EQ(code(caps + "cap 1 1 1\n"), ErrorCode::kSyntax);
+  EXPECT_EQ(code(looks + "cap 1 1\n"), ErrorCode::kSyntax);
+  EXPECT_EQ(code(looks + "part 2 0 4\n"), ErrorCode::kBadIndex);
+  EXPECT_EQ(code(looks + "part 1 4 5\n"), ErrorCode::kBadIndex);
+  EXPECT_EQ(code(looks + "part 1 2147483647 2147483647\n"),
+            ErrorCode::kBadIndex);
+  EXPECT_EQ(code(looks + "part -1 0 4\n"), ErrorCode::kOutOfRange);
+  // Half of a tetrahedron is not closed.
+  EXPECT_EQ(code(looks + "part 1 2 4\n"), ErrorCode::kOpen);
 }
 
 }  // namespace

@@ -311,6 +311,38 @@ TEST_F(ViewerSession, ASectionIsClosedByACapThatCanBePicked) {
       << *measures;
 }
 
+TEST_F(ViewerSession, CapsOfPartsAreToldApart) {
+  State state = state_of({box_, box_});
+  state.parts[1].shift = {1, 0, 0};
+  state.sections.push_back({{0, 0, 1}, 0.5, true});
+  Session session(state, nullptr, ignore);
+  settle(session);
+  session.see_from({{0, 0, 1}, {0, 1, 0}});
+  settle(session);
+  const auto left = session.pick(170, 240);
+  const auto middle = session.pick(320, 240);
+  const auto right = session.pick(470, 240);
+  ASSERT_TRUE(left && middle && right);
+  EXPECT_EQ(left->part, kCapPart);
+  EXPECT_EQ(left->cap_part, 0u);
+  EXPECT_EQ(right->cap_part, 1u);
+  EXPECT_FALSE(middle->cap_part);
+  EXPECT_TRUE(middle->is_overlap);
+  EXPECT_FALSE(left->is_overlap);
+  const auto measures = measures_of(
+      session.state(), [](const std::string&, double) { return true; });
+  ASSERT_TRUE(measures);
+  const std::string name = std::filesystem::path(box_).filename().string();
+  EXPECT_NE(
+      measures->find("section of area 6\n  " + name + " 4\n  " + name + " 4"),
+      std::string::npos)
+      << *measures;
+  // Only what is closed by itself is told apart.
+  session.change([](State& s) { s.combination = Combination::kUnion; });
+  settle(session);
+  EXPECT_EQ(session.model()->cap_parts, nullptr);
+}
+
 TEST_F(ViewerSession, ASectionMovesWithoutAnotherModel) {
   Session session(state_of({ball_, box_}), nullptr, ignore);
   settle(session);

@@ -226,14 +226,13 @@ Result<Done> add_map(WebScene& shown, const Camera& camera,
   const std::string by = asked.by.empty() ? "face" : asked.by;
   const auto map = fast::section_map(
       shown.scene(), *tree, camera,
-      {image.cull, tools::keys_of(shown.figure, by, false, image.caps)}, image,
-      {});
+      {image.cull, tools::keys_of(shown.figure, by, false, image)}, image, {});
   if (!map) return map.error();
   if (!asked.by.empty()) {
     tools::FillStyle style;
     style.by = by;
     style.background = image.background;
-    if (image.caps) style.caps = *image.caps;
+    style.caps = &image;
     tools::add_regions(figure, *map, shown.figure, style, {});
   }
   if (asked.lines == 1) tools::add_borders(figure, *map, asked.line_width, {});

@@ -51,6 +51,11 @@ struct View {
   std::vector<Plane> clips = {};
   /// Fills the cuts of what is closed; nothing: they stay open.
   std::optional<CapStyle> caps = {};
+  /// Tells the caps of the display's solids apart (S10.6): each has a colour of
+  /// its own, and lines in another direction or at another distance if there
+  /// are any; caps look as `caps` says where several solids are. Not where
+  /// scalars are seen.
+  bool caps_by_solid = false;
   Rgb background = {255, 255, 255};
   /// Marks what is seen from behind, in its own light (S5.8); nothing: it is
   /// coloured as from before.
@@ -230,7 +235,9 @@ class HALFSPACE_API Display {
 
   /// The picture. Exact, whatever the number of threads: at each pixel the
   /// nearest polygon (S5.1), an exact mean (View::anti_aliasing), or as
-  /// polygon_count() + k the cap of the k-th different clip plane (S10.3).
+  /// polygon_count() + k the cap of the k-th different clip plane (S10.3); with
+  /// View::caps_by_solid 16 s more for that of solid s, or, where several are,
+  /// of their number.
   /// Cost: what is seen. Errors, here and below:
   /// kBadCamera, kNotFinite, kStopped (by view.progress); kOutOfRange (also for
   /// a ninth clip plane, and for a colour of back faces where it is not one

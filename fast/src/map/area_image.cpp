@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "map/arc_pieces.hpp"
 #include "map/exact_moments.hpp"
 #include "raster/gouraud.hpp"
@@ -30,8 +31,6 @@ struct Crossing {
   double rise = 0;
   double rise_y = 0;
 };
-
-Rgb hatch_of(const CapStyle& caps) { return caps.hatch.value_or(caps.color); }
 
 using Channels = std::array<double, 3>;
 
@@ -239,9 +238,8 @@ class AreaPainter {
   Rgb flat_color(PolygonId item) const {
     if (item == kBackground) return image_.background;
     if (is_cap(item)) {
-      const auto cap = static_cast<std::size_t>(item) - scene_.polygon_count();
-      return cap < kMostClipPlanes ? image_.caps->color
-                                   : hatch_of(*image_.caps);
+      return color_of(image_, cap_item(static_cast<std::size_t>(item) -
+                                       scene_.polygon_count()));
     }
     return smooth_ ? scene_.corner_colors(item)[0] : scene_.color(item);
   }
@@ -274,11 +272,10 @@ MapOptions keys_of(const Scene& scene, const ImageOptions& image, bool smooth) {
     options.keys.push_back(numbers.try_emplace(color, next).first->second);
   }
   if (!image.caps || image.clips.empty()) return options;
-  // Those of caps, then of their hatching.
-  for (const Rgb& color : {image.caps->color, hatch_of(*image.caps)}) {
+  for (std::size_t k = 0; k < cap_item_count(image); ++k) {
     const auto next = static_cast<std::int32_t>(numbers.size());
-    const auto key = numbers.try_emplace(color, next).first->second;
-    options.keys.insert(options.keys.end(), kMostClipPlanes, key);
+    const Rgb color = color_of(image, cap_item(k));
+    options.keys.push_back(numbers.try_emplace(color, next).first->second);
   }
   return options;
 }

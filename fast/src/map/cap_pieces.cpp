@@ -27,7 +27,8 @@ class CapDivider {
         side_(side),
         lines_(lines),
         cutter_(lines),
-        segments_(reader, camera, image.clips[k]) {}
+        segments_(reader, camera, image.clips[k]),
+        windings_(image.parts.get()) {}
 
   std::vector<CapPiece> run() {
     Part all;
@@ -43,7 +44,10 @@ class CapDivider {
     while (!parts.empty()) {
       Part part = std::move(parts.back());
       parts.pop_back();
-      if (!divide(part, parts) && is_cap(part.polygon)) add(part.polygon);
+      if (divide(part, parts)) continue;
+      find_windings(part.polygon);
+      if (windings_.is_cap())
+        add(std::move(part.polygon), {k_, windings_.part(), false});
     }
     return std::move(pieces_);
   }
@@ -160,9 +164,9 @@ class CapDivider {
     }
   }
 
-  /// Whether the winding number is above 0 in a polygon of the image that no
-  /// segment passes.
-  bool is_cap(const std::vector<CellEdge>& polygon) const {
+  /// The winding numbers in a polygon of the image that no segment passes.
+  void find_windings(const std::vector<CellEdge>& polygon) {
+    windings_.clear();
     double x = 0;
     double y = 0;
     for (const CellEdge& edge : polygon) {
@@ -170,7 +174,7 @@ class CapDivider {
       y += edge.start.y / static_cast<double>(polygon.size());
     }
     if (is_inside(polygon, x, y))
-      return segments_.winding_at(BigRational(x), BigRational(y)) > 0;
+      return segments_.add_at(BigRational(x), BigRational(y), windings_);
     // Corners too near for doubles: exactly.
     BigRational sum_x = 0;
     BigRational sum_y = 0;
@@ -182,7 +186,7 @@ class CapDivider {
       before = edge.line;
     }
     const auto count = static_cast<int>(polygon.size());
-    return segments_.winding_at(sum_x / count, sum_y / count) > 0;
+    segments_.add_at(sum_x / count, sum_y / count, windings_);
   }
   /// Whether doubles tell that a point is inside.
   bool is_inside(const std::vector<CellEdge>& polygon, double x,
@@ -211,19 +215,42 @@ class CapDivider {
             quotient_of(minor(p.c, q.a, p.a, q.c), w)};
   }
 
-  void add_piece(const std::vector<CellEdge>& polygon, bool is_hatched) {
+  void add_piece(const std::vector<CellEdge>& polygon, const CapItem& cap) {
     CapPiece piece;
-    piece.is_hatched = is_hatched;
+    piece.cap = cap;
     for (const CellEdge& edge : polygon)
       piece.sides.push_back({edge.line, edge.side});
     pieces_.push_back(std::move(piece));
   }
 
-  /// Adds a polygon that is cap, cut along the stripes of its hatching: from 1
-  /// up to 5 halves of pixels, every 16, of x + y, or from -1 to 3 of x - y.
-  void add(std::vector<CellEdge> polygon) {
-    if (!image_.caps->hatch) return add_piece(polygon, false);
-    const bool is_sum = k_ % 2 == 0;
+  /// Adds a polygon that is cap, cut along the stripes of its hatching.
+  void add(std::vector<CellEdge> polygon, const CapItem& cap) {
+    if (!style_of(image_, cap).hatch) return add_piece(polygon, cap);
+    const CapStripes stripes = stripes_of(image_, cap);
+    if (!stripes.by_sum || !stripes.by_difference) {
+      return add_striped(std::move(polygon), cap, stripes.by_sum,
+                         stripes.period);
+    }
+    // What is between stripes of one kind may be in one of the other.
+    std::vector<std::vector<CellEdge>> between;
+    add_striped(std::move(polygon), cap, true, stripes.period, &between);
+    for (std::vector<CellEdge>& part : between)
+      add_striped(std::move(part), cap, false, stripes.period);
+  }
+
+  /// Stripes are from 1 up to 5 halves of pixels of x + y, or from -1 to 3 of
+  /// x - y. What is between them becomes pieces, too, or goes to `between`.
+  void add_striped(std::vector<CellEdge> polygon, CapItem cap, bool is_sum,
+                   std::int32_t period,
+                   std::vector<std::vector<CellEdge>>* between = nullptr) {
+    const auto take = [&](std::vector<CellEdge>& part, bool is_hatched) {
+      if (!is_hatched && between != nullptr) {
+        between->push_back(std::move(part));
+        return;
+      }
+      cap.is_hatched = is_hatched;
+      add_piece(part, cap);
+    };
     double least = 2.0 * (camera_.width_px + camera_.height_px);
     double most = -least;
     for (const CellEdge& edge : polygon) {
@@ -232,21 +259,20 @@ class CapDivider {
       least = std::min(least, at);
       most = std::max(most, at);
     }
-    const auto period = [](double at) {
-      return static_cast<std::int32_t>(std::floor(at / 16));
-    };
-    const std::int32_t first = 16 * (period(least) - 1) + (is_sum ? 1 : -1);
-    for (std::int32_t at = first; at <= most + 32; at += 16) {
+    const std::int32_t step = 2 * period;
+    const auto before = static_cast<std::int32_t>(std::floor(least / step)) - 1;
+    const std::int32_t first = step * before + (is_sum ? 1 : -1);
+    for (std::int32_t at = first; at <= most + 2 * step; at += step) {
       for (const std::int32_t halves : {at, at + 4}) {
         const LineId line = lines_.stripe(is_sum, halves);
         const int found = cutter_.classify(polygon, line);
         if ((found & kSomeNegative) == 0) continue;
         const bool is_hatched = halves != at;
-        if ((found & kSomePositive) == 0) return add_piece(polygon, is_hatched);
+        if ((found & kSomePositive) == 0) return take(polygon, is_hatched);
         std::vector<CellEdge> above;
         std::vector<CellEdge> below;
         cutter_.cut(polygon, line, kOwnEdge, above, below);
-        add_piece(below, is_hatched);
+        take(below, is_hatched);
         polygon.swap(above);
       }
     }
@@ -261,6 +287,7 @@ class CapDivider {
   LineTable& lines_;
   ConvexCutter cutter_;
   CapSegments segments_;
+  CapWindings windings_;
   std::vector<CapPiece> pieces_;
 };
 

@@ -4,16 +4,17 @@
 #include <vector>
 
 #include "camera/view.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/image.hpp"
 #include "map/convex_cutter.hpp"
 
 namespace halfspace::fast {
 
 /// A convex part of a cap in the image, all in a stripe of the hatching or all
-/// outside.
+/// outside, and all of one part of the scene.
 struct CapPiece {
   std::vector<HalfPlane> sides;
-  bool is_hatched = false;
+  CapItem cap;
 };
 
 /// The cap of clip plane `k` (S10.3) as convex pieces of the image.

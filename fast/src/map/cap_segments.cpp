@@ -133,9 +133,9 @@ CapPoint CapSegments::seen_at(const BigRational& x,
 
 /// Of a closed curve with the solid on the left it is the number of segments on
 /// the right that go up, less those that go down.
-int CapSegments::winding_at(const BigRational& x, const BigRational& y) const {
+void CapSegments::add_at(const BigRational& x, const BigRational& y,
+                         CapWindings& windings) const {
   const CapPoint p = seen_at(x, y);
-  int winding = 0;
   for (const CapSegment& segment : segments_) {
     const CapPoint& f = segment.from;
     const CapPoint& g = segment.to;
@@ -152,9 +152,8 @@ int CapSegments::winding_at(const BigRational& x, const BigRational& y) const {
           (g.u - f.u) * (p.v - f.v) - (p.u - f.u) * (g.v - f.v);
       is_right = f_below ? at > 0 : at < 0;
     }
-    if (is_right) winding += f_below ? 1 : -1;
+    if (is_right) windings.add(segment.polygon, f_below ? -turn_ : turn_);
   }
-  return -winding * turn_;
 }
 
 }  // namespace halfspace::fast

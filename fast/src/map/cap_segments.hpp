@@ -7,6 +7,7 @@
 #include "exact/big_rational.hpp"
 #include "halfspace/image.hpp"
 #include "map/line_table.hpp"
+#include "raster/cap_windings.hpp"
 
 namespace halfspace::fast {
 
@@ -37,10 +38,11 @@ class CapSegments {
 
   const std::vector<CapSegment>& all() const { return segments_; }
 
-  /// The winding number at the point of the plane that is seen at an image
-  /// point, in twice the image's coordinates.
+  /// Moves winding numbers from where they are 0 to the point of the plane that
+  /// is seen at an image point, in twice the image's coordinates.
   /// Requires: no segment is seen there, nor is the plane edge-on.
-  int winding_at(const BigRational& x, const BigRational& y) const;
+  void add_at(const BigRational& x, const BigRational& y,
+              CapWindings& windings) const;
 
  private:
   void add(PolygonId polygon);

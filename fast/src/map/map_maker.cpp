@@ -102,13 +102,12 @@ bool MapMaker::image_box(NodeId id, CellBox& image) const {
 
 void MapMaker::light_caps(int side, const MapLimits& limits) {
   if (!image_.caps) return;
-  const auto count = reader_.scene().polygon_count();
+  const auto count = static_cast<PolygonId>(reader_.scene().polygon_count());
   for (std::size_t k = 0; k < image_.clips.size(); ++k) {
     if (lines_.side_of_eye(plane_id_of_clip(k)) != side) continue;
     for (const CapPiece& piece :
          cap_pieces(reader_, view_, data_, image_, k, side, lines_)) {
-      const std::size_t hatching = piece.is_hatched ? kMostClipPlanes : 0;
-      cells_.light(piece.sides, static_cast<PolygonId>(count + k + hatching));
+      cells_.light(piece.sides, count + number_of(piece.cap));
       too_many_ = too_many_ || cells_.cell_count() > limits.most_cells;
       if (too_many_) return;
     }

@@ -1,6 +1,7 @@
 #include "halfspace/fast/visible_map.hpp"
 
 #include "halfspace/assert.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "map/map_maker.hpp"
 
 namespace halfspace::fast {
@@ -19,8 +20,7 @@ Result<VisibleMap> section_map(const Scene& scene, const BspTree& tree,
                                const MapLimits& limits) {
   HALFSPACE_ASSERT(options.keys.empty() ||
                    options.keys.size() >=
-                       scene.polygon_count() +
-                           (image.caps ? 2 * kMostClipPlanes : 0));
+                       scene.polygon_count() + cap_item_count(image));
   MapMaker maker(scene, tree, camera, image);
   CellTree& cells = maker.cells();
   // What is kept is behind the planes that the eye is behind (S10, "Caps need

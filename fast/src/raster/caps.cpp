@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "camera/clip_function.hpp"
-#include "halfspace/cap_stripes.hpp"
+#include "halfspace/cap_parts.hpp"
+#include "raster/cap_windings.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -124,7 +125,12 @@ class CapRows {
   int side() const { return side_; }
 
   std::vector<CapChange> changes(const std::vector<PolygonId>& polygons) {
-    for (const PolygonId polygon : polygons) add(polygon);
+    const CapParts* parts = frame_.image.parts.get();
+    for (const PolygonId polygon : polygons) {
+      if (parts != nullptr)
+        part_ = parts->part_of[static_cast<std::size_t>(polygon)];
+      add(polygon);
+    }
     std::sort(changes_.begin(), changes_.end());
     return std::move(changes_);
   }
@@ -209,7 +215,7 @@ class CapRows {
       // the row is after it.
       if (side_ * sign(seen_.a) > 0) {
         const int after = beside.sign_at_sample(rectangle_.left, j);
-        changes_.push_back({j, rectangle_.left, -after});
+        changes_.push_back({j, rectangle_.left, -after, part_});
       }
       return;
     }
@@ -217,9 +223,9 @@ class CapRows {
     const PixelRange after = clipped({rectangle_.left, rectangle_.right},
                                      growth > 0 ? beside : -beside, j);
     if (after.first >= after.end) return;
-    changes_.push_back({j, after.first, -growth});
+    changes_.push_back({j, after.first, -growth, part_});
     if (after.end < rectangle_.right)
-      changes_.push_back({j, after.end, growth});
+      changes_.push_back({j, after.end, growth, part_});
   }
 
   /// Whether the segment meets the row's plane before or behind the eye.
@@ -245,6 +251,7 @@ class CapRows {
   ImageForms forms_;
   ProjectedPlane<kBits> seen_;
   int side_;
+  std::uint32_t part_ = 0;  ///< of the polygon that is added
   std::vector<CapChange> changes_;
 };
 
@@ -257,10 +264,10 @@ class CapFiller {
       : frame_(frame),
         rectangle_(rectangle),
         k_(k),
-        id_(static_cast<PolygonId>(frame.reader.scene().polygon_count() + k)),
+        count_(static_cast<PolygonId>(frame.reader.scene().polygon_count())),
         seen_(seen),
         side_(sign(seen.eye)),
-        near_(approximate(id_)),
+        near_(approximate(count_ + number_of({k, 0, false}))),
         result_(result) {
     const CameraData& camera = frame.camera;
     const int samples = frame.view.samples;
@@ -288,17 +295,18 @@ class CapFiller {
     return range;
   }
 
-  void fill(std::int32_t j, PixelRange range) {
+  void fill(std::int32_t j, PixelRange range, std::size_t part) {
+    const CapItem cap = {k_, part, false};
+    const PolygonId id = count_ + number_of(cap);
     for (std::int32_t i = range.first; i < range.end; ++i) {
       PolygonId& item =
           result_.items.at(i - rectangle_.left, j - rectangle_.top);
       if (item != kBackground && !is_in_front(item, i, j)) continue;
       if (item == kBackground) ++result_.pixels_painted;
-      item = id_;
+      item = id;
       if (result_.colors.pixels.empty()) continue;
       result_.colors.at(i - rectangle_.left, j - rectangle_.top) =
-          cap_color_at_sample(*frame_.image.caps, k_, i, j,
-                              frame_.view.samples);
+          cap_color_at_sample(frame_.image, cap, i, j, frame_.view.samples);
     }
   }
 
@@ -313,25 +321,21 @@ class CapFiller {
     limits_.push_back(side_ > 0 ? wide : -wide);
   }
 
+  const ClipPlane& plane_of_cap(PolygonId id) const {
+    return frame_.clips.plane(
+        cap_item(static_cast<std::size_t>(id - count_)).plane);
+  }
   ApproximateProjection approximate(PolygonId id) const {
-    const auto count =
-        static_cast<PolygonId>(frame_.reader.scene().polygon_count());
-    return project_approximately(
-        id < count
-            ? frame_.reader.planes().plane(id)
-            : rounded(frame_.clips.plane(static_cast<std::size_t>(id - count))),
-        frame_.view);
+    return project_approximately(id < count_ ? frame_.reader.planes().plane(id)
+                                             : rounded(plane_of_cap(id)),
+                                 frame_.view);
   }
   ProjectedPlane<kBits> exactly(PolygonId id) const {
-    const auto count =
-        static_cast<PolygonId>(frame_.reader.scene().polygon_count());
-    if (id < count) {
-      return projected(frame_.reader.planes().template exact<kBits>(id),
-                       frame_.camera, frame_.view.samples);
-    }
-    return projected<kBits>(
-        frame_.clips.plane(static_cast<std::size_t>(id - count)), frame_.camera,
-        frame_.view.samples);
+    return id < count_
+               ? projected(frame_.reader.planes().template exact<kBits>(id),
+                           frame_.camera, frame_.view.samples)
+               : projected<kBits>(plane_of_cap(id), frame_.camera,
+                                  frame_.view.samples);
   }
 
   /// Whether the cap is nearer than what is seen (S5.3). Runs of pixels see the
@@ -355,7 +359,7 @@ class CapFiller {
   const Frame& frame_;
   const Rectangle& rectangle_;
   std::size_t k_;
-  PolygonId id_;
+  PolygonId count_;  ///< of polygons
   const ProjectedPlane<kBits>& seen_;
   int side_;
   ApproximateProjection near_;
@@ -389,17 +393,19 @@ void add_cap(const Frame& frame, const Rectangle& rectangle, std::size_t k,
   const auto seen =
       projected<kBits>(frame.clips.plane(k), frame.camera, frame.view.samples);
   CapFiller<kBits> filler(frame, rectangle, k, seen, result);
+  CapWindings windings(frame.image.parts.get());
   while (at != end) {
     const std::int32_t j = at->row;
     const PixelRange range = filler.row(j);
-    std::int32_t winding = 0;
+    windings.clear();
     for (; at != end && at->row == j; ++at) {
-      winding += at->by;
+      windings.add_to(at->part, at->by);
       const bool is_last = at + 1 == end || at[1].row != j;
       const std::int32_t next = is_last ? rectangle.right : at[1].column;
-      if (winding <= 0) continue;
+      if (!windings.is_cap()) continue;
       filler.fill(
-          j, {std::max(range.first, at->column), std::min(range.end, next)});
+          j, {std::max(range.first, at->column), std::min(range.end, next)},
+          windings.part());
     }
   }
 }

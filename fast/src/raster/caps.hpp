@@ -8,12 +8,13 @@
 
 namespace halfspace::fast {
 
-/// A change of the winding number in a row of a clip plane, from a column on
-/// (S10.3).
+/// A change of a part's winding number in a row of a clip plane, from a column
+/// on (S10.3).
 struct CapChange {
   std::int32_t row;
   std::int32_t column;
   std::int32_t by;
+  std::uint32_t part;  ///< 0 where parts are not told apart
   friend auto operator<=>(const CapChange&, const CapChange&) = default;
 };
 

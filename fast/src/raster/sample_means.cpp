@@ -1,10 +1,8 @@
-#include "raster/sample_means.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "halfspace/cap_stripes.hpp"
+#include "raster/sample_means.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -56,9 +54,7 @@ Rgb SampleMeans::flat_color(PolygonId polygon, std::int32_t i,
                             std::int32_t j) const {
   if (polygon == kBackground) return image_.background;
   if (is_cap(polygon)) {
-    return cap_color_at_sample(*image_.caps,
-                               static_cast<std::size_t>(polygon - first_cap_),
-                               i, j, samples_);
+    return cap_color_at_sample(image_, cap_of(polygon), i, j, samples_);
   }
   const Scene& scene = reader_.scene();
   return gouraud_ ? scene.corner_colors(polygon)[0] : scene.color(polygon);
@@ -103,7 +99,8 @@ void SampleMeans::fill_row(const PolygonId* items, std::int64_t stride,
         *colors = last_color_;
         continue;
       }
-      const bool is_hatched = is_cap(items[0]) && image_.caps->hatch;
+      const bool is_hatched =
+          is_cap(items[0]) && style_of(image_, cap_of(items[0])).hatch;
       if (!is_hatched && !is_smooth(items[0])) {
         last_ = items[0];
         last_color_ = flat_color(last_, i * kSamples, j * kSamples);
@@ -132,13 +129,11 @@ Rgb SampleMeans::flat_mean(const PolygonId* items, std::int64_t stride,
   for (std::int32_t b = 0; b < kSamples; ++b) {
     for (std::int32_t a = 0; a < kSamples; ++a) {
       const PolygonId item = items[b * stride + a];
-      const Rgb color =
-          static_cast<std::uint32_t>(item) < polygons ? own[item]
-          : item == kBackground
-              ? image_.background
-              : cap_color_at_sample(*image_.caps,
-                                    static_cast<std::size_t>(item - first_cap_),
-                                    i + a, j + b, kSamples);
+      const Rgb color = static_cast<std::uint32_t>(item) < polygons ? own[item]
+                        : item == kBackground
+                            ? image_.background
+                            : cap_color_at_sample(image_, cap_of(item), i + a,
+                                                  j + b, kSamples);
       sum +=
           color.r | std::uint64_t{color.g} << 21 | std::uint64_t{color.b} << 42;
     }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/image.hpp"
 #include "raster/gouraud.hpp"
 #include "tree/eye_classifier.hpp"
@@ -33,6 +34,9 @@ class SampleMeans {
   };
 
   bool is_cap(PolygonId item) const { return item >= first_cap_; }
+  CapItem cap_of(PolygonId item) const {
+    return cap_item(static_cast<std::size_t>(item - first_cap_));
+  }
   bool is_smooth(PolygonId polygon);
   /// The colour at sample (i, j), which only caps depend on.
   Rgb flat_color(PolygonId polygon, std::int32_t i, std::int32_t j) const;

@@ -9,7 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "halfspace/assert.hpp"
-#include "halfspace/cap_stripes.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/threads.hpp"
 #include "shade/corner_blend.hpp"
 #include "shade/exact_double.hpp"
@@ -50,8 +50,8 @@ class ScalarShader {
     if (seen == kBackground) return options_.background;
     const auto p = static_cast<std::size_t>(seen);
     if (p >= scene_.polygon_count()) {
-      return cap_color_at_sample(*options_.caps, p - scene_.polygon_count(), i,
-                                 j, samples_);
+      return cap_color_at_sample(options_, cap_item(p - scene_.polygon_count()),
+                                 i, j, samples_);
     }
     const std::int32_t known = scalars_.classes[p];
     const auto lights = scene_.corner_colors(seen);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../vector.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/ref/clip.hpp"
 
 namespace halfspace::ref {
@@ -11,7 +12,7 @@ namespace {
 Wall wall_of(const Fragment& polygon, const Camera& camera,
              std::int32_t samples) {
   const Plane plane = plane_of(polygon.vertices);
-  Wall wall{0, SeenPlane(plane, camera, samples), {}};
+  Wall wall{0, 0, SeenPlane(plane, camera, samples), {}};
   wall.side = sign(wall.plane.at_eye);
   const std::size_t count = polygon.vertices.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -48,10 +49,13 @@ Affine crossed(const SeenPlane& p, const SeenPlane& q) {
 
 Caps::Caps(const Scene& scene, const Camera& camera,
            const ImageOptions& options, std::int32_t samples)
-    : camera_(camera), cull_(options.cull) {
+    : camera_(camera), cull_(options.cull), parts_(options.parts) {
   const auto polygons = static_cast<PolygonId>(scene.polygon_count());
-  for (PolygonId id = 0; id < polygons; ++id)
+  for (PolygonId id = 0; id < polygons; ++id) {
     walls_.push_back(wall_of(whole(scene, id), camera, samples));
+    if (parts_)
+      walls_.back().part = parts_->part_of[static_cast<std::size_t>(id)];
+  }
   for (const ClipPlane& clip : options.clips)
     planes_.emplace_back(function_of(clip), camera, samples);
 }
@@ -77,22 +81,32 @@ std::vector<Affine> Caps::limits(std::size_t k) const {
   return limits;
 }
 
-bool Caps::shows(std::size_t k, const SignOf& sign_of) const {
+std::optional<std::size_t> Caps::part_at(std::size_t k,
+                                         const SignOf& sign_of) const {
   const int side = sign(planes_[k].at_eye);
-  if (side == 0 || (cull_ && side > 0)) return false;
-  const std::vector<Affine> all = limits(k);
-  return std::all_of(all.begin(), all.end(),
-                     [&](const Affine& f) { return sign_of(f) > 0; }) &&
-         winding_behind(k, sign_of) > 0;
+  if (side == 0 || (cull_ && side > 0)) return std::nullopt;
+  for (const Affine& limit : limits(k)) {
+    if (sign_of(limit) <= 0) return std::nullopt;
+  }
+  int winding = 0;
+  std::vector<std::uint32_t> inside;
+  for (const auto& [part, own] : windings_behind(k, sign_of)) {
+    winding += own;
+    if (own > 0) inside.push_back(part);
+  }
+  if (winding <= 0) return std::nullopt;
+  if (!parts_) return 0;
+  return inside.size() == 1 ? inside.front() : parts_->count();
 }
 
-/// The winding number at the point of the plane that is seen, on the kept side:
-/// what is behind it adds up to it, for at the end of the ray it is 0. A
-/// polygon is behind it where it is on the other side than the eye.
-int Caps::winding_behind(std::size_t k, const SignOf& sign_of) const {
+/// The winding numbers of parts at the point of the plane that is seen, on the
+/// kept side: what is behind it adds up to them, for at the end of the ray they
+/// are 0. A polygon is behind it where it is on the other side than the eye.
+std::map<std::uint32_t, int> Caps::windings_behind(
+    std::size_t k, const SignOf& sign_of) const {
   const SeenPlane& cap = planes_[k];
   const int side = sign(cap.at_eye);
-  int winding = 0;
+  std::map<std::uint32_t, int> windings;
   for (const Wall& wall : walls_) {
     if (wall.side == 0) continue;
     if (!std::all_of(wall.edges.begin(), wall.edges.end(),
@@ -102,9 +116,9 @@ int Caps::winding_behind(std::size_t k, const SignOf& sign_of) const {
     // A polygon in the plane is behind it for an eye on the kept side, where
     // what is kept comes before it.
     const bool is_behind = beside == 0 ? side > 0 : beside == -side;
-    if (is_behind) winding -= wall.side;
+    if (is_behind) windings[wall.part] -= wall.side;
   }
-  return winding;
+  return windings;
 }
 
 std::vector<Affine> Caps::forms() const {
@@ -143,14 +157,15 @@ void add_caps(const Scene& scene, const Camera& camera,
   for (PolygonId id = 0; id < count; ++id) {
     planes.emplace_back(plane_of(whole(scene, id).vertices), camera, samples);
   }
-  for (std::size_t k = 0; k < caps.count(); ++k)
-    planes.push_back(caps.plane(k));
-
+  const auto plane_of_item = [&](PolygonId item) -> const SeenPlane& {
+    if (item < count) return planes[static_cast<std::size_t>(item)];
+    return caps.plane(cap_item(static_cast<std::size_t>(item - count)).plane);
+  };
   const auto is_in_front = [&](PolygonId cap, PolygonId seen,
                                const Caps::SignOf& sign_of) {
     if (seen == kBackground) return true;
-    const SeenPlane& p = planes[static_cast<std::size_t>(cap)];
-    const SeenPlane& q = planes[static_cast<std::size_t>(seen)];
+    const SeenPlane& p = plane_of_item(cap);
+    const SeenPlane& q = plane_of_item(seen);
     return sign(p.at_eye) * sign(q.at_eye) * sign_of(crossed(p, q)) > 0;
   };
   for (std::int32_t j = 0; j < items.height_px; ++j) {
@@ -159,9 +174,10 @@ void add_caps(const Scene& scene, const Camera& camera,
         return cap_sign_at_sample(f, i, j);
       };
       for (std::size_t k = 0; k < caps.count(); ++k) {
-        const PolygonId id = count + static_cast<PolygonId>(k);
-        if (caps.shows(k, sign_of) && is_in_front(id, items.at(i, j), sign_of))
-          items.at(i, j) = id;
+        const auto part = caps.part_at(k, sign_of);
+        if (!part) continue;
+        const PolygonId id = count + number_of({k, *part, false});
+        if (is_in_front(id, items.at(i, j), sign_of)) items.at(i, j) = id;
       }
     }
   }

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "../covering.hpp"
@@ -27,6 +32,7 @@ Affine crossed(const SeenPlane& p, const SeenPlane& q);
 /// A polygon of the solid, and the planes through its edges that hold the eye.
 struct Wall {
   int side;  ///< of the eye
+  std::uint32_t part;
   SeenPlane plane;
   std::vector<Affine> edges;  ///< positive within
 };
@@ -42,17 +48,24 @@ class Caps {
 
   std::size_t count() const { return planes_.size(); }
   const SeenPlane& plane(std::size_t k) const { return planes_[k]; }
-  /// Whether the cap of plane k is there, all else left out.
-  bool shows(std::size_t k, const SignOf& sign_of) const;
+  /// The part whose cap is there in plane k, all else left out, or that of
+  /// several (CapItem); nothing where there is none.
+  std::optional<std::size_t> part_at(std::size_t k,
+                                     const SignOf& sign_of) const;
+  bool shows(std::size_t k, const SignOf& sign_of) const {
+    return part_at(k, sign_of).has_value();
+  }
   /// All forms that shows() asks about the sign of.
   std::vector<Affine> forms() const;
 
  private:
   std::vector<Affine> limits(std::size_t k) const;
-  int winding_behind(std::size_t k, const SignOf& sign_of) const;
+  std::map<std::uint32_t, int> windings_behind(std::size_t k,
+                                               const SignOf& sign_of) const;
 
   const Camera& camera_;
   bool cull_;
+  std::shared_ptr<const CapParts> parts_;
   std::vector<Wall> walls_;
   std::vector<SeenPlane> planes_;
 };

@@ -31,6 +31,16 @@ struct CapStyle {
   friend bool operator==(const CapStyle&, const CapStyle&) = default;
 };
 
+/// The parts of a closed scene, whose caps are told apart (S10.6). Each part is
+/// closed by itself.
+struct CapParts {
+  std::vector<std::uint32_t> part_of;  ///< by polygon
+  /// How the caps of each part look, and last those where several parts are.
+  std::vector<CapStyle> styles;
+  std::size_t count() const { return styles.size() - 1; }
+  friend bool operator==(const CapParts&, const CapParts&) = default;
+};
+
 /// The colour of the cap of clip plane `plane` at pixel (i, j) (S10.4).
 constexpr Rgb cap_color(const CapStyle& style, std::size_t plane,
                         std::int32_t i, std::int32_t j) {

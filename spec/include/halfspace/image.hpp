@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,12 +19,21 @@ struct ImageOptions {
   bool cull = false;  ///< polygons whose negative side the eye is on are unseen
   Shading shading = Shading::kFlat;
   Rgb background = {255, 255, 255};
-  /// What is on the negative side of any of these is not there (S10.2). They are
-  /// of make_clips().
+  /// What is on the negative side of any of these is not there (S10.2). They
+  /// are of make_clips().
   std::vector<ClipPlane> clips = {};
   /// Whether and how the cuts of a closed scene are filled (S10.3).
   std::optional<CapStyle> caps = std::nullopt;
-  friend bool operator==(const ImageOptions&, const ImageOptions&) = default;
+  /// With caps: of what parts they are (S10.6); null: they are not told apart.
+  std::shared_ptr<const CapParts> parts = nullptr;
+
+  friend bool operator==(const ImageOptions& a, const ImageOptions& b) {
+    const bool same_parts =
+        a.parts == b.parts || (a.parts && b.parts && *a.parts == *b.parts);
+    return same_parts && a.cull == b.cull && a.shading == b.shading &&
+           a.background == b.background && a.clips == b.clips &&
+           a.caps == b.caps;
+  }
 };
 
 /// The alpha of polygons that nothing is seen through (S5.6); 0 is that of

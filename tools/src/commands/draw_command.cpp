@@ -225,7 +225,7 @@ Status run_draw(DrawArguments arguments) {
   io::ImportOptions options =
       import_options(arguments.view, arguments.grid_bits);
   if (arguments.scalars.source) color_by_scalars(options);
-  const Result<FigureScene> loaded =
+  Result<FigureScene> loaded =
       arguments.scalars.source
           ? load_scalar_figure(arguments.paths[0], options, arguments.scalars)
           : load_figure(arguments.paths, options);
@@ -236,7 +236,8 @@ Status run_draw(DrawArguments arguments) {
       arguments.view.background->style != Background::Style::kColor) {
     return fail("--background: a figure has one colour behind it");
   }
-  const std::string no_caps = cap_complaint(loaded->scene(), arguments.clip);
+  const std::string no_caps =
+      prepare_caps(loaded->file, arguments.clip, loaded->files);
   if (!no_caps.empty()) return fail(loaded->name, {ErrorCode::kOpen, no_caps});
   const ImageOptions image = choose_options(loaded->file, arguments.view);
   ViewFigure figures(arguments, *loaded, image);

@@ -9,6 +9,7 @@
 #include "cli/loading.hpp"
 #include "cli/options.hpp"
 #include "cli/uncut_loading.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/io/ray.hpp"
@@ -84,9 +85,18 @@ class Report {
                       point.x, point.y, point.z, distance,
                       parameter.empty() ? "" : "  t " + parameter));
   }
-  void add_cap(std::int32_t plane) {
-    hits_.push_back({{"cap_of_clip_plane", plane}});
-    if (!is_json_) print(fmt::format("cap of clip plane {}\n", plane));
+  void add_cap(const CapItem& cap, const CapParts* parts) {
+    nlohmann::json hit = {{"cap_of_clip_plane", cap.plane}};
+    std::string text = fmt::format("cap of clip plane {}", cap.plane);
+    if (parts != nullptr && cap.part == parts->count()) {
+      hit["part"] = "several";
+      text += "  several parts";
+    } else if (parts != nullptr) {
+      hit["part"] = cap.part;
+      text += fmt::format("  part {}", cap.part);
+    }
+    hits_.push_back(std::move(hit));
+    if (!is_json_) print(text + "\n");
   }
   void finish() {
     if (is_json_) {
@@ -109,8 +119,9 @@ fast::BspTree tree_of(const Scene& scene) {
   return fast::build_display_tree(scene, options);
 }
 
-Status run_pixel(const PickArguments& arguments,
-                 const io::LoadedScene& loaded) {
+Status run_pixel(const PickArguments& arguments, io::LoadedScene& loaded) {
+  const std::string wrong = prepare_caps(loaded.file, arguments.clip);
+  if (!wrong.empty()) return fail(wrong);
   const Result<ChosenCamera> chosen =
       choose_camera(loaded.file, arguments.view);
   if (!chosen) return fail(camera_error(arguments.path, chosen.error()));
@@ -127,14 +138,13 @@ Status run_pixel(const PickArguments& arguments,
   const Result<Done> clipped =
       add_clips(scene, camera, arguments.clip, options);
   if (!clipped) return fail(clipped.error().message);
-  const std::string wrong = cap_complaint(scene, arguments.clip);
-  if (!wrong.empty()) return fail(wrong);
   const PolygonId polygon =
       fast::pick(scene, tree_of(scene), camera, options, x, y);
   Report report(loaded, arguments.json);
   const auto count = static_cast<PolygonId>(scene.polygon_count());
   if (polygon >= count) {
-    report.add_cap(polygon - count);
+    report.add_cap(cap_item(static_cast<std::size_t>(polygon - count)),
+                   options.parts.get());
   } else if (polygon != kBackground) {
     const io::PixelPoint at = io::pixel_point(scene, camera, polygon, x, y);
     report.add(polygon, at.point, at.distance, "");
@@ -184,7 +194,7 @@ Status run_ray(const PickArguments& arguments, const io::LoadedScene& loaded) {
 Status run_pick(const PickArguments& arguments) {
   const std::string wrong = complaint(arguments);
   if (!wrong.empty()) return fail(wrong);
-  const Result<io::LoadedScene> loaded = load_uncut(
+  Result<io::LoadedScene> loaded = load_uncut(
       arguments.path, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.path, loaded.error());
   if (arguments.at) return run_pixel(arguments, *loaded);

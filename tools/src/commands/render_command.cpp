@@ -262,13 +262,13 @@ Status run_render(const RenderArguments& given) {
   io::ImportOptions options =
       import_options(arguments.view, arguments.grid_bits);
   if (arguments.scalars.source) color_by_scalars(options);
-  const Result<io::LoadedScene> loaded = load_uncut(arguments.path, options);
+  Result<io::LoadedScene> loaded = load_uncut(arguments.path, options);
   if (!loaded) return fail(arguments.path, loaded.error());
   if (loaded->is_scene_file && changes_colors(arguments.view))
     return fail(arguments.path +
                 ": a scene has its own colours; --color, --light, --headlight, "
                 "--ambient and --smooth are for meshes");
-  wrong = cap_complaint(loaded->file.scene, arguments.clip);
+  wrong = prepare_caps(loaded->file, arguments.clip);
   if (!wrong.empty()) return fail(wrong);
   Subject subject{*loaded};
   if (arguments.scalars.source) {

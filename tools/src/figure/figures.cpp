@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 
 #include "figure/bands.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/shade/color_forms.hpp"
 
@@ -32,30 +32,13 @@ std::vector<std::int32_t> numbered(const std::vector<Thing>& things) {
 
 /// Polygons that share vertices are of one part.
 std::vector<std::int32_t> parts_of(const Scene& scene) {
-  std::map<GridPoint, std::int32_t> points;
-  std::vector<std::int32_t> parents(scene.polygon_count());
-  std::iota(parents.begin(), parents.end(), 0);
-  const auto root_of = [&](std::int32_t p) {
-    while (parents[static_cast<std::size_t>(p)] != p) {
-      std::int32_t& parent = parents[static_cast<std::size_t>(p)];
-      parent = parents[static_cast<std::size_t>(parent)];
-      p = parent;
-    }
-    return p;
-  };
-  for (PolygonId p = 0; p < std::ssize(parents); ++p) {
-    for (const VertexId corner : scene.corners(p)) {
-      const auto [found, is_new] = points.try_emplace(scene.point(corner), p);
-      if (is_new) continue;
-      const std::int32_t a = root_of(found->second);
-      const std::int32_t b = root_of(p);
-      parents[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-  }
-  std::vector<std::int32_t> roots;
-  for (PolygonId p = 0; p < std::ssize(parents); ++p)
-    roots.push_back(root_of(p));
-  return numbered(roots);
+  const std::vector<std::uint32_t> parts = connected_parts(scene);
+  return {parts.begin(), parts.end()};
+}
+
+std::string text_of_part(const ImageOptions& image, const CapItem& cap) {
+  if (cap.part == image.parts->count()) return "several parts";
+  return "part " + std::to_string(cap.part);
 }
 
 /// Colours that are told apart, also by the colour-blind (Okabe and Ito 2008).
@@ -150,10 +133,10 @@ std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
 
 std::vector<std::int32_t> keys_of(const FigureScene& figure,
                                   const std::string& by, bool smooth,
-                                  const std::optional<CapStyle>& caps) {
+                                  const ImageOptions& image) {
   const Scene& scene = figure.scene();
   const std::size_t count = scene.polygon_count();
-  const std::size_t all = count + (caps ? 2 * kMostClipPlanes : 0);
+  const std::size_t all = count + cap_item_count(image);
   if (by == "polygon") return {};
   if (by == "all") return std::vector<std::int32_t>(all, 0);
   if (by == "part" || by == "file") {
@@ -161,8 +144,11 @@ std::vector<std::int32_t> keys_of(const FigureScene& figure,
         by == "part" ? parts_of(scene) : figure.files;
     const std::int32_t next =
         keys.empty() ? 0 : 1 + *std::max_element(keys.begin(), keys.end());
-    for (std::size_t k = count; k < all; ++k)
-      keys.push_back(next + (k < count + kMostClipPlanes ? 0 : 1));
+    for (std::size_t k = 0; k < all - count; ++k) {
+      const CapItem cap = cap_item(k);
+      keys.push_back(next + static_cast<std::int32_t>(2 * cap.part) +
+                     (cap.is_hatched ? 1 : 0));
+    }
     return keys;
   }
   const bool is_face = by == "face";
@@ -183,10 +169,8 @@ std::vector<std::int32_t> keys_of(const FigureScene& figure,
                        is_face && planes.same_orientation[p], scene.color(id));
   }
   for (std::size_t k = 0; k < all - count; ++k) {
-    const bool is_hatch = k >= kMostClipPlanes;
-    faces.emplace_back(
-        is_face ? -1 - static_cast<std::int32_t>(k) : -1, false,
-        is_hatch ? caps->hatch.value_or(caps->color) : caps->color);
+    faces.emplace_back(is_face ? -1 - static_cast<std::int32_t>(k) : -1, false,
+                       color_of(image, cap_item(k)));
   }
   return numbered(faces);
 }
@@ -213,12 +197,13 @@ void add_regions(io::Figure& figure, const fast::VisibleMap& map,
     } else if (style.by == "composed") {
       drawn.fill = color_of_key(region.key);
     } else if (region.item >= count) {
-      const bool is_hatch =
-          region.item - count >= static_cast<PolygonId>(kMostClipPlanes);
-      drawn.title = is_hatch ? "hatching" : "cap";
+      const CapItem cap =
+          cap_item(static_cast<std::size_t>(region.item - count));
+      drawn.title = cap.is_hatched ? "hatching" : "cap";
       drawn.class_of = drawn.title;
-      drawn.fill = is_hatch ? style.caps.hatch.value_or(style.caps.color)
-                            : style.caps.color;
+      drawn.fill = color_of(*style.caps, cap);
+      if (style.caps->parts)
+        drawn.title += " of " + text_of_part(*style.caps, cap);
     } else if (has_palette) {
       drawn.fill =
           kPalette[static_cast<std::size_t>(region.key) % kPalette.size()];

@@ -27,11 +27,11 @@ struct FigureScene {
 
 /// The keys by which regions are joined (S7.3): `polygon` (none), `face`,
 /// `colour`, `part`, `file` or `all`. With `smooth` a polygon whose corners
-/// differ in colour is joined by `colour` to none. With caps there are keys of
-/// theirs, and of their hatching (S10.5), too.
-std::vector<std::int32_t> keys_of(
-    const FigureScene& scene, const std::string& by, bool smooth = false,
-    const std::optional<CapStyle>& caps = std::nullopt);
+/// differ in colour is joined by `colour` to none. With caps in the options of
+/// an image there are keys of theirs, and of their hatching (S10.5), too.
+std::vector<std::int32_t> keys_of(const FigureScene& scene,
+                                  const std::string& by, bool smooth = false,
+                                  const ImageOptions& image = {});
 
 /// Where a view stands on the figure: image points are scaled, then moved.
 struct Placing {
@@ -52,7 +52,7 @@ struct FillStyle {
   const Camera* smooth_view = nullptr;
   /// The view, where numbers are shown.
   const Camera* scalar_view = nullptr;
-  CapStyle caps;  ///< of the caps, if the map has any
+  const ImageOptions* caps = nullptr;  ///< how caps look, if the map has any
 };
 
 /// Adds the regions of a map, with ids, and titles and classes by what joined

@@ -140,7 +140,8 @@ Result<Done> ViewFigure::add_hatched(const Camera& camera,
   return Done{};
 }
 
-Result<fast::VisibleMap> ViewFigure::filled_map(const Camera& camera) {
+Result<fast::VisibleMap> ViewFigure::filled_map(const Camera& camera,
+                                                ImageOptions& section) {
   const fast::BspTree* made = tree();
   if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
   const fast::MapLimits limits = {arguments_.most_cells};
@@ -155,19 +156,20 @@ Result<fast::VisibleMap> ViewFigure::filled_map(const Camera& camera) {
     return fast::transparent_map(scene_.scene(), *made, camera, options,
                                  limits);
   }
-  ImageOptions image = image_;
+  section = image_;
   const Result<Done> clipped =
-      add_clips(scene_.scene(), camera, arguments_.clip, image);
+      add_clips(scene_.scene(), camera, arguments_.clip, section);
   if (!clipped) return clipped.error();
   return fast::section_map(
       scene_.scene(), *made, camera,
-      {image_.cull, keys_of(scene_, arguments_.by, smooth_, image.caps)}, image,
+      {image_.cull, keys_of(scene_, arguments_.by, smooth_, section)}, section,
       limits);
 }
 
 Result<Done> ViewFigure::add_map(const Camera& camera, const Placing& placing,
                                  bool on_sheet) {
-  const Result<fast::VisibleMap> map = filled_map(camera);
+  ImageOptions section;
+  const Result<fast::VisibleMap> map = filled_map(camera, section);
   if (!map) return map.error();
   regions_ += map->regions.size();
   arcs_ += map->arcs.size();
@@ -178,7 +180,7 @@ Result<Done> ViewFigure::add_map(const Camera& camera, const Placing& placing,
     style.has_background = !on_sheet;
     style.smooth_view = smooth_ ? &camera : nullptr;
     style.scalar_view = scene_.scalars ? &camera : nullptr;
-    if (arguments_.clip.caps) style.caps = *arguments_.clip.caps;
+    style.caps = &section;
     add_regions(figure_, *map, scene_, style, placing);
   }
   if (arguments_.lines == "regions")

@@ -84,8 +84,10 @@ class ViewFigure {
                            double width);
   /// The tree, built when it is first asked for; nothing if interrupted.
   const fast::BspTree* tree();
-  /// Composed colours, where polygons let something through.
-  Result<fast::VisibleMap> filled_map(const Camera& camera);
+  /// Composed colours, where polygons let something through; else `section` is
+  /// what clip planes and caps there are.
+  Result<fast::VisibleMap> filled_map(const Camera& camera,
+                                      ImageOptions& section);
 
   const DrawArguments& arguments_;
   const FigureScene& scene_;

@@ -4,6 +4,7 @@
 
 #include "cli/options.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/io/clip.hpp"
 #include "image/viewing.hpp"
 
@@ -23,10 +24,16 @@ std::optional<std::array<io::Number, 4>> parse_plane(std::string_view text) {
   return numbers;
 }
 
-std::optional<CapStyle> parse_caps(std::string_view text) {
-  if (text == "hatch") return CapStyle{{235, 235, 225}, Rgb{60, 60, 60}};
+std::optional<CapChoice> parse_caps(std::string_view text) {
+  constexpr Rgb kLines = {60, 60, 60};
+  if (text == "hatch") return CapChoice{{{235, 235, 225}, kLines}};
+  // Where several are, which is a fault more often than not.
+  const CapStyle several = {{235, 110, 90}, kLines};
+  if (text == "part") return CapChoice{several, CapsBy::kPart};
+  if (text == "file") return CapChoice{several, CapsBy::kFile};
   const std::optional<Rgb> color = parse_color(text);
-  return color ? std::optional(CapStyle{*color, std::nullopt}) : std::nullopt;
+  return color ? std::optional(CapChoice{{*color, std::nullopt}})
+               : std::nullopt;
 }
 
 }  // namespace
@@ -59,11 +66,13 @@ void add_clip_options(CLI::App& app, ClipArguments& arguments) {
              "What is farther from the eye than this is not seen; one of the "
              "eight planes")
       ->group(group);
-  add_parsed(app, "--cap", "COLOR|hatch",
+  add_parsed(app, "--cap", "COLOR|hatch|part|file",
              "R,G,B, three whole numbers of at least 0 and at most 255, "
-             "#rrggbb or hatch",
+             "#rrggbb, hatch, part or file",
              arguments.caps, parse_caps,
-             "Fill the cuts of a closed solid, in a colour or hatched")
+             "Fill the cuts of a closed solid, in a colour or hatched; or each "
+             "connected part, or each FILE, in a colour and with lines of its "
+             "own, and where several overlap, lines both ways on red")
       ->group(group);
 }
 
@@ -86,17 +95,35 @@ Result<Done> add_clips(const Scene& scene, const Camera& camera,
   const auto made = make_clips(planes, scene.grid_bits());
   if (!made) return Error{made.error().code, "--clip: " + made.error().message};
   options.clips = *made;
-  if (arguments.caps) options.caps = arguments.caps;
+  if (arguments.caps) options.caps = arguments.caps->style;
   return Done{};
 }
 
-std::string cap_complaint(const Scene& scene, const ClipArguments& arguments) {
+std::string prepare_caps(SceneFile& file, const ClipArguments& arguments,
+                         const std::vector<std::int32_t>& files) {
   if (!arguments.caps) return {};
   if (arguments.planes.empty() && !arguments.yon)
     return "--cap: needs --clip, which says what is cut";
-  if (bad_edges(scene).empty()) return {};
-  return "--cap: only cuts of solids are filled, and this surface is not "
-         "closed";
+  const Scene& scene = file.scene;
+  file.options.parts = nullptr;
+  if (!bad_edges(scene).empty()) {
+    return "--cap: only cuts of solids are filled, and this surface is not "
+           "closed";
+  }
+  const auto& [style, by] = *arguments.caps;
+  if (by == CapsBy::kPart) {
+    file.options.parts = told_apart(connected_parts(scene), style);
+  } else if (by == CapsBy::kFile) {
+    if (files.empty())
+      return "--cap: file is for draw, which takes several; give part";
+    file.options.parts = told_apart({files.begin(), files.end()}, style);
+  }
+  if (by == CapsBy::kFile &&
+      !are_parts_closed(scene, file.options.parts->part_of)) {
+    return "--cap: only cuts of solids are filled, and one of the files is not "
+           "closed by itself";
+  }
+  return {};
 }
 
 }  // namespace halfspace::tools

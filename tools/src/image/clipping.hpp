@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "halfspace/io/number.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
+#include "halfspace/scene_file.hpp"
 
 namespace CLI {
 class App;
@@ -17,11 +19,20 @@ class App;
 
 namespace halfspace::tools {
 
+/// What caps are told apart by (S10.6).
+enum class CapsBy : std::uint8_t { kNothing, kPart, kFile };
+
+/// How caps look, those of several parts if they are told apart.
+struct CapChoice {
+  CapStyle style;
+  CapsBy by = CapsBy::kNothing;
+};
+
 /// What the command line says about clip planes and caps (S10).
 struct ClipArguments {
   std::vector<std::array<io::Number, 4>> planes;  ///< in model units
   std::optional<double> yon;
-  std::optional<CapStyle> caps;
+  std::optional<CapChoice> caps;
   bool is_used() const { return !planes.empty() || yon || caps; }
 };
 
@@ -36,8 +47,11 @@ void add_clip_options(CLI::App& app, ClipArguments& arguments);
 Result<Done> add_clips(const Scene& scene, const Camera& camera,
                        const ClipArguments& arguments, ImageOptions& options);
 
-/// What is wrong with caps for the scene; empty if nothing.
-/// Cost: where caps are asked for, a sort of the scene's edges.
-std::string cap_complaint(const Scene& scene, const ClipArguments& arguments);
+/// What is wrong with caps for the scene; empty if nothing. Where they are
+/// asked for, the file's options are given the parts that they are told apart
+/// by; of several files the scene's polygons say which they are of. Cost: where
+/// caps are asked for, a sort of the scene's edges.
+std::string prepare_caps(SceneFile& file, const ClipArguments& arguments,
+                         const std::vector<std::int32_t>& files = {});
 
 }  // namespace halfspace::tools

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "core/combine.hpp"
 #include "core/moves.hpp"
@@ -65,9 +68,10 @@ dvec3 area_vector(const std::vector<Point>& loop) {
   return sum / 2.0;
 }
 
-/// The areas of the cuts, a line each.
-Result<std::string> section_lines(const Solid& solid, const State& state) {
-  std::string lines;
+/// The areas of the cuts, of each section that is on.
+Result<std::vector<double>> section_areas(const Solid& solid,
+                                          const State& state) {
+  std::vector<double> areas;
   for (const Section& section : state.sections) {
     if (!section.is_on) continue;
     const auto& [x, y, z] = section.normal;
@@ -80,9 +84,40 @@ Result<std::string> section_lines(const Solid& solid, const State& state) {
       for (const auto& hole : region.holes) sum += area_vector(hole);
       area += glm::length(sum);
     }
-    lines += fmt::format("\nsection of area {:.12g}", area);
+    areas.push_back(area);
   }
-  return lines;
+  return areas;
+}
+
+/// The areas of the cuts, a line each, and below those of each part where parts
+/// are beside each other: where they overlap, these are more.
+Result<std::string> section_lines(const Solid& solid, const State& state) {
+  const auto all = section_areas(solid, state);
+  if (!all) return all.error();
+  std::vector<std::string> lines;
+  for (const double area : *all)
+    lines.push_back(fmt::format("\nsection of area {:.12g}", area));
+  const auto shown =
+      std::count_if(state.parts.begin(), state.parts.end(),
+                    [](const Part& part) { return part.is_visible; });
+  const bool has_parts =
+      shown > 1 && state.combination == Combination::kNone && !lines.empty();
+  for (std::size_t p = 0; has_parts && p < state.parts.size(); ++p) {
+    if (!state.parts[p].is_visible) continue;
+    State alone = state;
+    for (std::size_t other = 0; other < alone.parts.size(); ++other)
+      alone.parts[other].is_visible = other == p;
+    const auto own = section_areas(solid_of(alone), alone);
+    if (!own) return own.error();
+    const std::filesystem::path path = state.parts[p].path;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      lines[k] +=
+          fmt::format("\n  {} {:.12g}", path.filename().string(), (*own)[k]);
+    }
+  }
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return text;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/combine.hpp"
 #include "core/numbers.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/tree_file.hpp"
 #include "halfspace/io/clip.hpp"
@@ -165,6 +166,35 @@ void note_box(Model& model, const std::vector<ReadPart>& parts) {
   }
 }
 
+/// How caps look, those of several parts if they are told apart.
+constexpr CapStyle kCaps = {{0xc9, 0x4f, 0x4f}, Rgb{0x8e, 0x2f, 0x2f}};
+constexpr Rgb kCapLines = {0x50, 0x50, 0x50};
+
+/// Model::cap_parts, for a model that has the rest. `known` is one of the same
+/// polygons and parts.
+std::shared_ptr<const CapParts> cap_parts_of(const State& state,
+                                             const Model& model,
+                                             const Model* known) {
+  const std::vector<std::uint32_t>& part_of = model.parts;
+  const auto is_first = [&](std::uint32_t p) { return p == part_of.front(); };
+  if (!model.is_closed ||
+      part_of.size() != model.loaded.file.scene.polygon_count() ||
+      std::all_of(part_of.begin(), part_of.end(), is_first) ||
+      std::count(part_of.begin(), part_of.end(), kCapPart) > 0)
+    return nullptr;
+  const bool are_closed =
+      known != nullptr ? known->cap_parts != nullptr
+                       : are_parts_closed(model.loaded.file.scene, part_of);
+  if (!are_closed) return nullptr;
+  CapParts parts = *told_apart(part_of, kCaps);
+  for (std::size_t k = 0; k < parts.count(); ++k) {
+    parts.styles[k].hatch = kCapLines;
+    if (k < state.parts.size() && state.parts[k].color)
+      parts.styles[k].color = *state.parts[k].color;
+  }
+  return std::make_shared<const CapParts>(std::move(parts));
+}
+
 }  // namespace
 
 std::array<double, 2> Model::extent_along(const glm::dvec3& axis) const {
@@ -241,9 +271,13 @@ Result<std::shared_ptr<const Model>> make_model(const State& state,
       before->loaded.file.scene.data().corners == scene.data().corners) {
     model->tree = before->tree;
     model->is_closed = before->is_closed;
+    model->cap_parts = cap_parts_of(
+        state, *model, before->parts == model->parts ? before : nullptr);
   } else {
     if (!report(work, 1)) return stopped();
     model->is_closed = bad_edges(scene).empty();
+    if (!report(work, 1)) return stopped();
+    model->cap_parts = cap_parts_of(state, *model, nullptr);
     if (!report(work, 1)) return stopped();
     bool is_stopped = false;
     fast::DisplayTreeOptions options;
@@ -271,6 +305,7 @@ Result<io::LoadedScene> load_view(const std::filesystem::path& path,
   SceneFile& file = model->loaded.file;
   if (sections == Sections::kByPlanes) {
     model->is_closed = has_sections(*state) && bad_edges(file.scene).empty();
+    model->cap_parts = cap_parts_of(*state, *model, nullptr);
     file.options = image_options(*state, *model);
   } else {
     State whole = *state;
@@ -300,8 +335,6 @@ std::optional<ClipPlane> clip_of(const Scene& scene, const Section& section) {
   return plane ? std::optional(*plane) : std::nullopt;
 }
 
-constexpr CapStyle kCaps = {{0xc9, 0x4f, 0x4f}, Rgb{0x8e, 0x2f, 0x2f}};
-
 }  // namespace
 
 ImageOptions image_options(const State& state, const Model& model) {
@@ -319,8 +352,10 @@ ImageOptions image_options(const State& state, const Model& model) {
   const auto clips = make_clips(options.clips, scene.grid_bits());
   options.clips = clips ? *clips : std::vector<ClipPlane>();
   // What lets light through has no caps (S5.6).
-  if (!options.clips.empty() && model.is_closed && alpha_of(state) == kOpaque)
+  if (!options.clips.empty() && model.is_closed && alpha_of(state) == kOpaque) {
     options.caps = kCaps;
+    options.parts = model.cap_parts;
+  }
   return options;
 }
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/io/number.hpp"
 #include "halfspace/io/ray.hpp"
@@ -123,8 +124,13 @@ std::optional<PickedPoint> picked(const Model& model, const Camera& camera,
   result.polygon = polygon;
   const auto p = static_cast<std::size_t>(polygon);
   if (p >= scene.polygon_count()) {
-    const std::size_t plane = p - scene.polygon_count();
-    return picked_cap(scene, camera, options.clips[plane], result, x, y);
+    const CapItem cap = cap_item(p - scene.polygon_count());
+    result = picked_cap(scene, camera, options.clips[cap.plane], result, x, y);
+    if (options.parts) {
+      result.is_overlap = cap.part == options.parts->count();
+      if (!result.is_overlap) result.cap_part = cap.part;
+    }
+    return result;
   }
   result.part = model.parts[p];
   result.face = model.faces[p];

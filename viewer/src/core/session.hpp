@@ -20,9 +20,13 @@ namespace halfspace::viewer {
 struct PickedPoint {
   PolygonId polygon = 0;
   std::uint32_t part = 0;  ///< kCapPart: a cap
-  std::int32_t face = 0;   ///< of the part's file, counted from 0
-  glm::dvec3 point{};      ///< where the ray through the pixel meets it
-  glm::dvec3 normal{};     ///< of the polygon, of length 1
+  /// Of a cap, where parts are told apart, the one that it cuts, or whether it
+  /// cuts several.
+  std::optional<std::size_t> cap_part = std::nullopt;
+  bool is_overlap = false;
+  std::int32_t face = 0;  ///< of the part's file, counted from 0
+  glm::dvec3 point{};     ///< where the ray through the pixel meets it
+  glm::dvec3 normal{};    ///< of the polygon, of length 1
   /// The corner of the polygon that is nearest to it in the picture, exactly.
   glm::dvec3 corner{};
   std::array<std::string, 3> exact_corner;

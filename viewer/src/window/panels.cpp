@@ -145,7 +145,13 @@ void draw_view(Session& session, Ui& ui) {
 }
 
 std::string face_text(const State& state, const PickedPoint& point) {
-  if (point.part >= state.parts.size()) return "The cap of a section";
+  if (point.part >= state.parts.size()) {
+    if (point.is_overlap) return "The cap where parts overlap";
+    if (!point.cap_part || *point.cap_part >= state.parts.size())
+      return "The cap of a section";
+    const std::filesystem::path cut = state.parts[*point.cap_part].path;
+    return fmt::format("The cap of {}", cut.filename().string());
+  }
   const std::filesystem::path path = state.parts[point.part].path;
   return fmt::format("Face {} of {}", point.face, path.filename().string());
 }

@@ -96,11 +96,14 @@ Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
                                const MapLimits& limits = {});
 
 /// The visible map of what the clip planes of `image` leave, with its caps
-/// (S10.5): cap k has the item n + k, its hatching n + 8 + k, of n polygons.
+/// (S10.5): cap k has the item n + k, its hatching n + 8 + k, of n polygons,
+/// and those of part q 16 q more (S10.6).
 ///
-/// Of `image` only clip planes and caps count.
-/// Requires: as visible_map(); keys, if any, of caps and their hatching, too: of
-///           n + 16 items; a closed scene where there are caps.
+/// Of `image` only clip planes, caps and parts count.
+/// Requires: as visible_map(); keys, if any, of caps and their hatching, too:
+/// of
+///           n + 16 items, or 16 more a part; a closed scene where there are
+///           caps.
 /// Exact, errors: as visible_map().
 /// Cost:     as visible_map(), and of caps the edges that their planes cut.
 Result<VisibleMap> section_map(const Scene& scene, const BspTree& tree,

@@ -46,6 +46,9 @@ struct Model {
   std::shared_ptr<const fast::BspTree> tree;
   std::shared_ptr<const Numbers> numbers;  ///< null where there are none
   bool is_closed = false;                  ///< whether caps can fill its cuts
+  /// By polygon its part, where the parts are several and each is closed: their
+  /// caps are told apart. Null elsewhere.
+  std::shared_ptr<const CapParts> cap_parts;
   /// The box round the files' points, before any cut. Units: model units.
   std::array<double, 3> low{}, high{};
 
