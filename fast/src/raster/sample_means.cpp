@@ -1,8 +1,12 @@
+#include "raster/sample_means.hpp"
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <optional>
 
-#include "raster/sample_means.hpp"
+#include "raster/pixel_gradient.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -34,15 +38,10 @@ SampleMeans::SampleMeans(const TreeReader& reader, const View& view,
       gouraud_(image.shading == Shading::kGouraud &&
                !reader.scene().data().corner_colors.empty()),
       eye_side_(reader, view, camera, stats_),
+      shader_(reader.scene(), camera, view),
       first_cap_(static_cast<PolygonId>(reader.scene().polygon_count())),
       last_color_(image.background) {
-  if (gouraud_) {
-    shaded_.reserve(kShaded);
-    for (std::size_t k = 0; k < kShaded; ++k) {
-      shaded_.push_back(
-          {kBackground, false, GouraudShader(reader.scene(), camera, view)});
-    }
-  }
+  if (gouraud_) shaded_.resize(kShaded);
 }
 
 bool SampleMeans::is_smooth(PolygonId polygon) {
@@ -60,17 +59,22 @@ Rgb SampleMeans::flat_color(PolygonId polygon, std::int32_t i,
   return gouraud_ ? scene.corner_colors(polygon)[0] : scene.color(polygon);
 }
 
-SampleMeans::Shaded& SampleMeans::shaded(PolygonId polygon) {
+const SampleMeans::Shaded& SampleMeans::shaded(PolygonId polygon) {
   Shaded& place = shaded_[static_cast<std::size_t>(polygon) % kShaded];
   if (place.polygon != polygon) {
     place.polygon = polygon;
     place.is_smooth = has_gradient(reader_.scene(), polygon);
-    if (place.is_smooth) {
-      place.shader.start(polygon,
-                         eye_side_(reader_.planes().plane(polygon), polygon));
-    }
+    if (place.is_smooth) place.gradient = shader_of(polygon).gradient();
   }
   return place;
+}
+
+GouraudShader& SampleMeans::shader_of(PolygonId polygon) {
+  if (shader_polygon_ != polygon) {
+    shader_polygon_ = polygon;
+    shader_.start(polygon, eye_side_(reader_.planes().plane(polygon), polygon));
+  }
+  return shader_;
 }
 
 void SampleMeans::row(const PolygonId* items, std::int64_t stride,
@@ -94,7 +98,8 @@ void SampleMeans::fill_row(const PolygonId* items, std::int64_t stride,
                            std::int32_t j, Rgb* colors) {
   for (std::int32_t i = left; i < right; ++i, ++colors, items += kSamples) {
     bool is_flat = !gouraud_;
-    if (are_equal<kSamples>(items, stride)) {
+    const bool is_one = are_equal<kSamples>(items, stride);
+    if (is_one) {
       if (items[0] == last_) {
         *colors = last_color_;
         continue;
@@ -109,10 +114,16 @@ void SampleMeans::fill_row(const PolygonId* items, std::int64_t stride,
       }
       is_flat = is_flat || is_hatched;
     }
-    *colors =
-        is_flat
-            ? flat_mean<kSamples>(items, stride, i * kSamples, j * kSamples)
-            : smooth_mean<kSamples>(items, stride, i * kSamples, j * kSamples);
+    const std::int32_t x = i * kSamples;
+    const std::int32_t y = j * kSamples;
+    if (is_flat) {
+      *colors = flat_mean<kSamples>(items, stride, x, y);
+      continue;
+    }
+    const std::optional<Rgb> quick =
+        is_one ? full_mean<kSamples>(shaded(items[0]).gradient, x, y)
+               : mixed_mean<kSamples>(items, stride, x, y);
+    *colors = quick ? *quick : smooth_mean<kSamples>(items, stride, x, y);
   }
 }
 
@@ -144,6 +155,49 @@ Rgb SampleMeans::flat_mean(const PolygonId* items, std::int64_t stride,
   return {channel(0), channel(21), channel(42)};
 }
 
+template <std::int32_t kSamples>
+std::optional<Rgb> SampleMeans::full_mean(const Gradient& gradient,
+                                          std::int32_t i, std::int32_t j) {
+  ChannelSums sums;
+  PixelGradient<kSamples>(gradient, i, j).add_all(sums);
+  const auto mean = rounded_mean<kSamples * kSamples>(sums);
+  if (mean) stats_.filtered += 3;
+  return mean;
+}
+
+template <std::int32_t kSamples>
+std::optional<Rgb> SampleMeans::mixed_mean(const PolygonId* items,
+                                           std::int64_t stride, std::int32_t i,
+                                           std::int32_t j) {
+  ChannelSums sums;
+  constexpr std::int32_t kCount = kSamples * kSamples;
+  std::uint64_t left = ~std::uint64_t{0} >> (64 - kCount);
+  while (left != 0) {
+    const std::int32_t first = std::countr_zero(left);
+    const PolygonId item = items[first / kSamples * stride + first % kSamples];
+    const std::uint64_t own = samples_of<kSamples>(items, stride, item);
+    left &= ~own;
+    if (is_cap(item)) {
+      for (std::uint64_t bits = own; bits != 0; bits &= bits - 1) {
+        const std::int32_t k = std::countr_zero(bits);
+        sums.add(1, flat_color(item, i + k % kSamples, j + k / kSamples));
+      }
+      continue;
+    }
+    if (item != kBackground) {
+      if (const Shaded& seen = shaded(item); seen.is_smooth) {
+        PixelGradient<kSamples>(seen.gradient, i, j)
+            .add(moments_of<kSamples>(own), sums);
+        continue;
+      }
+    }
+    sums.add(std::popcount(own), flat_color(item, i, j));
+  }
+  const auto mean = rounded_mean<kSamples * kSamples>(sums);
+  if (mean) stats_.filtered += 3;
+  return mean;
+}
+
 /// A channel of a sample is off by at most doubt / total (Gradient). Of up to
 /// 64 values of at most 256 a sum of doubles is off by 64 2^14 u = 2^-33 in any
 /// order, and 2^-30 with what rounding adds to the bound.
@@ -166,14 +220,14 @@ Rgb SampleMeans::smooth_mean(const PolygonId* items, std::int64_t stride,
     const PolygonId* line = items + b * stride;
     const double v = j + b;
     if (are_equal<kSamples, 1>(line) && is_smooth(line[0])) {
-      const Gradient g = shader_of(line[0]).gradient();
+      const Gradient g = shaded(line[0]).gradient;
       for (std::size_t a = 0; a < kSamples; ++a) add(g, a, v);
       continue;
     }
     for (std::size_t a = 0; a < kSamples; ++a) {
       const PolygonId item = line[a];
       if (is_smooth(item)) {
-        add(shader_of(item).gradient(), a, v);
+        add(shaded(item).gradient, a, v);
         continue;
       }
       const Rgb color =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "halfspace/cap_parts.hpp"
@@ -25,12 +26,13 @@ class SampleMeans {
   const FilterStats& stats() const { return stats_; }
 
  private:
-  /// Polygons by their ids, of which the last bits are their places.
-  static constexpr std::size_t kShaded = 256;
+  /// Polygons by their ids, of which the last bits are their places: most of
+  /// those that a row of pixels shows are there for the next one.
+  static constexpr std::size_t kShaded = 1024;
   struct Shaded {
     PolygonId polygon = kBackground;
     bool is_smooth = false;
-    GouraudShader shader;
+    Gradient gradient;
   };
 
   bool is_cap(PolygonId item) const { return item >= first_cap_; }
@@ -41,8 +43,9 @@ class SampleMeans {
   /// The colour at sample (i, j), which only caps depend on.
   Rgb flat_color(PolygonId polygon, std::int32_t i, std::int32_t j) const;
   /// Of a polygon that may have a gradient.
-  Shaded& shaded(PolygonId polygon);
-  GouraudShader& shader_of(PolygonId polygon) { return shaded(polygon).shader; }
+  const Shaded& shaded(PolygonId polygon);
+  /// Of one that has, to be asked for what is exact.
+  GouraudShader& shader_of(PolygonId polygon);
   template <std::int32_t kSamples>
   void fill_row(const PolygonId* items, std::int64_t stride, std::int32_t left,
                 std::int32_t right, std::int32_t j, Rgb* colors);
@@ -50,6 +53,14 @@ class SampleMeans {
   template <std::int32_t kSamples>
   Rgb flat_mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
                 std::int32_t j) const;
+  /// Of a pixel that sees one smooth polygon, and of any other; nothing where
+  /// that does not decide.
+  template <std::int32_t kSamples>
+  std::optional<Rgb> full_mean(const Gradient& gradient, std::int32_t i,
+                               std::int32_t j);
+  template <std::int32_t kSamples>
+  std::optional<Rgb> mixed_mean(const PolygonId* items, std::int64_t stride,
+                                std::int32_t i, std::int32_t j);
   template <std::int32_t kSamples>
   Rgb smooth_mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
                   std::int32_t j);
@@ -65,6 +76,8 @@ class SampleMeans {
   FilterStats stats_;
   EyeClassifier eye_side_;
   std::vector<Shaded> shaded_;
+  GouraudShader shader_;
+  PolygonId shader_polygon_ = kBackground;
   PolygonId first_cap_;
   PolygonId last_ = kBackground;  ///< of one colour, which is:
   Rgb last_color_;
