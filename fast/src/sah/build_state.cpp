@@ -1,13 +1,16 @@
 #include "sah/build_state.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <span>
 
 namespace halfspace::fast {
 namespace {
 
-/// Progress is reported after this share of the work. Untuned.
+/// Progress is reported after this share of the work, or when that much time
+/// has passed: whoever wants to stop waits no longer. Untuned.
 constexpr double kReportedPart = 1.0 / 256;
+constexpr std::chrono::milliseconds kReportedTime(5);
 
 /// The least box of points: its corners of least and greatest coordinates.
 struct GridBox {
@@ -63,8 +66,12 @@ Primitive BuildState::primitive_of(PolygonId polygon) const {
 void BuildState::add_done(double share) {
   const Lock lock(mutex_);
   done_ += share;
-  if (is_stopped() || done_ < reported_ + kReportedPart) return;
+  if (is_stopped()) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (done_ < reported_ + kReportedPart && now < reported_at_ + kReportedTime)
+    return;
   reported_ = done_;
+  reported_at_ = now;
   if (!options.progress(std::min(done_, 1.0))) stopped_ = true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/threads.hpp"
@@ -34,6 +35,7 @@ class BuildState {
   Mutex mutex_;
   double done_ = 0;
   double reported_ = 0;
+  std::chrono::steady_clock::time_point reported_at_;
   std::atomic<bool> stopped_ = false;
 };
 

@@ -11,9 +11,10 @@
 namespace halfspace::fast {
 namespace {
 
-/// A builder gathers this share of the work before it takes the lock to add it.
-/// Untuned.
+/// A builder gathers this share of the work, or that of so many nodes, before
+/// it takes the lock to add it. Untuned.
 constexpr double kGatheredShare = 1.0 / 1024;
+constexpr int kGatheredNodes = 256;
 
 /// The image for which trees are built. Units: pixels.
 constexpr double kImagePixels = 1500.0 * 1500.0;
@@ -554,9 +555,10 @@ Box SahBuilder::absolute(const Box& box) const {
 void SahBuilder::add_done(double share) {
   if (!state_.options.progress) return;
   done_ += share;
-  if (done_ < kGatheredShare) return;
+  if (done_ < kGatheredShare && ++gathered_ < kGatheredNodes) return;
   state_.add_done(done_);
   done_ = 0;
+  gathered_ = 0;
 }
 
 }  // namespace halfspace::fast

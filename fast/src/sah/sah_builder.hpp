@@ -126,6 +126,7 @@ class SahBuilder {
   std::vector<Task> tasks_;
   std::vector<VertexId> vertices_;
   double done_ = 0;
+  int gathered_ = 0;  ///< nodes that are done
 };
 
 }  // namespace halfspace::fast

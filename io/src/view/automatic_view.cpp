@@ -29,6 +29,7 @@ std::vector<dvec3> points_of(const Scene& scene) {
   for (const VertexId corner : scene.data().corners)
     is_used[static_cast<std::size_t>(corner)] = true;
   std::vector<dvec3> points;
+  points.reserve(is_used.size());
   for (std::size_t v = 0; v < is_used.size(); ++v) {
     const GridPoint& p = scene.data().vertices[v];
     if (is_used[v]) points.emplace_back(p.x, p.y, p.z);
@@ -80,12 +81,23 @@ Fit fitted(const std::vector<Seen>& points, double tangent) {
 double centred(const std::vector<Seen>& points, double at, double distance) {
   constexpr int kMostExchanges = 8;
   for (int k = 0; k < kMostExchanges; ++k) {
-    const auto slope = [at, distance](const Seen& p) {
-      return (p.along - at) / (distance - p.towards);
-    };
-    const auto [low, high] = std::minmax_element(
-        points.begin(), points.end(),
-        [&slope](const Seen& p, const Seen& q) { return slope(p) < slope(q); });
+    // The first of the least and the last of the greatest slopes: each is
+    // found once, for a division takes longer than all else.
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    const Seen* low = &points.front();
+    const Seen* high = low;
+    for (const Seen& p : points) {
+      const double slope = (p.along - at) / (distance - p.towards);
+      if (slope < least) {
+        least = slope;
+        low = &p;
+      }
+      if (slope >= most) {
+        most = slope;
+        high = &p;
+      }
+    }
     const double u = distance - low->towards;
     const double v = distance - high->towards;
     const double next = (high->along * u + low->along * v) / (u + v);

@@ -5,8 +5,9 @@
 
 namespace halfspace::viewer {
 
-Loader::Loader(std::function<void()> wake)
-    : wake_(std::move(wake)),
+Loader::Loader(FirstView first_view, std::function<void()> wake)
+    : first_view_(std::move(first_view)),
+      wake_(std::move(wake)),
       worker_([this](const Job& job) { carry_out(job); }) {}
 
 std::uint64_t Loader::request(const State& state,
@@ -21,6 +22,22 @@ std::uint64_t Loader::request(const State& state,
   }
   worker_.replace({number, state, std::move(before)});
   return number;
+}
+
+void Loader::set_size(std::int32_t width_px, std::int32_t height_px) {
+  const std::lock_guard lock(mutex_);
+  width_px_ = width_px;
+  height_px_ = height_px;
+}
+
+FirstLook Loader::first_look_of(const Scene& scene) const {
+  std::int32_t width = 0, height = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    width = width_px_;
+    height = height_px_;
+  }
+  return {width, height, first_view_(scene, width, height)};
 }
 
 void Loader::cancel() { wanted_ = 0; }
@@ -55,8 +72,10 @@ void Loader::carry_out(const Job& job) {
   };
   Result<std::shared_ptr<const Model>> model =
       Error{ErrorCode::kOutOfRange, "there is not enough memory"};
+  std::optional<FirstLook> look;
   try {
     model = make_model(job.state, cache_, job.before.get(), report);
+    if (model) look = first_look_of((*model)->loaded.file.scene);
   } catch (const std::bad_alloc&) {
     // The error is there already.
   }
@@ -66,7 +85,7 @@ void Loader::carry_out(const Job& job) {
     // A newer request has its own result.
     if (job.number != last_number_) return;
     is_busy_ = false;
-    result_ = Loaded{job.number, job.state, std::move(model)};
+    result_ = Loaded{job.number, job.state, std::move(model), std::move(look)};
   }
   wake_();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "halfspace/viewer/model.hpp"
+#include "halfspace/viewer/run.hpp"
 #include "work/worker.hpp"
 
 namespace halfspace::viewer {
@@ -18,11 +20,18 @@ struct Progress {
   double share = 0;
 };
 
+/// The view of a scene that is seen first, for pictures of a size.
+struct FirstLook {
+  std::int32_t width_px = 0, height_px = 0;
+  Result<io::ViewOptions> view;
+};
+
 /// A model, or why there is none.
 struct Loaded {
   std::uint64_t number = 0;  ///< of the request
   State state;
   Result<std::shared_ptr<const Model>> model;
+  std::optional<FirstLook> first_look;  ///< of a model that there is
 };
 
 /// Reads files and builds trees in a thread of its own. A new request ends the
@@ -30,12 +39,16 @@ struct Loaded {
 /// building ask all the time.
 class Loader {
  public:
-  explicit Loader(std::function<void()> wake);
+  /// `first_view`, which is called in the loader's thread, looks at all points.
+  Loader(FirstView first_view, std::function<void()> wake);
 
-  /// Asks for the state's model; what was asked for before is not wanted any
-  /// more. Returns the request's number.
+  /// Asks for the state's model, and its first view; what was asked for before
+  /// is not wanted any more. Returns the request's number.
   std::uint64_t request(const State& state,
                         std::shared_ptr<const Model> before);
+  /// That of pictures, for which first views are: also of the request that is
+  /// carried out.
+  void set_size(std::int32_t width_px, std::int32_t height_px);
   /// Ends what is being done; it gives an error, kStopped.
   void cancel();
 
@@ -52,11 +65,14 @@ class Loader {
     std::shared_ptr<const Model> before;
   };
   void carry_out(const Job& job);
+  FirstLook first_look_of(const Scene& scene) const;
 
+  FirstView first_view_;
   std::function<void()> wake_;
   mutable std::mutex mutex_;
   std::optional<Loaded> result_;
   Progress progress_;
+  std::int32_t width_px_ = 640, height_px_ = 480;
   bool is_busy_ = false;
   std::uint64_t last_number_ = 0;
   std::atomic<std::uint64_t> wanted_ = 0;

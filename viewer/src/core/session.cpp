@@ -26,15 +26,22 @@ std::string file_times_of(const State& state) {
   return text;
 }
 
+Result<io::ViewOptions> automatic_first_view(const Scene& scene,
+                                             std::int32_t width_px,
+                                             std::int32_t height_px) {
+  return io::automatic_options(scene, {}, width_px, height_px);
+}
+
 }  // namespace
 
 Session::Session(State state, FirstView first_view, std::function<void()> wake)
     : state_(std::move(state)),
-      first_view_(std::move(first_view)),
+      first_view_(first_view ? std::move(first_view)
+                             : FirstView(automatic_first_view)),
       wants_first_view_(!state_.camera),
       frames_(wake),
       edges_(wake),
-      loader_(wake) {
+      loader_(first_view_, wake) {
   if (!state_.parts.empty()) load();
 }
 
@@ -79,6 +86,7 @@ void Session::take(Loaded loaded) {
     return;
   }
   model_ = *std::move(loaded.model);
+  first_look_ = std::move(loaded.first_look);
   shown_ = std::move(loaded.state);
   message_.clear();
   if (wants_first_view_ || !state_.camera) see_first();
@@ -105,10 +113,14 @@ void Session::give_up(const Error& error) {
 }
 
 void Session::see_first() {
-  const Scene& scene = model_->loaded.file.scene;
-  const Result<io::ViewOptions> view =
-      first_view_ ? first_view_(scene, width_px_, height_px_)
-                  : io::automatic_options(scene, {}, width_px_, height_px_);
+  const bool is_known = first_look_ && first_look_->width_px == width_px_ &&
+                        first_look_->height_px == height_px_;
+  if (!is_known) {
+    const Scene& scene = model_->loaded.file.scene;
+    first_look_ = {width_px_, height_px_,
+                   first_view_(scene, width_px_, height_px_)};
+  }
+  const Result<io::ViewOptions>& view = first_look_->view;
   if (!view) {
     message_ = view.error().message;
     return;
@@ -126,6 +138,7 @@ void Session::reset_camera() {
 void Session::set_size(std::int32_t width_px, std::int32_t height_px) {
   width_px_ = width_px;
   height_px_ = height_px;
+  loader_.set_size(width_px, height_px);
   if (!state_.camera || (state_.camera->width_px == width_px &&
                          state_.camera->height_px == height_px))
     return;

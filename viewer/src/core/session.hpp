@@ -118,6 +118,7 @@ class Session {
   State state_;
   State shown_;  ///< of the model
   FirstView first_view_;
+  std::optional<FirstLook> first_look_;  ///< of the model
   std::vector<State> undone_from_, redone_from_;
   std::shared_ptr<const Model> model_;
   std::optional<Camera> camera_;
