@@ -60,11 +60,13 @@ hand key Return
 
 # Ticks of the processor, of all threads.
 ticks() { awk '{ print $14 + $15 }' /proc/$viewer/stat; }
-# What was asked for is done at some time, on a busy machine late.
+# What was asked for is done at some time, on a busy machine late: when nothing
+# was done for two seconds, for one may have gone to others.
 before=
-for ((i = 0; i < 20; ++i)); do
+quiet=0
+for ((i = 0; i < 20 && quiet < 2; ++i)); do
   now=$(ticks)
-  [ "$now" = "$before" ] && break
+  if [ "$now" = "$before" ]; then quiet=$((quiet + 1)); else quiet=0; fi
   before=$now
   sleep 1
 done
