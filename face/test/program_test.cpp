@@ -136,10 +136,10 @@ TEST(FaceFiles, RoundedAsTheProgramRoundsThem) {
 // What a grid holds stays as it is beside what none holds, asked for or not.
 TEST(FaceFiles, WhatAGridHoldsIsNotRounded) {
   Octahedra random(26);
-  random.write("face_a.off", 20, 0);
-  random.write("face_b.off", 4, 0);
-  const Solid a = Solid::from_file("face_a.off");
-  const Solid b = Solid::from_file("face_b.off");
+  random.write("held_a.off", 20, 0);
+  random.write("held_b.off", 4, 0);
+  const Solid a = Solid::from_file("held_a.off");
+  const Solid b = Solid::from_file("held_b.off");
   const Solid kept = a & b;
   const auto rounding = kept.rounding();
   ASSERT_TRUE(rounding) << rounding.error().message;

@@ -291,7 +291,7 @@ Result<Done> Reader::add_parts(const Scene& scene) {
     return Error{ErrorCode::kSyntax, message};
   };
   if (!options_.caps) return bad("parts are told apart by caps: give 'caps'");
-  if (parts_.styles.size() < 2)
+  if (parts_.styles.size() < (scene.polygon_count() == 0 ? 1u : 2u))
     return bad("a 'cap' line for each part comes before one for several");
   parts_.part_of.assign(scene.polygon_count(), 0);
   for (const PartRun& run : part_runs_) {

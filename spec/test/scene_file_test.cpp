@@ -375,6 +375,12 @@ TEST(SceneFile, SaysOfWhatPartsAClosedSceneIs) {
   SceneFile other = *file;
   other.options.parts = told_apart(parts.part_of, {});
   EXPECT_NE(other, *file);
+  // Without polygons there are no parts, and one look.
+  const auto empty = read_scene("halfspace-scene 1\nunit 2 0\ngrid 26\n" +
+                                caps + "cap 4 4 4\nend\n");
+  ASSERT_TRUE(empty) << empty.error().message;
+  EXPECT_EQ(empty->options.parts->count(), 0u);
+  EXPECT_EQ(*read_scene(write_scene(*empty)), *empty);
 
   const auto code = [](const std::string& lines) {
     return code_of(two_parts(lines));

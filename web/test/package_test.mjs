@@ -32,7 +32,7 @@ for (const entry of Object.values(described.exports)) {
 }
 
 // The budget: what a page loads, compressed (docs/decisions/0110).
-const budget = 550 * 1000;
+const budget = 552 * 1000;
 const size = zlib.gzipSync(
   fs.readFileSync(path.join(packageDir, "halfspace.js")), { level: 9 }).length;
 console.log(`halfspace.js: ${size} bytes gzipped, of ${budget}`);

@@ -11,6 +11,14 @@
 namespace halfspace::fast {
 namespace {
 
+/// Whether smooth means are looked for in closed form first: not in a module
+/// for the web, of whose size that is some kilobytes.
+#if defined(__wasm__)
+constexpr bool kClosedForms = false;
+#else
+constexpr bool kClosedForms = true;
+#endif
+
 /// Whether all items of a pixel, or of some of its lines, are one.
 template <std::int32_t kSamples, std::int32_t kLines = kSamples>
 bool are_equal(const PolygonId* items, std::int64_t stride = 0) {
@@ -120,9 +128,11 @@ void SampleMeans::fill_row(const PolygonId* items, std::int64_t stride,
       *colors = flat_mean<kSamples>(items, stride, x, y);
       continue;
     }
-    const std::optional<Rgb> quick =
-        is_one ? full_mean<kSamples>(shaded(items[0]).gradient, x, y)
-               : mixed_mean<kSamples>(items, stride, x, y);
+    std::optional<Rgb> quick;
+    if constexpr (kClosedForms) {
+      quick = is_one ? full_mean<kSamples>(shaded(items[0]).gradient, x, y)
+                     : mixed_mean<kSamples>(items, stride, x, y);
+    }
     *colors = quick ? *quick : smooth_mean<kSamples>(items, stride, x, y);
   }
 }
