@@ -67,7 +67,7 @@ Result<HalfSpace> half_of(const Place& place,
 /// The primitive of `function`, called at `place` with these numbers.
 ///
 /// Requires: it is one of kBox to kHull.
-/// Errors:   kSyntax (not so many numbers as it takes, or one that it does not);
+/// Errors:   kSyntax (not as many numbers as it takes, or not such a number);
 ///           those of hull_of().
 Result<io::Mesh> primitive_of(Function function, const Place& place,
                               const std::vector<io::Number>& numbers);

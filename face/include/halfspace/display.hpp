@@ -240,9 +240,10 @@ class HALFSPACE_API Display {
   /// of their number.
   /// Cost: what is seen. Errors, here and below:
   /// kBadCamera, kNotFinite, kStopped (by view.progress); kOutOfRange (also for
-  /// a ninth clip plane, and for a colour of back faces where it is not one
-  /// sample of a pixel that is coloured); kZeroArea (a clip plane's normal is
-  /// 0); kOpen (caps for what is not closed).
+  /// a ninth clip plane, for a colour of back faces where it is not one sample
+  /// of a pixel that is coloured, and for an alpha together with caps, a colour
+  /// of back faces or more samples); kZeroArea (a clip plane's normal is 0);
+  /// kOpen (caps for what is not closed).
   Result<Picture> render(const View& view = {}) const;
   /// The edges that the view shows (S9): silhouettes, borders, intersections,
   /// and creases where faces turn by more than an angle. Exact. Cost: n log n,
@@ -251,8 +252,9 @@ class HALFSPACE_API Display {
   Result<LineDrawing> draw(const View& view = {}, double crease_deg = 20) const;
   /// The picture as regions (S7.4, S10.5), clip planes and caps too: what is
   /// seen at any point of the image, not only at pixels' centres. Exact;
-  /// corners are rounded once. Cost: what is seen. Errors: also kOutOfRange,
-  /// where there is too much to be seen.
+  /// corners are rounded once. Cost: what is seen; with an alpha all that is in
+  /// the image, up to the square of the polygons. Errors: also kOutOfRange,
+  /// where there is too much to be seen, and for an alpha with clip planes.
   Result<Figure> figure(const View& view = {},
                         FigureKey by = FigureKey::kColor) const;
   /// What is seen at a pixel; nothing at the background, and off the image.

@@ -72,7 +72,7 @@ class HALFSPACE_API MovingDisplay {
   /// Cost:   that of the world, and a walk for each object that is seen.
   /// Errors: those of Display::render(); kOutOfRange (an object that leaves its
   ///         region; a region that is not free, or that is interlocked with
-  ///         others; clip planes and anti-aliasing, which objects do not have);
+  ///         others; clip planes, anti-aliasing and alpha, which objects lack);
   ///         kZeroArea (a singular map).
   Result<MovingPicture> render(const View& view = {}) const;
 

@@ -47,10 +47,10 @@ class HALFSPACE_API ScalarDisplay {
   ~ScalarDisplay();
 
   /// The picture, with the polygons of the mesh. Exact.
-  /// Errors: those of Display::render(); kOutOfRange (a scale's range or steps,
-  ///         or exact areas and marked back faces, which have no scalars); kEmpty (no number, and no
-  ///         range); kUnknownFormat, kUnreadable and others of a file with
-  ///         colours.
+  /// Errors: those of Display::render(); kOutOfRange (a scale's range or steps;
+  ///         exact areas, marked back faces, transparent polygons and caps by
+  ///         solid, which have no scalars); kEmpty (no number, and no range);
+  ///         kUnknownFormat, kUnreadable and others of a file with colours.
   Result<Picture> render(const View& view = {},
                          const ScalarStyle& style = {}) const;
 

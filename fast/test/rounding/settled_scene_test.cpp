@@ -1,5 +1,3 @@
-#include "halfspace/fast/rounded_mesh.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <random>
 
 #include "halfspace/fast/check_operand.hpp"
+#include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/fast/solid.hpp"
 
 namespace halfspace::fast {

@@ -62,7 +62,8 @@ inline SceneFile cut_boxes(std::uint64_t number, int boxes, std::int32_t width,
   }
   SceneFile view;
   view.scene = *make_scene(std::move(data));
-  // Columns and rows across the direction to the eye, some ten steps or more in all.
+  // Columns and rows across the direction to the eye, some ten steps or more in
+  // all.
   const std::int64_t a = within(-3, 3), b = within(-3, 3), c = within(1, 4);
   const std::int64_t step = 5120 / width / 8;
   CameraData camera;
