@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Plays random events to the window, without a screen.
 
-    random_events.py PROGRAM FOLDER COUNT [SEED]
+    random_events.py PROGRAM FOLDER COUNT [SEED [MOST_MS [OPTION...]]]
 
-The window must end by itself with status 0, write no complaint, and look at its
-input again within the time that --block asks for, if it does; the picture at
-the end is what `halfspace render` makes of its state.
+The window must end by itself with status 0, write no complaint, and between two
+looks at its input take no more of the processor than MOST_MS, if that is not 0;
+the picture at the end is what `halfspace render` makes of its state. OPTIONS of
+`halfspace view`, such as `--size 1920x1080` and the file that is opened first,
+follow.
 """
 
 import os
@@ -53,13 +55,19 @@ def made_line(chance, width, height):
 def main():
     program, folder, count = sys.argv[1:4]
     seed = int(sys.argv[4]) if len(sys.argv) > 4 else 1
+    most_ms = float(sys.argv[5]) if len(sys.argv) > 5 else 0
+    options = sys.argv[6:] or ["box.off"]
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "box.off").write_text(BOX)
     (folder / "bad.off").write_text("OFF\n3 1 0\n1 2\n")
     (folder / "empty.stl").write_bytes(b"")
     chance = random.Random(seed)
-    lines = [made_line(chance, 700, 500) for _ in range(int(count))]
+    size = re.search(r"(\d+)x(\d+)", " ".join(options))
+    # The panel is beside the picture, and the status line below.
+    width, height = ((int(size[1]) + 316, int(size[2]) + 27) if size
+                     else (700, 500))
+    lines = [made_line(chance, width, height) for _ in range(int(count))]
     # Whatever was clicked: at the end there is a picture.
     lines += ["release left", "release middle", "release right",
               "drop box.off", "wait", "dump"]
@@ -69,14 +77,18 @@ def main():
     environment = dict(os.environ, SDL_VIDEODRIVER="dummy",
                        SDL_RENDER_DRIVER="software")
     done = subprocess.run(
-        [program, "view", "box.off", "--play", "events", "--dump",
+        [program, "view", *options, "--play", "events", "--dump",
          "out-%d.png"], cwd=folder, env=environment, capture_output=True,
         text=True, timeout=3600, check=False)
     print(f"seed {seed}: {done.stdout}{done.stderr}", end="")
     if done.returncode != 0 or done.stderr:
         print(f"status {done.returncode}")
         return 1
-    if not re.search(r"[0-9.]+ ms", done.stdout):
+    work = re.search(r"([0-9.]+) ms of the processor", done.stdout)
+    if not work:
+        return 1
+    if 0 < most_ms < float(work[1]):
+        print(f"the input waited for {work[1]} ms of work")
         return 1
     for view in sorted(folder.glob("out-*.view")):
         picture = view.with_suffix(".png")

@@ -1,4 +1,4 @@
-#include "core/recent.hpp"
+#include "work/recent.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -120,9 +120,11 @@ Status run_view(const ViewCommandArguments& arguments) {
   if (!report) return fail(report.error().message);
   if (arguments.play_file) {
     say("{} events, {} pictures, the median {:.1f} ms; window after {:.0f} ms; "
-        "longest time without a look at the input {:.1f} ms\n",
+        "longest time without a look at the input {:.1f} ms, {:.1f} ms of the "
+        "processor\n",
         report->events, report->frames, report->median_frame_ms,
-        report->first_window_ms, report->longest_block_ms);
+        report->first_window_ms, report->longest_block_ms,
+        report->longest_work_ms);
   }
   return Status::kFine;
 }

@@ -5,13 +5,53 @@
 
 namespace halfspace::viewer {
 
+std::shared_ptr<const Model> ModelBin::kept(
+    const std::shared_ptr<ModelBin>& bin, std::shared_ptr<const Model> model) {
+  const Model* const raw = model.get();
+  return {raw, [bin, model = std::move(model)](const Model*) mutable {
+            bin->worker_.add(std::move(model));
+          }};
+}
+
 Loader::Loader(FirstView first_view, std::function<void()> wake)
     : first_view_(std::move(first_view)),
       wake_(std::move(wake)),
       worker_([this](const Job& job) { carry_out(job); }) {}
 
+namespace {
+
+/// The state of files that are opened. Looks stay, but for those of a view.
+Result<State> state_of(const std::vector<std::string>& paths,
+                       const State& before) {
+  State state;
+  state.looks = before.looks;
+  state.looks.scalar.reset();
+  for (const std::string& path : paths) {
+    if (!is_view_name(path)) {
+      state.parts.push_back({path, true, std::nullopt, {}});
+      continue;
+    }
+    Result<State> read = read_state(path);
+    if (!read) return read;
+    state = *std::move(read);
+  }
+  return state;
+}
+
+}  // namespace
+
 std::uint64_t Loader::request(const State& state,
                               std::shared_ptr<const Model> before) {
+  return begin(state, std::move(before), {});
+}
+
+std::uint64_t Loader::open(const State& state, std::vector<std::string> paths,
+                           std::shared_ptr<const Model> before) {
+  return begin(state, std::move(before), std::move(paths));
+}
+
+std::uint64_t Loader::begin(State state, std::shared_ptr<const Model> before,
+                            std::vector<std::string> opened) {
   std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
@@ -20,7 +60,8 @@ std::uint64_t Loader::request(const State& state,
     result_.reset();
     is_busy_ = true;
   }
-  worker_.replace({number, state, std::move(before)});
+  worker_.replace(
+      {number, std::move(state), std::move(before), std::move(opened)});
   return number;
 }
 
@@ -41,6 +82,14 @@ FirstLook Loader::first_look_of(const Scene& scene) const {
 }
 
 void Loader::cancel() { wanted_ = 0; }
+
+void Loader::forget() {
+  const std::lock_guard lock(mutex_);
+  ++last_number_;
+  wanted_ = 0;
+  is_busy_ = false;
+  result_.reset();
+}
 
 std::optional<Loaded> Loader::take() {
   const std::lock_guard lock(mutex_);
@@ -73,8 +122,17 @@ void Loader::carry_out(const Job& job) {
   Result<std::shared_ptr<const Model>> model =
       Error{ErrorCode::kOutOfRange, "there is not enough memory"};
   std::optional<FirstLook> look;
+  State state = job.state;
   try {
-    model = make_model(job.state, cache_, job.before.get(), report);
+    Result<State> opened =
+        job.opened.empty() ? job.state : state_of(job.opened, job.state);
+    if (opened) {
+      state = *std::move(opened);
+      model = make_model(state, cache_, job.before.get(), report);
+    } else {
+      model = opened.error();
+    }
+    if (model) model = ModelBin::kept(bin_, *std::move(model));
     if (model) look = first_look_of((*model)->loaded.file.scene);
   } catch (const std::bad_alloc&) {
     // The error is there already.
@@ -85,7 +143,8 @@ void Loader::carry_out(const Job& job) {
     // A newer request has its own result.
     if (job.number != last_number_) return;
     is_busy_ = false;
-    result_ = Loaded{job.number, job.state, std::move(model), std::move(look)};
+    result_ = Loaded{job.number, std::move(state), !job.opened.empty(),
+                     std::move(model), std::move(look)};
   }
   wake_();
 }

@@ -16,6 +16,7 @@
 #include "halfspace/io/clip.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/read_mesh.hpp"
+#include "halfspace/io/scalars.hpp"
 
 namespace halfspace::viewer {
 namespace {
@@ -145,8 +146,15 @@ Result<std::shared_ptr<const io::Mesh>> MeshCache::mesh_of(
     if (!mesh) return io::error_about(path, mesh.error());
     result = std::make_shared<const io::Mesh>(*std::move(mesh));
   }
-  if (!code) entries_[path] = {time, size, result};
+  if (!code) entries_[path] = {time, size, result, io::ply_scalar_names(path)};
   return result;
+}
+
+std::vector<std::string> MeshCache::scalar_names_of(
+    const std::string& path) const {
+  const auto found = entries_.find(path);
+  return found != entries_.end() ? found->second.scalar_names
+                                 : std::vector<std::string>();
 }
 
 namespace {
@@ -249,6 +257,8 @@ Result<Model> make_scene_of(const State& state, Sections sections,
   }
   if (model && !report("import", 1)) return stopped();
   if (model) note_box(*model, *parts);
+  if (model && state.parts.size() == 1)
+    model->scalar_names = cache.scalar_names_of(first.part->path);
   if (model && model->loaded.file.scene.polygon_count() == 0) {
     return Error{ErrorCode::kEmpty,
                  first.part->path + ": there are no polygons to see"};

@@ -75,8 +75,7 @@ Result<std::shared_ptr<const ShownNumbers>> shown_numbers(
   if (!map) return map.error();
   const Result<ColorScale> scale = io::make_scale(*map, range);
   if (!scale) return scale.error();
-  ShownNumbers shown{fast::prepare_scalars(model.loaded.file.scene,
-                                           model.numbers->field, *scale),
+  ShownNumbers shown{model.numbers, *scale,
                      io::Legend{*scale, range, legend_title(look.source),
                                 model.numbers->has_gaps},
                      look.has_legend};

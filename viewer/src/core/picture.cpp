@@ -23,17 +23,6 @@ int thread_count() {
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// Colours the rows from `row` on by numbers.
-void color_numbers(const PictureRequest& request, std::int32_t row, int threads,
-                   fast::Rendering& rendering) {
-  fast::ScalarOptions how;
-  how.top = row;
-  how.threads = threads;
-  fast::color_scalars(request.model->loaded.file.scene, request.camera,
-                      request.options, rendering.items, request.numbers->colors,
-                      how, rendering.colors);
-}
-
 }  // namespace
 
 PictureRequest picture_of(const State& state,
@@ -67,6 +56,23 @@ Result<std::shared_ptr<const fast::Drawing>> lines_for(const Scene& scene,
   if (!drawing) return drawing.error();
   return std::shared_ptr<const fast::Drawing>(
       std::make_shared<fast::Drawing>(*std::move(drawing)));
+}
+
+/// Colours the rows from `row` on.
+void PictureMaker::color_numbers(const PictureRequest& request,
+                                 std::int32_t row, int threads,
+                                 fast::Rendering& rendering) {
+  const Scene& scene = request.model->loaded.file.scene;
+  if (colored_ != request.numbers) {
+    colored_ = request.numbers;
+    scalar_colors_ =
+        fast::prepare_scalars(scene, colored_->numbers->field, colored_->scale);
+  }
+  fast::ScalarOptions how;
+  how.top = row;
+  how.threads = threads;
+  fast::color_scalars(scene, request.camera, request.options, rendering.items,
+                      scalar_colors_, how, rendering.colors);
 }
 
 void PictureMaker::draw(const PictureRequest& request, std::int32_t first_row,

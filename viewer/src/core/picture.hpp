@@ -8,6 +8,7 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/line_style.hpp"
 #include "halfspace/viewer/model.hpp"
@@ -48,10 +49,16 @@ class PictureMaker {
             std::int32_t end_row, fast::Rendering& rendering);
 
  private:
+  void color_numbers(const PictureRequest& request, std::int32_t row,
+                     int threads, fast::Rendering& rendering);
+
   /// The model's tree without leaves, which blending goes through; made when a
   /// picture first needs it.
   std::shared_ptr<const fast::BspTree> leafy_;
   fast::BspTree leafless_;
+  /// The colours of the polygons by those numbers: all polygons are looked at.
+  std::shared_ptr<const ShownNumbers> colored_;
+  fast::ScalarColors scalar_colors_;
 };
 
 }  // namespace halfspace::viewer

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "core/moves.hpp"
@@ -41,6 +42,7 @@ Session::Session(State state, FirstView first_view, std::function<void()> wake)
       wants_first_view_(!state_.camera),
       frames_(wake),
       edges_(wake),
+      seeker_(wake),
       loader_(first_view_, wake) {
   if (!state_.parts.empty()) load();
 }
@@ -55,7 +57,8 @@ void Session::note_file_times() { file_times_ = file_times_of(state_); }
 bool Session::update() {
   std::optional<Loaded> loaded = loader_.take();
   if (loaded) take(*std::move(loaded));
-  return add_lines() || loaded;
+  const bool is_found = take_sought();
+  return add_lines() || loaded || is_found;
 }
 
 bool Session::has_its_lines() const {
@@ -85,54 +88,128 @@ void Session::take(Loaded loaded) {
     give_up(loaded.model.error());
     return;
   }
+  if (loaded.is_opened) {
+    note_change();
+    gesture_ = 0;
+    const auto camera = state_.camera;
+    state_ = loaded.state;
+    wants_first_view_ = !state_.camera;
+    if (!state_.camera) state_.camera = camera;
+    if (state_.camera) {
+      state_.camera->width_px = width_px_;
+      state_.camera->height_px = height_px_;
+    }
+    note_file_times();
+  }
   model_ = *std::move(loaded.model);
   first_look_ = std::move(loaded.first_look);
   shown_ = std::move(loaded.state);
   message_.clear();
-  if (wants_first_view_ || !state_.camera) see_first();
   camera_.reset();
-  if (!state_.camera || !set_camera(*state_.camera)) {
-    // The camera is out of the new scene's range.
-    see_first();
-    if (state_.camera) set_camera(*state_.camera);
+  // It may be out of the new scene's range.
+  const bool is_kept =
+      !wants_first_view_ && state_.camera && set_camera(*state_.camera);
+  if (!is_kept) {
+    seek_first();
+  } else {
+    stop_seeking();
   }
 }
 
 void Session::give_up(const Error& error) {
   if (error.code != ErrorCode::kStopped) message_ = error.message;
-  // What was shown is shown still, so it is the state again.
-  if (!have_same_scene(state_, shown_) && !undone_from_.empty())
-    undone_from_.pop_back();
+  // What was shown is shown still, so it is the state again: as it was before
+  // the changes that are given up, with sections and looks that came since.
   const auto camera = state_.camera;
-  const Looks looks = state_.looks;
-  const std::vector<Section> sections = state_.sections;
-  state_ = shown_;
+  const auto is_shown = [this](const State& state) {
+    return have_same_scene(state, shown_);
+  };
+  if (!is_shown(state_)) {
+    const auto last =
+        std::find_if(undone_from_.rbegin(), undone_from_.rend(), is_shown);
+    const Looks looks = state_.looks;
+    if (last != undone_from_.rend()) {
+      state_ = std::move(*last);
+      undone_from_.erase(std::prev(last.base()), undone_from_.end());
+    } else {
+      state_ = shown_;
+      if (!model_) state_.looks = looks;
+    }
+  }
   state_.camera = camera;
-  state_.sections = sections;
-  if (!model_) state_.looks = looks;
+  if (camera_) wants_first_view_ = false;
+  ask_for_frame();
+}
+
+void Session::seek_fit() {
+  if (!state_.camera) return;
+  const CameraAxes axes = axes_of(*state_.camera);
+  seek_side({axes.back, axes.up});
+}
+
+void Session::seek_side(const io::ViewDirection& direction) {
+  if (!model_ || !camera_) return;
+  sought_first_.reset();
+  found_.reset();
+  seeker_.seek(model_,
+               [camera = *state_.camera, direction](const Scene& scene) {
+                 return fitted(scene, camera, direction);
+               });
+}
+
+void Session::seek_first() {
+  if (!model_) return;
+  seeker_.stop();
+  found_.reset();
+  const glm::ivec2 size(width_px_, height_px_);
+  if (first_look_ && first_look_->width_px == size.x &&
+      first_look_->height_px == size.y) {
+    see_first();
+    return;
+  }
+  sought_first_ = size;
+  seeker_.seek(model_, [first_view = first_view_, size](const Scene& scene) {
+    return first_view(scene, size.x, size.y);
+  });
+}
+
+void Session::stop_seeking() {
+  found_.reset();
+  // Without a camera nothing is seen until one is found.
+  if (camera_ || !model_) seeker_.stop();
+}
+
+bool Session::take_sought() {
+  std::optional<Result<io::ViewOptions>> sought = seeker_.take();
+  if (!sought) return false;
+  if (sought_first_) {
+    first_look_ = {sought_first_->x, sought_first_->y, *std::move(sought)};
+    see_first();
+  } else if (*sought) {
+    found_ = **sought;
+  }
+  return true;
 }
 
 void Session::see_first() {
-  const bool is_known = first_look_ && first_look_->width_px == width_px_ &&
-                        first_look_->height_px == height_px_;
-  if (!is_known) {
-    const Scene& scene = model_->loaded.file.scene;
-    first_look_ = {width_px_, height_px_,
-                   first_view_(scene, width_px_, height_px_)};
-  }
   const Result<io::ViewOptions>& view = first_look_->view;
   if (!view) {
     message_ = view.error().message;
     return;
   }
-  state_.camera = *view;
   wants_first_view_ = false;
+  found_ = *view;
+  // There is nothing to come from.
+  if (!camera_) set_camera(*take_found());
 }
 
-void Session::reset_camera() {
-  if (!model_) return;
-  see_first();
-  if (state_.camera) set_camera(*state_.camera);
+std::optional<io::ViewOptions> Session::take_found() {
+  std::optional<io::ViewOptions> found = std::exchange(found_, std::nullopt);
+  if (found) {
+    found->width_px = width_px_;
+    found->height_px = height_px_;
+  }
+  return found;
 }
 
 void Session::set_size(std::int32_t width_px, std::int32_t height_px) {
@@ -157,19 +234,6 @@ bool Session::set_camera(const io::ViewOptions& camera) {
   camera_ = viewed->camera;
   ask_for_frame();
   return true;
-}
-
-void Session::fit() {
-  if (!model_ || !state_.camera) return;
-  const auto camera = fitted(model_->loaded.file.scene, *state_.camera);
-  if (camera) set_camera(*camera);
-}
-
-void Session::see_from(const io::ViewDirection& direction) {
-  if (!model_ || !state_.camera) return;
-  const auto camera =
-      fitted(model_->loaded.file.scene, *state_.camera, direction);
-  if (camera) set_camera(*camera);
 }
 
 void Session::prepare_numbers() {
@@ -199,27 +263,41 @@ void Session::ask_for_frame() {
 }
 
 bool Session::is_settled() const {
-  return !loader_.is_busy() && frames_.is_done() && has_its_lines();
+  return !loader_.is_busy() && !seeker_.is_busy() && frames_.is_done() &&
+         has_its_lines();
 }
 
 void Session::change(const std::function<void(State&)>& edit,
                      unsigned gesture) {
   State next = state_;
   edit(next);
-  const bool same_scene = have_same_scene(next, state_);
-  if (same_scene && next.looks == state_.looks &&
+  if (have_same_scene(next, state_) && next.looks == state_.looks &&
       next.sections == state_.sections)
     return;
-  if (gesture == 0 || gesture != gesture_) undone_from_.push_back(state_);
+  if (gesture == 0 || gesture != gesture_) note_change();
   gesture_ = gesture;
+  redone_from_.clear();
+  follow(std::exchange(state_, std::move(next)));
+}
+
+void Session::note_change() {
+  undone_from_.push_back(state_);
   if (undone_from_.size() > kMostUndone)
     undone_from_.erase(undone_from_.begin());
   redone_from_.clear();
-  state_ = std::move(next);
-  if (same_scene) {
+}
+
+void Session::follow(const State& before) {
+  if (have_same_scene(before, state_)) {
     ask_for_frame();
   } else if (!state_.parts.empty()) {
     load();
+  } else {
+    loader_.forget();
+    model_.reset();
+    camera_.reset();
+    stop_seeking();
+    shown_ = state_;
   }
 }
 
@@ -238,41 +316,34 @@ bool exchange(State& state, std::vector<State>& from, std::vector<State>& to) {
 }  // namespace
 
 void Session::undo() {
-  if (exchange(state_, undone_from_, redone_from_)) load();
+  const State before = state_;
+  if (exchange(state_, undone_from_, redone_from_)) follow(before);
 }
 
 void Session::redo() {
-  if (exchange(state_, redone_from_, undone_from_)) load();
+  const State before = state_;
+  if (exchange(state_, redone_from_, undone_from_)) follow(before);
 }
 
 void Session::open(const std::vector<std::string>& paths) {
   if (paths.empty()) return;
-  State next;
-  next.looks = state_.looks;
-  for (const std::string& path : paths) {
-    if (!is_view_name(path)) {
+  if (std::any_of(paths.begin(), paths.end(),
+                  [](const std::string& path) { return is_view_name(path); })) {
+    // It is the state when it was read and has a model.
+    loader_.open(state_, paths, model_);
+    return;
+  }
+  change([&paths](State& state) {
+    State next;
+    next.looks = state.looks;
+    // Other files have other numbers.
+    next.looks.scalar.reset();
+    next.camera = state.camera;
+    for (const std::string& path : paths)
       next.parts.push_back({path, true, std::nullopt, {}});
-      continue;
-    }
-    const Result<State> read = read_state(path);
-    if (!read) {
-      message_ = read.error().message;
-      return;
-    }
-    next = *read;
-  }
-  const std::optional<io::ViewOptions> camera = next.camera;
-  change([&next](State& state) {
-    const auto before = state.camera;
     state = std::move(next);
-    state.camera = before;
   });
-  wants_first_view_ = !camera;
-  if (camera) {
-    state_.camera = camera;
-    state_.camera->width_px = width_px_;
-    state_.camera->height_px = height_px_;
-  }
+  wants_first_view_ = true;
 }
 
 void Session::add(const std::vector<std::string>& paths) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/camera_seeker.hpp"
 #include "core/frame_maker.hpp"
 #include "core/loader.hpp"
 #include "halfspace/viewer/model.hpp"
@@ -73,11 +74,16 @@ class Session {
   /// Moves the camera, where there is one of that kind; whether there is.
   bool set_camera(const io::ViewOptions& camera);
   const std::optional<io::ViewOptions>& camera() const { return state_.camera; }
-  /// Sees all of it from where the camera is, or from a side.
-  void fit();
-  void see_from(const io::ViewDirection& direction);
-  /// As it was first seen.
-  void reset_camera();
+  /// Begins to look for the camera that sees all of it from where the camera is
+  /// or from a side, or for the one that saw it first.
+  void seek_fit();
+  void seek_side(const io::ViewDirection& direction);
+  void seek_first();
+  /// Leaves the camera as it is, if there is one.
+  void stop_seeking();
+  bool is_seeking() const { return seeker_.is_busy() || found_; }
+  /// The camera that was found, once.
+  std::optional<io::ViewOptions> take_found();
 
   /// Changes parts or looks, which undo() takes back; the model follows.
   /// Changes one after another with the same `gesture`, if that is not 0, are
@@ -111,7 +117,10 @@ class Session {
   bool add_lines();
   void prepare_numbers();
   void take(Loaded loaded);
+  void note_change();
+  void follow(const State& before);
   void give_up(const Error& error);
+  bool take_sought();
   void see_first();
   void note_file_times();
 
@@ -119,6 +128,9 @@ class Session {
   State shown_;  ///< of the model
   FirstView first_view_;
   std::optional<FirstLook> first_look_;  ///< of the model
+  /// What is sought is the first view, for pictures of that size.
+  std::optional<glm::ivec2> sought_first_;
+  std::optional<io::ViewOptions> found_;
   std::vector<State> undone_from_, redone_from_;
   std::shared_ptr<const Model> model_;
   std::optional<Camera> camera_;
@@ -135,6 +147,7 @@ class Session {
   std::string file_times_;
   FrameMaker frames_;
   EdgeLines edges_;
+  CameraSeeker seeker_;
   Loader loader_;
 };
 

@@ -196,7 +196,7 @@ void Window::move(int x, int y) {
   last_x_ = x;
   last_y_ = y;
   if (!session_.camera()) return;
-  ui_.flight.reset();
+  stop_flight(session_, ui_);
   if (grip_) {
     move_held({x - pressed_x_, y - pressed_y_});
     return;
@@ -231,7 +231,7 @@ void Window::ask_for_camera(const io::ViewOptions& camera) {
 
 void Window::wheel(const SDL_MouseWheelEvent& wheel) {
   if (ImGui::GetIO().WantCaptureMouse || !session_.camera()) return;
-  ui_.flight.reset();
+  stop_flight(session_, ui_);
   const ImVec2 at = ImGui::GetIO().MousePos;
   if (!ui_.view.holds(static_cast<int>(at.x), static_cast<int>(at.y))) return;
   if (held_.shift) {

@@ -21,19 +21,17 @@ constexpr io::ViewDirection kTop = {{0, 0, 1}, {0, 1, 0}};
 constexpr io::ViewDirection kBottom = {{0, 0, -1}, {0, -1, 0}};
 
 template <const io::ViewDirection& side>
-void see(Session& session, Ui& ui) {
-  fly_to_side(session, ui, side);
+void see(Session& session, Ui&) {
+  session.seek_side(side);
 }
 
-void see_iso(Session& session, Ui& ui) {
-  fly_to_side(session, ui, io::ViewDirection());
-}
+void see_iso(Session& session, Ui&) { session.seek_side(io::ViewDirection()); }
 
 template <int x, int y>
 void turn(Session& session, Ui& ui) {
   if (!session.camera()) return;
   const double px = session.camera()->height_px * kTurnDeg / 180;
-  ui.flight.reset();
+  stop_flight(session, ui);
   session.set_camera(orbited(*session.camera(), {x * px, y * px}));
 }
 
@@ -41,14 +39,14 @@ template <int x, int y>
 void pan(Session& session, Ui& ui) {
   if (!session.camera()) return;
   const double px = session.camera()->height_px / 20.0;
-  ui.flight.reset();
+  stop_flight(session, ui);
   session.set_camera(panned(*session.camera(), {x * px, y * px}));
 }
 
 template <int notches>
 void zoom(Session& session, Ui& ui) {
   if (!session.camera()) return;
-  ui.flight.reset();
+  stop_flight(session, ui);
   const io::ViewOptions& camera = *session.camera();
   session.set_camera(zoomed(camera, notches > 0 ? 0.8 : 1.25,
                             {camera.width_px / 2.0, camera.height_px / 2.0}));
@@ -56,7 +54,7 @@ void zoom(Session& session, Ui& ui) {
 
 void change_projection(Session& session, Ui& ui) {
   if (!session.camera()) return;
-  ui.flight.reset();
+  stop_flight(session, ui);
   session.set_camera(
       with_projection(*session.camera(), !session.camera()->orthographic));
 }
@@ -113,10 +111,9 @@ void move_section(Session& session, Ui&) {
       1);
 }
 
-void reset(Session& session, Ui& ui) {
-  ui.flight.reset();
-  session.reset_camera();
-}
+void reset(Session& session, Ui&) { session.seek_first(); }
+
+void fit(Session& session, Ui&) { session.seek_fit(); }
 
 template <bool Ui::*what>
 void toggle(Session&, Ui& ui) {
@@ -190,7 +187,7 @@ std::vector<KeyAction> made_actions() {
       {"Shift+7", "", SDLK_7, kShift, see<kBottom>},
       {"9", "Corner view", SDLK_9, kPlain, see_iso},
       {"5", "Parallel rays or not", SDLK_5, kPlain, change_projection},
-      {"Space", "Fit all into the picture", SDLK_SPACE, kPlain, fly_to_fit},
+      {"Space", "Fit all into the picture", SDLK_SPACE, kPlain, fit},
       {"Enter", "The first view again", SDLK_RETURN, kPlain, reset},
       {"Shift+arrows", "Turn", SDLK_LEFT, kShift, turn<-1, 0>},
       {"Shift+Right", "", SDLK_RIGHT, kShift, turn<1, 0>},
@@ -299,18 +296,9 @@ void fly_to(Session& session, Ui& ui, const io::ViewOptions& camera) {
                            static_cast<double>(SDL_GetTicks64())};
 }
 
-void fly_to_side(Session& session, Ui& ui, const io::ViewDirection& side) {
-  if (!session.camera() || !session.model()) return;
-  const auto camera =
-      fitted(session.model()->loaded.file.scene, *session.camera(), side);
-  if (camera) fly_to(session, ui, *camera);
-}
-
-void fly_to_fit(Session& session, Ui& ui) {
-  if (!session.camera() || !session.model()) return;
-  const auto camera =
-      fitted(session.model()->loaded.file.scene, *session.camera());
-  if (camera) fly_to(session, ui, *camera);
+void stop_flight(Session& session, Ui& ui) {
+  ui.flight.reset();
+  session.stop_seeking();
 }
 
 std::string name_of(const State& state) {

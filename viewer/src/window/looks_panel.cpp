@@ -8,7 +8,6 @@
 
 #include "core/measure.hpp"
 #include "core/moves.hpp"
-#include "halfspace/io/scalars.hpp"
 #include "window/panels.hpp"
 #include "window/ui.hpp"
 
@@ -79,18 +78,10 @@ void draw_light(Session& session, Ui& ui, Looks& looks) {
     looks.ambient = six_digits(ambient);
 }
 
-/// The properties of the only file, read when it is another one.
-const std::vector<std::string>& properties_of(const State& state) {
-  static std::string path;
-  static std::vector<std::string> names;
-  const std::string now =
-      state.parts.size() == 1 ? state.parts[0].path : std::string();
-  if (now != path) {
-    path = now;
-    names =
-        now.empty() ? std::vector<std::string>() : io::ply_scalar_names(now);
-  }
-  return names;
+/// The numbers of the only file.
+std::vector<std::string> properties_of(const Session& session) {
+  return session.model() ? session.model()->scalar_names
+                         : std::vector<std::string>();
 }
 
 constexpr const char* kMaps[] = {"viridis", "heated", "turbo",
@@ -98,7 +89,7 @@ constexpr const char* kMaps[] = {"viridis", "heated", "turbo",
 
 /// Which numbers colour the file, and how.
 void draw_numbers(Session& session, Looks& looks) {
-  const auto& names = properties_of(session.state());
+  const std::vector<std::string> names = properties_of(session);
   if (names.empty() && !looks.scalar) return;
   const std::string shown = looks.scalar ? looks.scalar->source : "none";
   if (ImGui::BeginCombo("Numbers", shown.c_str())) {
@@ -182,7 +173,7 @@ void draw_looks(Session& session, Ui& ui) {
     change(session, [&looks](State& state) { state.looks = looks; });
 }
 void show_next_numbers(Session& session) {
-  std::vector<std::string> names = properties_of(session.state());
+  std::vector<std::string> names = properties_of(session);
   // Coordinates come last: they are seen without colours.
   std::stable_partition(names.begin(), names.end(),
                         [](const std::string& name) {

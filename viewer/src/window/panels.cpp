@@ -114,14 +114,13 @@ void draw_view(Session& session, Ui& ui) {
       {"Left", {{-1, 0, 0}, {0, 0, 1}}},  {"Bottom", {{0, 0, -1}, {0, -1, 0}}}};
   for (int i = 0; i < 6; ++i) {
     if (i % 3 != 0) ImGui::SameLine();
-    if (wide_button(kSides[i].name, 3))
-      fly_to_side(session, ui, kSides[i].side);
+    if (wide_button(kSides[i].name, 3)) session.seek_side(kSides[i].side);
   }
-  if (wide_button("Corner", 3)) fly_to_side(session, ui, io::ViewDirection());
+  if (wide_button("Corner", 3)) session.seek_side(io::ViewDirection());
   ImGui::SameLine();
-  if (wide_button("Fit", 3)) fly_to_fit(session, ui);
+  if (wide_button("Fit", 3)) session.seek_fit();
   ImGui::SameLine();
-  if (wide_button("Reset", 3)) session.reset_camera();
+  if (wide_button("Reset", 3)) session.seek_first();
   if (!session.camera()) return;
   int is_orthographic = session.camera()->orthographic ? 1 : 0;
   bool is_other = ImGui::RadioButton("Perspective", &is_orthographic, 0);

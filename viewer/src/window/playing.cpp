@@ -38,6 +38,8 @@ Result<Done> Window::play() {
     if (session_.is_settled()) ui_.wants_to_quit = true;
     return Done{};
   }
+  // What follows would else come before the camera does, or after it.
+  if (session_.is_seeking()) return Done{};
   const Event& event = player_->next();
   const bool waits = event.kind == Kind::kWait || event.kind == Kind::kDump ||
                      event.kind == Kind::kShot;

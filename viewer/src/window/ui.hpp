@@ -97,8 +97,8 @@ AxesPlace axes_place(const Ui& ui);
 
 /// Moves the camera there, in a moment if it animates.
 void fly_to(Session& session, Ui& ui, const io::ViewOptions& camera);
-void fly_to_side(Session& session, Ui& ui, const io::ViewDirection& side);
-void fly_to_fit(Session& session, Ui& ui);
+/// The camera stays where it is now.
+void stop_flight(Session& session, Ui& ui);
 
 /// A key and what it does.
 struct KeyAction {

@@ -1,13 +1,14 @@
 #include "window/window.hpp"
 
 #include <imgui.h>
+#include <time.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/moves.hpp"
-#include "core/recent.hpp"
+#include "work/recent.hpp"
 
 namespace halfspace::viewer {
 namespace {
@@ -33,6 +34,13 @@ int status_px(double scale) {
 double window_now_ms() {
   return static_cast<double>(SDL_GetPerformanceCounter()) * 1000 /
          static_cast<double>(SDL_GetPerformanceFrequency());
+}
+
+double window_work_ms() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1000 +
+         static_cast<double>(time.tv_nsec) / 1e6;
 }
 
 void Window::note_request() { asked_ms_ = window_now_ms(); }
@@ -89,6 +97,7 @@ Result<WindowReport> Window::run() {
   while (!ui_.wants_to_quit) {
     wait();
     const double start = window_now_ms();
+    const double work_start = window_work_ms();
     SDL_Event event;
     // Motion that has piled up is one move: pictures do not lag behind it.
     while (SDL_PollEvent(&event) != 0) {
@@ -103,6 +112,8 @@ Result<WindowReport> Window::run() {
     update();
     if (!is_drawn_later()) draw();
     longest_block_ms_ = std::max(longest_block_ms_, window_now_ms() - start);
+    longest_work_ms_ =
+        std::max(longest_work_ms_, window_work_ms() - work_start);
   }
   if (options_.record_file) {
     const auto written = write_recorded();
@@ -143,6 +154,10 @@ void Window::update() {
     redraws_ = std::max(redraws_, 2);
     lay_out();
     note_opened();
+  }
+  if (const auto found = session_.take_found()) {
+    note_request();
+    fly_to(session_, ui_, *found);
   }
   while (auto result = background_.take()) {
     if (!*result) {
@@ -254,8 +269,11 @@ void Window::paint(const SDL_Rect& region) {
   const bool has_picture = texture_ != nullptr && session_.model();
   if (!has_picture || SDL_RectEquals(&place, &region) == SDL_FALSE) {
     const Rgb paper = session_.state().looks.background;
+    // Nothing is blended: of a whole screen that would take 5 ms.
+    SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_NONE);
     SDL_SetRenderDrawColor(renderer_, paper.r, paper.g, paper.b, 255);
     SDL_RenderFillRect(renderer_, &region);
+    SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_BLEND);
   }
   if (has_picture) {
     SDL_SetTextureBlendMode(texture_, SDL_BLENDMODE_NONE);
@@ -303,6 +321,7 @@ WindowReport Window::report() const {
     result.median_frame_ms = times[times.size() / 2];
   }
   result.longest_block_ms = longest_block_ms_;
+  result.longest_work_ms = longest_work_ms_;
   result.first_window_ms = first_draw_ms_;
   return result;
 }

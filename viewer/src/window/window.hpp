@@ -28,6 +28,8 @@ int status_px(double scale);
 
 /// Time as it passes. Units: milliseconds.
 double window_now_ms();
+/// Time that the processor has spent on this thread. Units: milliseconds.
+double window_work_ms();
 
 /// The window: takes events to the session, and its pictures to the screen.
 ///
@@ -118,6 +120,7 @@ class Window {
   std::int64_t dump_count_ = 0;
   std::size_t event_count_ = 0;
   double longest_block_ms_ = 0;
+  double longest_work_ms_ = 0;
   double first_draw_ms_ = -1;
   double asked_ms_ = 0;      ///< when rows came, or a picture was asked for
   double next_look_ms_ = 0;  ///< at files, where they are watched

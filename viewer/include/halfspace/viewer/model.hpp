@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "halfspace/fast/build.hpp"
-#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/io/legend.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/mesh.hpp"
@@ -45,7 +44,9 @@ struct Model {
   std::uint64_t fingerprint = 0;  ///< of the scene, without its colours
   std::shared_ptr<const fast::BspTree> tree;
   std::shared_ptr<const Numbers> numbers;  ///< null where there are none
-  bool is_closed = false;                  ///< whether caps can fill its cuts
+  /// What numbers the file has, where it is alone.
+  std::vector<std::string> scalar_names;
+  bool is_closed = false;  ///< whether caps can fill its cuts
   /// By polygon its part, where the parts are several and each is closed: their
   /// caps are told apart. Null elsewhere.
   std::shared_ptr<const CapParts> cap_parts;
@@ -68,12 +69,16 @@ class MeshCache {
   /// Errors: those of io::read_mesh(), kStopped among them; the file is named.
   Result<std::shared_ptr<const io::Mesh>> mesh_of(const std::string& path,
                                                   const io::Stop& stop = {});
+  /// The properties of vertices and faces of a PLY file, which mesh_of() has
+  /// read; none of other files.
+  std::vector<std::string> scalar_names_of(const std::string& path) const;
 
  private:
   struct Entry {
     std::filesystem::file_time_type time;
     std::uintmax_t size = 0;
     std::shared_ptr<const io::Mesh> mesh;
+    std::vector<std::string> scalar_names;
   };
   std::map<std::string, Entry> entries_;
 };
@@ -106,13 +111,15 @@ Result<std::shared_ptr<const Model>> make_model(const State& state,
 /// where the model is closed (S10).
 ImageOptions image_options(const State& state, const Model& model);
 
-/// How numbers are coloured, prepared for pictures.
+/// How numbers are coloured.
 struct ShownNumbers {
-  fast::ScalarColors colors;
+  std::shared_ptr<const Numbers> numbers;
+  ColorScale scale;
   io::Legend legend;
   bool has_legend = false;
 };
 
+/// Looks at no polygon. Requires: the model has numbers.
 /// Errors: those of io::read_color_map() and io::make_scale().
 Result<std::shared_ptr<const ShownNumbers>> shown_numbers(
     const Model& model, const ScalarLook& look);

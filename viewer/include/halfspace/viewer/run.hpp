@@ -38,6 +38,7 @@ struct WindowReport {
   std::size_t events = 0;
   std::size_t frames = 0;       ///< whole pictures that were shown
   double longest_block_ms = 0;  ///< between two looks at the input
+  double longest_work_ms = 0;   ///< the same, of the processor
   double median_frame_ms = 0;   ///< from a camera to its whole picture
   double first_window_ms = 0;   ///< from run() to the window's first picture
 };

@@ -1,4 +1,4 @@
-#include "core/recent.hpp"
+#include "work/recent.hpp"
 
 #include <algorithm>
 #include <cstdlib>
