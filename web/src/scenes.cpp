@@ -12,10 +12,13 @@
 #include "figure/figure_scene.hpp"
 #include "figure/figures.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/csg/exact.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
+#include "halfspace/fast/image/transparent_map.hpp"
 #include "halfspace/fast/order_feed.hpp"
+#include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/shade/back_faces.hpp"
@@ -47,6 +50,7 @@ struct WebScene {
   std::optional<fast::BspTree> tree;     ///< for pictures
   std::optional<fast::BspTree> divided;  ///< without leaves
   std::optional<bool> is_closed;
+  std::optional<bool> files_closed;  ///< each by itself
   fast::FragmentVertices fragments;
   std::optional<ScalarField> field;           ///< of a mesh with numbers
   std::optional<fast::ScalarColors> scalars;  ///< its colours
@@ -100,15 +104,18 @@ class Numbers {
 
 /// What JavaScript says about a view: eye, target, up, angle, whether it is
 /// orthographic, its height, near, columns, rows, whether to cull, the
-/// background; clip planes and whether they have caps, with what colour; and
-/// whether back faces are marked, with what colour.
+/// background; clip planes and whether they have caps, with what colour, one
+/// for all or one for each file; whether back faces are marked, with what
+/// colour; and how opaque polygons are.
 struct AskedView {
   io::ViewOptions camera;
   bool cull = false;
   Rgb background{};
   std::vector<std::array<double, 4>> clips;
   std::optional<CapStyle> caps;
+  bool caps_by_file = false;
   std::optional<Rgb> back_color;
+  std::uint8_t alpha = kOpaque;
 };
 
 AskedView view_from(const double* numbers) {
@@ -132,7 +139,9 @@ AskedView view_from(const double* numbers) {
   const double caps = from.next();
   if (caps == 1) view.caps = CapStyle{from.color(), std::nullopt};
   if (caps == 2) view.caps = CapStyle{{235, 235, 225}, Rgb{60, 60, 60}};
+  view.caps_by_file = from.next() != 0;
   if (from.next() != 0) view.back_color = from.color();
+  view.alpha = static_cast<std::uint8_t>(from.next());
   return view;
 }
 
@@ -162,13 +171,37 @@ Result<ImageOptions> image_options(WebScene& shown, const AskedView& view) {
   options.clips = *made;
   if (!view.caps) return options;
   options.caps = view.caps;
-  if (!shown.is_closed) shown.is_closed = bad_edges(shown.scene()).empty();
-  if (*shown.is_closed) return options;
-  return Error{ErrorCode::kOpen,
-               "caps fill solids, and what is shown is not closed"};
+  std::vector<std::uint32_t> parts;
+  if (view.caps_by_file)
+    parts.assign(shown.figure.files.begin(), shown.figure.files.end());
+  std::optional<bool>& is_closed =
+      view.caps_by_file ? shown.files_closed : shown.is_closed;
+  if (!is_closed) {
+    is_closed = view.caps_by_file ? are_parts_closed(shown.scene(), parts)
+                                  : bad_edges(shown.scene()).empty();
+  }
+  if (!*is_closed) {
+    return Error{ErrorCode::kOpen,
+                 "caps fill solids, and what is shown is not closed"};
+  }
+  if (view.caps_by_file)
+    options.parts = told_apart(std::move(parts), *view.caps);
+  return options;
+}
+
+Error no_alpha(const char* where) {
+  return {ErrorCode::kOutOfRange,
+          std::string("polygons are opaque ") + where + "; leave out alpha"};
 }
 
 Result<Done> rendered(WebScene& shown, const AskedView& view, int samples) {
+  const bool is_opaque = view.alpha == kOpaque;
+  if (!is_opaque &&
+      (samples != 1 || view.caps || view.back_color || shown.scalars)) {
+    return no_alpha(
+        "in pictures of many samples a pixel or by numbers, and with caps or "
+        "marked back faces");
+  }
   if (view.back_color && (samples != 1 || shown.scalars)) {
     return Error{ErrorCode::kOutOfRange,
                  "back faces are marked in pictures of one sample a pixel, and "
@@ -178,7 +211,8 @@ Result<Done> rendered(WebScene& shown, const AskedView& view, int samples) {
   if (!viewed) return viewed.error();
   const auto options = image_options(shown, view);
   if (!options) return options.error();
-  const fast::BspTree* tree = shown.picture_tree();
+  const fast::BspTree* tree =
+      is_opaque ? shown.picture_tree() : shown.divided_tree();
   if (tree == nullptr) return stopped();
   if (std::max(view.camera.width_px, view.camera.height_px) >
       kMaxImageSize / samples)
@@ -188,7 +222,9 @@ Result<Done> rendered(WebScene& shown, const AskedView& view, int samples) {
   how.items = true;
   how.colors = !shown.scalars;
   fast::Rendering image =
-      samples == 1
+      !is_opaque ? fast::blend(shown.scene(), *tree, viewed->camera, *options,
+                               view.alpha, how)
+      : samples == 1
           ? fast::render(shown.scene(), *tree, viewed->camera, *options, how)
           : fast::render_samples(shown.scene(), *tree, viewed->camera, *options,
                                  samples, how);
@@ -220,17 +256,23 @@ struct AskedFigure {
 /// Adds the regions that are seen, or their borders, or both.
 Result<Done> add_map(WebScene& shown, const Camera& camera,
                      const AskedFigure& asked, const ImageOptions& image,
-                     io::Figure& figure) {
+                     std::uint8_t alpha, io::Figure& figure) {
   const fast::BspTree* tree = shown.divided_tree();
   if (tree == nullptr) return stopped();
   const std::string by = asked.by.empty() ? "face" : asked.by;
-  const auto map = fast::section_map(
-      shown.scene(), *tree, camera,
-      {image.cull, tools::keys_of(shown.figure, by, false, image)}, image, {});
+  const bool is_opaque = alpha == kOpaque;
+  const auto map =
+      is_opaque
+          ? fast::section_map(
+                shown.scene(), *tree, camera,
+                {image.cull, tools::keys_of(shown.figure, by, false, image)},
+                image, {})
+          : fast::transparent_map(shown.scene(), *tree, camera,
+                                  {image.cull, alpha, image.background});
   if (!map) return map.error();
   if (!asked.by.empty()) {
     tools::FillStyle style;
-    style.by = by;
+    style.by = is_opaque ? by : "composed";
     style.background = image.background;
     style.caps = &image;
     tools::add_regions(figure, *map, shown.figure, style, {});
@@ -269,6 +311,8 @@ Result<std::string> drawn(WebScene& shown, const AskedView& view,
                  "where caps of several planes meet, no edge is drawn: one "
                  "plane, no caps or no edges"};
   }
+  if (view.alpha != kOpaque && (!view.clips.empty() || view.caps))
+    return no_alpha("in figures that clip planes cut");
   const auto viewed = io::look_at(shown.scene(), view.camera);
   if (!viewed) return viewed.error();
   const auto image = image_options(shown, view);
@@ -277,7 +321,8 @@ Result<std::string> drawn(WebScene& shown, const AskedView& view,
   figure.width = view.camera.width_px;
   figure.height = view.camera.height_px;
   if (!asked.by.empty() || asked.lines == 1) {
-    const auto done = add_map(shown, viewed->camera, asked, *image, figure);
+    const auto done =
+        add_map(shown, viewed->camera, asked, *image, view.alpha, figure);
     if (!done) return done.error();
   }
   if (asked.lines >= 2) {

@@ -223,6 +223,22 @@ await test("pictures and figures are those of the program", () => {
   pixelsOf(fs.readFileSync("back.png")).rgb, "marked back faces");
   assert.throws(() => scene.render({ ...view, backColor: [1, 2, 3],
     samples: 2 }));
+  native("render", "part.obj", "-o", "glass.png", ...camera, "--alpha", "90",
+    "--clip", "-1,0,0,2.5");
+  const glass = scene.render({ ...view, alpha: 90, clips: half.clips });
+  same(glass.rgba.filter((_, k) => k % 4 !== 3),
+    pixelsOf(fs.readFileSync("glass.png")).rgb, "a transparent picture");
+  native("draw", "part.obj", "-o", "glass.svg", ...camera, "--alpha", "90");
+  same(scene.draw({ ...view, alpha: 90 }), bytesOf("glass.svg"),
+    "SVG of what is transparent");
+  for (const other of [{ samples: 2 }, { caps: "hatch", clips: half.clips },
+    { backColor: [1, 2, 3] }])
+    fails("OUT_OF_RANGE", () =>
+      scene.render({ ...view, alpha: 90, ...other }));
+  fails("OUT_OF_RANGE", () =>
+    scene.draw({ ...view, alpha: 90, clips: half.clips }));
+  for (const alpha of [-1, 256, 0.5, "x"])
+    assert.throws(() => scene.render({ ...view, alpha }), TypeError);
   const all = scene.view({ azimuth: 30, elevation: 25, width: 100,
     height: 100 });
   assert.ok(all.eye && all.target);
@@ -230,6 +246,29 @@ await test("pictures and figures are those of the program", () => {
   assert.equal(seen.polygon, ids[120 * 320 + 160]);
   assert.equal(scene.render({ ...view, samples: 2 }).rgba.length,
     4 * 320 * 240);
+});
+
+await test("caps are told apart by solids as the program's by files", () => {
+  const camera = ["--eye", "6,-9,7", "--target", "0,0,0", "--up", "0,0,1",
+    "--fov", "40", "--size", "160x120"];
+  const view = { eye: [6, -9, 7], target: [0, 0, 0], up: [0, 0, 1], fov: 40,
+    width: 160, height: 120, clips: [[0, 1, 0, 0.5]] };
+  const boxes = [[-2, 0, 0], [0.5, 0, 0.25], [3, 0, 0]].map((at) =>
+    Solid.box([0, 0, 0], [1, 2, 1.5]).translate(at));
+  boxes.forEach((box, k) =>
+    fs.writeFileSync(`box-${k}.obj`, box.save("obj")));
+  const files = boxes.map((_, k) => `box-${k}.obj`);
+  native("draw", ...files, "-o", "caps.svg", ...camera, "--clip", "0,1,0,0.5",
+    "--cap", "file");
+  const scene = Scene.of(boxes);
+  const apart = { ...view, caps: "hatch", capsBySolid: true };
+  same(scene.draw(apart), bytesOf("caps.svg"), "SVG of caps by solid");
+  const colorsOf = (asked) => {
+    const words = new Uint32Array(scene.render(asked).rgba.buffer);
+    return new Set(words).size;
+  };
+  // A cap's colour for each of three boxes in place of one.
+  assert.equal(colorsOf(apart), colorsOf({ ...apart, capsBySolid: false }) + 2);
 });
 
 await test("colours by numbers are the program's", () => {

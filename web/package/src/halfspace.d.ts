@@ -218,6 +218,13 @@ export interface View {
   clips?: readonly (readonly [number, number, number, number])[];
   /** A colour or a hatch that fills the cuts of solids. */
   caps?: Vector | "hatch";
+  /** Each solid or file has caps with a colour of its own; where several are,
+   *  caps look as `caps` says. */
+  capsBySolid?: boolean;
+  /** How much of what is behind a polygon it hides: all of it, or alpha / 255.
+   *  In pictures of one sample a pixel without caps or marked back faces, and
+   *  in figures without clip planes, whose regions have composed colours. */
+  alpha?: number;
   /** 1, 2, 4 or 8 samples a pixel each way; ids are then those of samples. */
   samples?: 1 | 2 | 4 | 8;
 }

@@ -860,14 +860,18 @@ function viewNumbers(view) {
   const clips = view.clips ?? [];
   const cap = view.caps === "hatch" ? [2]
     : view.caps ? [1, ...triple(view.caps, "caps")] : [0];
+  const alpha = view.alpha ?? 255;
+  if (!Number.isInteger(alpha) || alpha < 0 || alpha > 255)
+    throw new TypeError("alpha is a whole number from 0 to 255");
   return Float64Array.from([
     ...triple(view.eye, "eye"), ...triple(view.target, "target"),
     ...triple(view.up ?? [0, 0, 1], "up"), view.fov ?? 40,
     view.orthographic ? 1 : 0, view.orthoHeight ?? 2, view.near ?? NaN,
     view.width ?? 640, view.height ?? 480, view.cull ? 1 : 0,
     ...triple(view.background ?? [255, 255, 255], "background"),
-    clips.length, ...clips.flat(), ...cap,
+    clips.length, ...clips.flat(), ...cap, view.capsBySolid ? 1 : 0,
     ...(view.backColor ? [1, ...triple(view.backColor, "backColor")] : [0]),
+    alpha,
   ]);
 }
 
