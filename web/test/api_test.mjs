@@ -252,13 +252,13 @@ await test("caps are told apart by solids as the program's by files", () => {
   const camera = ["--eye", "6,-9,7", "--target", "0,0,0", "--up", "0,0,1",
     "--fov", "40", "--size", "160x120"];
   const view = { eye: [6, -9, 7], target: [0, 0, 0], up: [0, 0, 1], fov: 40,
-    width: 160, height: 120, clips: [[0, 1, 0, 0.5]] };
+    width: 160, height: 120, clips: [[0, 1, 0, -0.5]] };
   const boxes = [[-2, 0, 0], [0.5, 0, 0.25], [3, 0, 0]].map((at) =>
     Solid.box([0, 0, 0], [1, 2, 1.5]).translate(at));
   boxes.forEach((box, k) =>
     fs.writeFileSync(`box-${k}.obj`, box.save("obj")));
   const files = boxes.map((_, k) => `box-${k}.obj`);
-  native("draw", ...files, "-o", "caps.svg", ...camera, "--clip", "0,1,0,0.5",
+  native("draw", ...files, "-o", "caps.svg", ...camera, "--clip", "0,1,0,-0.5",
     "--cap", "file");
   const scene = Scene.of(boxes);
   const apart = { ...view, caps: "hatch", capsBySolid: true };
