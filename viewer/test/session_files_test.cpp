@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 
+#include "core/combine.hpp"
+#include "core/measure.hpp"
 #include "core/moves.hpp"
 #include "core/session.hpp"
 #include "viewer_session.hpp"
@@ -45,6 +50,69 @@ TEST_F(ViewerSession, ABadFileTakesNothingFromTheState) {
   EXPECT_EQ(session.state().looks.background, (Rgb{255, 255, 255}));
   session.undo();
   EXPECT_TRUE(session.state().sections.empty());
+}
+
+TEST_F(ViewerSession, PipesAndFilesWithoutEndAreLeft) {
+  ASSERT_EQ(::mkfifo(path("pipe.stl").c_str(), 0600), 0);
+  {
+    Session session(state_of({path("pipe.stl")}), nullptr, ignore);
+    settle(session);
+    EXPECT_NE(session.message().find("is a pipe"), std::string::npos);
+  }
+  // Gigabytes that are not there: whoever leaves does not wait for them.
+  for (const char* name : {"huge.stl", "huge.ply", "huge.scene"}) {
+    std::ofstream(path(name)).close();
+    fs::resize_file(path(name), std::uintmax_t{3} << 30);
+    const auto start = std::chrono::steady_clock::now();
+    Session session(state_of({path(name)}), nullptr, ignore);
+    let_threads_work();
+    session.cancel_loading();
+    settle(session);
+    EXPECT_FALSE(session.model());
+    EXPECT_EQ(session.message(), "");
+    session.open({box_});
+    settle(session);
+    EXPECT_TRUE(session.model());
+    EXPECT_LT(std::chrono::steady_clock::now() - start,
+              std::chrono::seconds(5));
+  }
+}
+
+/// A tetrahedron of floats whose numbers are far apart.
+void write_floats(const std::string& path) {
+  const float points[4][3] = {
+      {0, 0, 0}, {128, 0, 0}, {0, 128, 0}, {1e-9f, 0.1f, 77.7f}};
+  const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  std::ofstream file(path, std::ios::binary);
+  file << std::string(80, ' ');
+  const std::uint32_t count = 4;
+  file.write(reinterpret_cast<const char*>(&count), sizeof count);
+  for (const auto& face : faces) {
+    const float normal[3] = {0, 0, 0};
+    file.write(reinterpret_cast<const char*>(normal), sizeof normal);
+    for (const int corner : face) {
+      file.write(reinterpret_cast<const char*>(points[corner]),
+                 sizeof points[corner]);
+    }
+    file.write("\0", 2);
+  }
+}
+
+TEST_F(ViewerSession, FloatsAreMeasuredAndCombinedWithCutsByDecimals) {
+  write_floats(path("floats.stl"));
+  State state = state_of({path("floats.stl"), box_});
+  state.sections.push_back({{0, 0, 1}, 0.3, true});
+  const auto go_on = [](const std::string&, double) { return true; };
+  const auto measures = measures_of(state, go_on);
+  ASSERT_TRUE(measures) << measures.error().message;
+  EXPECT_NE(measures->find("section of area"), std::string::npos) << *measures;
+  EXPECT_NE(measures->find("rounded by"), std::string::npos) << *measures;
+  state.combination = Combination::kDifference;
+  ASSERT_TRUE(save_combined(state, path("result.stl"), go_on));
+  Session session(state, nullptr, ignore);
+  settle(session);
+  EXPECT_EQ(session.message(), "");
+  EXPECT_TRUE(session.model());
 }
 
 TEST_F(ViewerSession, AFileThatFailsInsideAGestureKeepsTheLastThatWasShown) {
@@ -126,7 +194,7 @@ TEST_F(ViewerSession, OtherFilesAreNotAskedForTheNumbersOfTheFirst) {
   Session session(state_of({path("heat.ply")}), nullptr, ignore);
   settle(session);
   EXPECT_EQ(session.model()->scalar_names,
-            (std::vector<std::string>{"x", "y", "z", "heat"}));
+            (std::vector<std::string>{"heat", "x", "y", "z"}));
   session.change([](State& s) {
     s.looks.scalar.emplace();
     s.looks.scalar->source = "heat";

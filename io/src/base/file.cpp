@@ -41,7 +41,7 @@ Error too_large(const std::filesystem::path& path, const std::string& verb,
 }
 
 Result<std::string> read_bytes(const std::filesystem::path& path,
-                               std::uint64_t most) {
+                               std::uint64_t most, const Stop& stop) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
       std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) return unreadable(path);
@@ -56,6 +56,7 @@ Result<std::string> read_bytes(const std::filesystem::path& path,
   while (true) {
     const std::size_t got =
         std::fread(chunk.data(), 1, chunk.size(), file.get());
+    if (stop && stop()) return stopped();
     if (bytes.size() + got > most) return too_large(path, "has", most);
     bytes.append(chunk, 0, got);
     if (got < chunk.size()) break;
@@ -70,7 +71,8 @@ bool is_gzipped(std::string_view bytes) {
 
 /// Unpacks one or more gzip members.
 Result<std::string> unpacked(const std::filesystem::path& path,
-                             std::string_view bytes, std::uint64_t most) {
+                             std::string_view bytes, std::uint64_t most,
+                             const Stop& stop) {
   z_stream stream{};
   constexpr int kGzip = 16 + MAX_WBITS;
   if (inflateInit2(&stream, kGzip) != Z_OK)
@@ -93,6 +95,7 @@ Result<std::string> unpacked(const std::filesystem::path& path,
     bytes.remove_prefix(part - stream.avail_in);
     text.append(chunk, 0, chunk.size() - stream.avail_out);
     const auto index = static_cast<std::int64_t>(text.size());
+    if (stop && stop()) return stopped();
     if (text.size() > most) return too_large(path, "unpacks to", most);
     if (status == Z_STREAM_END) {
       if (!is_gzipped(bytes)) return text;  // padding may follow
@@ -171,10 +174,10 @@ bool is_plain_file(const std::filesystem::path& path) {
 }
 
 Result<std::string> read_file(const std::filesystem::path& path,
-                              std::uint64_t most) {
-  Result<std::string> bytes = read_bytes(path, most);
+                              std::uint64_t most, const Stop& stop) {
+  Result<std::string> bytes = read_bytes(path, most, stop);
   if (!bytes || !is_gzipped(*bytes)) return bytes;
-  return unpacked(path, *bytes, most);
+  return unpacked(path, *bytes, most, stop);
 }
 
 std::filesystem::path part_name(const std::filesystem::path& path) {

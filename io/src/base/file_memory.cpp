@@ -42,7 +42,7 @@ bool is_plain_file(const std::filesystem::path& path) {
 }
 
 Result<std::string> read_file(const std::filesystem::path& path,
-                              std::uint64_t most) {
+                              std::uint64_t most, const Stop&) {
   const FilesByName& files = files_by_name();
   const auto found = files.find(path.string());
   if (found == files.end()) {

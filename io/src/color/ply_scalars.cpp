@@ -153,10 +153,11 @@ Result<ScalarColumn> read_ply_scalars(const std::filesystem::path& path,
   return error_about(path.string(), column.error());
 }
 
-std::vector<std::string> ply_scalar_names(const std::filesystem::path& path) {
+std::vector<std::string> ply_scalar_names(const std::filesystem::path& path,
+                                          const Stop& stop) {
   std::vector<std::string> names;
   if (!has_extension(path, ".ply")) return names;
-  const Result<std::string> bytes = read_file(path);
+  const Result<std::string> bytes = read_file(path, kMostFileBytes, stop);
   if (!bytes) return names;
   TextReader text(*bytes, {});
   const Result<PlyHeader> header = read_ply_header(text);

@@ -33,9 +33,8 @@ Result<Mesh> read_mesh(const std::filesystem::path& path, const Stop& stop) {
                  path.string() + ": a mesh file ends in " +
                      format_extensions() + ", perhaps with .gz after it"};
   }
-  const Result<std::string> bytes = read_file(path);
+  const Result<std::string> bytes = read_file(path, kMostFileBytes, stop);
   if (!bytes) return bytes.error();
-  if (stop && stop()) return stopped();
   const std::filesystem::path folder = path.parent_path();
   Result<Mesh> mesh = read_bytes(*bytes, *format, &folder, stop);
   if (!mesh) return named(path, mesh.error());

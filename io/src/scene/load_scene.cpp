@@ -41,7 +41,8 @@ Result<LoadedScene> scene_of_text(const std::string& path,
 
 Result<LoadedScene> load_scene_file(const std::string& path,
                                     const ImportOptions& options) {
-  Result<std::string> text = read_file(path);
+  Result<std::string> text = read_file(path, kMostFileBytes, options.stop);
+  if (!text && text.error().code == ErrorCode::kStopped) return text.error();
   if (!text) return error_about(path, text.error());
   return scene_of_text(path, *text, options);
 }

@@ -150,6 +150,29 @@ TEST(ReadFile, StopsAtTheLimitAndNamesTheFile) {
                         "/dev/zero: has more than 16 MiB");
 }
 
+TEST(ReadFile, StopsWhereItIsAskedTo) {
+  const samples::TemporaryFile plain("a");
+  samples::write(plain.path(), std::string(5u << 20, 'x'));
+  const samples::TemporaryFile packed("a.gz");
+  ASSERT_TRUE(write_file(packed.path(), std::string(5u << 20, 'x')));
+  for (const auto& path : {plain.path(), packed.path()}) {
+    int all = 0;
+    ASSERT_TRUE(read_file(path, kMostFileBytes, [&] {
+      ++all;
+      return false;
+    }));
+    EXPECT_GE(all, 5) << path;
+    for (int at = 1; at <= all; ++at) {
+      int asked = 0;
+      const auto read =
+          read_file(path, kMostFileBytes, [&] { return ++asked == at; });
+      ASSERT_FALSE(read);
+      EXPECT_EQ(read.error().code, ErrorCode::kStopped);
+      EXPECT_EQ(asked, at);
+    }
+  }
+}
+
 TEST(WriteFile, LeavesWhatWasThereIfItFails) {
   const samples::TemporaryFile file("a");
   samples::write(file.path(), "before");

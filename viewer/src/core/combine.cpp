@@ -64,7 +64,11 @@ void append(const ReadPart& from, CombinedMesh& to) {
 
 Solid solid_of_part(const Part& part) {
   const auto [x, y, z] = part.shift;
-  const Solid solid = Solid::from_file(part.path);
+  // As in scripts: coordinates of floats and cuts by decimals seldom have a
+  // grid in common.
+  OperandOptions how;
+  how.may_round = true;
+  const Solid solid = Solid::from_file(part.path, how);
   return (x == 0 && y == 0 && z == 0 ? solid : solid.translated({x, y, z}))
       .named(part.path);
 }

@@ -137,15 +137,22 @@ Result<std::string> measures_of(const State& state, const Report& report) {
   const auto exact_area = solid.exact_area();
   const auto bounds = solid.bounds();
   if (!bounds) return bounds.error();
+  const auto rounding = solid.rounding();
+  if (!rounding) return rounding.error();
+  const std::string rounded =
+      rounding->moved == 0
+          ? std::string()
+          : fmt::format("\nof coordinates rounded by {:.2g} at most",
+                        rounding->max_move);
   const auto sections = section_lines(solid, state);
   if (!sections) return sections.error();
   const Point& low = bounds->low;
   const Point& high = bounds->high;
   return fmt::format(
-      "volume {} = {}\narea {}{}\nbox {:.6g} x {:.6g} x {:.6g}{}",
+      "volume {} = {}\narea {}{}\nbox {:.6g} x {:.6g} x {:.6g}{}{}",
       *solid.volume(), *volume, *area,
       exact_area && *exact_area ? " = " + **exact_area : std::string(),
-      high.x - low.x, high.y - low.y, high.z - low.z, *sections);
+      high.x - low.x, high.y - low.y, high.z - low.z, *sections, rounded);
 }
 
 }  // namespace halfspace::viewer

@@ -129,6 +129,10 @@ Result<std::shared_ptr<const io::Mesh>> MeshCache::mesh_of(
   if (!code && found != entries_.end() && found->second.time == time &&
       found->second.size == size)
     return found->second.mesh;
+  // Its end may never come, and it would not be read again.
+  std::error_code ignored;
+  if (std::filesystem::is_fifo(path, ignored))
+    return Error{ErrorCode::kUnreadable, path + ": is a pipe, not a file"};
   std::shared_ptr<const io::Mesh> result;
   if (io::is_scene_name(path)) {
     io::ImportOptions options;
@@ -146,7 +150,8 @@ Result<std::shared_ptr<const io::Mesh>> MeshCache::mesh_of(
     if (!mesh) return io::error_about(path, mesh.error());
     result = std::make_shared<const io::Mesh>(*std::move(mesh));
   }
-  if (!code) entries_[path] = {time, size, result, io::ply_scalar_names(path)};
+  if (!code)
+    entries_[path] = {time, size, result, io::ply_scalar_names(path, stop)};
   return result;
 }
 
@@ -259,6 +264,14 @@ Result<Model> make_scene_of(const State& state, Sections sections,
   if (model) note_box(*model, *parts);
   if (model && state.parts.size() == 1)
     model->scalar_names = cache.scalar_names_of(first.part->path);
+  if (model) {
+    // Coordinates come last: they are seen without colours.
+    std::stable_partition(model->scalar_names.begin(),
+                          model->scalar_names.end(),
+                          [](const std::string& name) {
+                            return name != "x" && name != "y" && name != "z";
+                          });
+  }
   if (model && model->loaded.file.scene.polygon_count() == 0) {
     return Error{ErrorCode::kEmpty,
                  first.part->path + ": there are no polygons to see"};

@@ -52,6 +52,11 @@ void Session::load() {
   loader_.request(state_, model_);
 }
 
+void Session::say(std::string message) {
+  message_ = std::move(message);
+  is_about_files_ = false;
+}
+
 void Session::note_file_times() { file_times_ = file_times_of(state_); }
 
 bool Session::update() {
@@ -117,7 +122,10 @@ void Session::take(Loaded loaded) {
 }
 
 void Session::give_up(const Error& error) {
-  if (error.code != ErrorCode::kStopped) message_ = error.message;
+  if (error.code != ErrorCode::kStopped) {
+    message_ = error.message;
+    is_about_files_ = true;
+  }
   // What was shown is shown still, so it is the state again: as it was before
   // the changes that are given up, with sections and looks that came since.
   const auto camera = state_.camera;

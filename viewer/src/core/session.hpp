@@ -67,7 +67,9 @@ class Session {
 
   /// The last error, until it is dismissed; empty if there is none.
   const std::string& message() const { return message_; }
-  void say(std::string message) { message_ = std::move(message); }
+  void say(std::string message);
+  /// Whether it says why files are not shown.
+  bool is_about_files() const { return is_about_files_; }
 
   /// Changes the picture's size. Requires: 1 to 65,536.
   void set_size(std::int32_t width_px, std::int32_t height_px);
@@ -140,6 +142,7 @@ class Session {
   std::optional<ScalarLook> numbers_look_;
   std::int32_t width_px_ = 640, height_px_ = 480;
   std::string message_;
+  bool is_about_files_ = false;  ///< the message
   unsigned gesture_ = 0;
   bool wants_first_view_ = true;
   std::uint64_t frame_number_ = 0;

@@ -173,12 +173,7 @@ void draw_looks(Session& session, Ui& ui) {
     change(session, [&looks](State& state) { state.looks = looks; });
 }
 void show_next_numbers(Session& session) {
-  std::vector<std::string> names = properties_of(session);
-  // Coordinates come last: they are seen without colours.
-  std::stable_partition(names.begin(), names.end(),
-                        [](const std::string& name) {
-                          return name != "x" && name != "y" && name != "z";
-                        });
+  const std::vector<std::string> names = properties_of(session);
   if (names.empty()) return;
   session.change([&names](State& state) {
     auto& scalar = state.looks.scalar;

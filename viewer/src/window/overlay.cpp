@@ -277,8 +277,9 @@ void draw_message(Session& session, const Ui& ui) {
   const auto width = static_cast<float>(
       std::min(520 * ui.scale, ui.view.width - 60 * ui.scale));
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 150, 120, 255));
-  ImGui::TextUnformatted(session.model() ? "Not shown; what was there stays"
-                                         : "Not shown");
+  ImGui::TextUnformatted(!session.is_about_files() ? "That cannot be done"
+                         : session.model() ? "Not shown; what was there stays"
+                                           : "Not shown");
   ImGui::PopStyleColor();
   ImGui::PushTextWrapPos(width);
   ImGui::TextUnformatted(session.message().c_str());
@@ -288,7 +289,9 @@ void draw_message(Session& session, const Ui& ui) {
 }
 
 void draw_welcome(Session& session, Ui& ui) {
-  if (session.model() || session.is_loading()) return;
+  if (session.model() || session.is_loading() ||
+      ui.question != FileQuestion::kNone)
+    return;
   const auto x = static_cast<float>(ui.view.x + ui.view.width / 2);
   const auto y = static_cast<float>(ui.view.y + ui.view.height / 2);
   begin_card("welcome", x, y, 0.5f, 0.5f);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "halfspace/io/stop.hpp"
 #include "halfspace/result.hpp"
 
 namespace halfspace::io {
@@ -18,12 +19,14 @@ constexpr std::uint64_t kMostFileBytes = std::uint64_t{1} << 32;
 /// Errors: kUnreadable; kTruncated or kSyntax (a gzipped file that is cut off
 ///         or damaged); kOutOfRange (more than `most` bytes, packed or
 ///         unpacked, or more than 16 MiB from a device). The message names the
-///         file.
+///         file. kStopped (by `stop`, which is asked once a MiB).
 Result<std::string> read_file(const std::filesystem::path& path,
-                              std::uint64_t most = kMostFileBytes);
+                              std::uint64_t most = kMostFileBytes,
+                              const Stop& stop = {});
 
-/// Makes a file of these bytes, gzipped if the name ends in `.gz`, beside the path first and then renamed: at the
-/// path there is all of it, or what was there before.
+/// Makes a file of these bytes, gzipped if the name ends in `.gz`, beside the
+/// path first and then renamed: at the path there is all of it, or what was
+/// there before.
 ///
 /// Keeps:  the file's permissions, and symbolic links that lead to it.
 /// Errors: kUnwritable; then nothing is left of what was begun.

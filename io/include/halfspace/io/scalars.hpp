@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "halfspace/io/load_scene.hpp"
+#include "halfspace/io/stop.hpp"
 #include "halfspace/result.hpp"
 #include "halfspace/scalars.hpp"
 
@@ -42,8 +43,10 @@ Result<ScalarColumn> read_scalars(const std::string& name);
 Result<ScalarColumn> read_ply_scalars(const std::filesystem::path& path,
                                       const std::string& property);
 
-/// The properties that read_ply_scalars() would find, none for other files.
-std::vector<std::string> ply_scalar_names(const std::filesystem::path& path);
+/// The properties that read_ply_scalars() would find, none for other files, nor
+/// where `stop` says so.
+std::vector<std::string> ply_scalar_names(const std::filesystem::path& path,
+                                          const Stop& stop = {});
 
 /// The field over a scene whose file has these numbers for its vertices or
 /// faces; their number says for which, where the column does not.
