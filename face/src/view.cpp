@@ -175,10 +175,7 @@ Result<fast::Rendering> Display::State::rendered(
   if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {
     const fast::BspTree* divided = ordered_tree(view);
     if (divided == nullptr) return detail::stopped();
-    Result<fast::AreaImage> areas =
-        fast::render_area(scene, *divided, *camera, *options);
-    if (!areas) return areas.error();
-    image.colors = std::move(areas->colors);
+    image.colors = fast::render_area(scene, *divided, *camera, *options).colors;
   }
   if (view.back_color) {
     fast::mark_back_faces(scene, *camera, image.items, *view.back_color,

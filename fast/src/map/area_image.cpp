@@ -2,146 +2,86 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cmath>
-#include <map>
-#include <span>
-#include <unordered_map>
 
 #include "halfspace/assert.hpp"
 #include "halfspace/cap_parts.hpp"
-#include "map/arc_pieces.hpp"
 #include "map/exact_moments.hpp"
+#include "map/map_maker.hpp"
+#include "map/pixel_cells.hpp"
 #include "raster/gouraud.hpp"
-#include "tree/eye_classifier.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-/// What is seen of a key in a pixel, as ArcPiece.
-struct Share {
-  std::int32_t key = kBackgroundKey;
-  double area = 0;
-  double x = 0;
-  double y = 0;
-};
-
-/// The heights of the parts of a column's right side on which a key is seen.
-struct Crossing {
-  std::int32_t key = kBackgroundKey;
-  double rise = 0;
-  double rise_y = 0;
-};
-
 using Channels = std::array<double, 3>;
 
-class AreaPainter {
+class AreaPainter : public PixelSink {
  public:
   AreaPainter(const Scene& scene, const BspTree& tree, const Camera& camera,
-              const ImageOptions& image, bool smooth, const VisibleMap& map,
-              AreaImage& result)
+              const ImageOptions& image, AreaImage& result)
       : scene_(scene),
+        tree_(tree),
+        camera_(camera),
         image_(image),
-        smooth_(smooth),
-        map_(map),
+        smooth_(image.shading == Shading::kGouraud &&
+                !scene.data().corner_colors.empty()),
         result_(result),
-        reader_(scene, tree),
-        view_(make_view(camera, scene.grid_bits())),
-        eye_side_(reader_, view_, camera.data(), stats_),
-        shader_(scene, camera.data(), view_) {
-    for (const MapRegion& region : map.regions)
-      item_of_.emplace(region.key, region.item);
+        feed_(scene, tree, camera, image,
+              {0, 0, camera->width_px, camera->height_px}),
+        cells_(camera->width_px, camera->height_px, *this),
+        shader_(scene, camera.data(), feed_.view()) {
     result.colors =
         ColorImage(camera->width_px, camera->height_px, image.background);
   }
 
   void run() {
-    const ArcPieces pieces = cut_along_pixels(map_, result_.colors.width_px,
-                                              result_.colors.height_px);
-    // A vertex is off by half a step of doubles and of the lattice of heights,
-    // a point between by some of these: 2^-50 of the image's size and 2^-43
-    // bound that. An arc that is off by d changes the area beside it by d times
-    // its length, which is below 2 in a pixel: so 16 d for an arc and what is
-    // rounded. It does so where it passes, or in a pixel next to that.
-    const double off = 0x1p-43 + 0x1p-50 * std::max(result_.colors.width_px,
-                                                    result_.colors.height_px);
-    doubt_ = 16 * off * 9 * static_cast<double>(pieces.most);
-    for (std::int32_t row = 0; row < result_.colors.height_px; ++row) {
-      const auto r = static_cast<std::size_t>(row);
-      paint_row(row, {pieces.pieces.data() + pieces.first[r],
-                      pieces.pieces.data() + pieces.first[r + 1]});
+    const auto light = [&](std::span<const HalfPlane> sides, PolygonId item) {
+      if (lines_of(sides)) cells_.light(sides_, item);
+      return !cells_.full();
+    };
+    // As MapMaker::light_all().
+    feed_.run_caps(-1, light);
+    if (!cells_.full()) {
+      feed_.run(
+          image_.cull,
+          [&](const CellBox& box) { return cells_.any_unlit(box); }, light);
     }
+    if (!image_.cull && !cells_.full()) feed_.run_caps(1, light);
+    cells_.finish();
   }
 
- private:
-  void paint_row(std::int32_t row, std::span<const ArcPiece> pieces) {
-    crossings_.clear();
-    std::int32_t next = 0;
-    for (std::size_t first = 0; first < pieces.size();) {
-      std::size_t end = first;
-      const std::int32_t column = pieces[first].column;
-      while (end < pieces.size() && pieces[end].column == column) ++end;
-      fill(next, column, row);
-      mix(column, row, pieces.subspan(first, end - first));
-      next = column + 1;
-      first = end;
-    }
-    fill(next, result_.colors.width_px, row);
-  }
-
-  /// Pixels that one key has all of.
-  void fill(std::int32_t from, std::int32_t end, std::int32_t row) {
-    if (from >= end) return;
-    HALFSPACE_ASSERT(crossings_.size() == 1);
-    const std::int32_t key = crossings_[0].key;
-    const PolygonId item = item_of(key);
+  void fill(PolygonId item, std::int32_t row, std::int32_t from,
+            std::int32_t end) override {
     if (!is_smooth(item)) {
-      std::fill(&result_.colors.at(from, row),
-                &result_.colors.at(from, row) + (end - from), flat_color(item));
+      std::fill_n(&result_.colors.at(from, row), end - from, flat_color(item));
       return;
     }
     start(item);
     for (std::int32_t x = from; x < end; x += 32) {
-      const int count = std::min(end - x, 32);
-      std::uint8_t bytes[96];
-      shader_.shade(x, row, ~std::uint32_t{0} >> (32 - count), bytes, 0);
-      for (int k = 0; k < count; ++k) {
-        result_.colors.at(x + k, row) = {bytes[3 * k], bytes[3 * k + 1],
-                                         bytes[3 * k + 2]};
-      }
+      const std::uint32_t bits =
+          ~std::uint32_t{0} >> (32 - std::min(end - x, 32));
+      static_assert(sizeof(Rgb) == 3);
+      shader_.shade(x, row, bits,
+                    reinterpret_cast<std::uint8_t*>(&result_.colors.at(x, row)),
+                    0);
     }
   }
 
   void mix(std::int32_t column, std::int32_t row,
-           std::span<const ArcPiece> pieces) {
-    shares_.clear();
-    for (const Crossing& c : crossings_)
-      shares_.push_back({c.key, c.rise, c.rise / 2, c.rise_y});
-    for (const ArcPiece& piece : pieces) {
-      for (const bool gains : {true, false}) {
-        const std::int32_t region = gains ? piece.gains : piece.loses;
-        if (region < 0) continue;
-        const std::int32_t key =
-            map_.regions[static_cast<std::size_t>(region)].key;
-        const double s = gains ? 1 : -1;
-        Share& share = find(shares_, key);
-        share.area += s * piece.area;
-        share.x += s * piece.area_x;
-        share.y += s * piece.area_y;
-        Crossing& crossing = find(crossings_, key);
-        crossing.rise += s * piece.rise;
-        crossing.rise_y += s * piece.rise_y;
-      }
-    }
-    std::erase_if(crossings_, [](const Crossing& c) { return c.rise == 0; });
+           std::span<const PixelShare> shares, double error) override {
     Channels sum = {};
-    double doubt = 256 * doubt_;
-    for (const Share& share : shares_) add(share, column, row, sum, doubt);
+    Channels doubt;
+    doubt.fill(256 * error + 0x1p-40);
+    for (const PixelShare& share : shares)
+      add(share, column, row, error, sum, doubt);
     Rgb color;
     bool exact = false;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double level = std::floor(sum[c] + 0.5);
+      const int level = static_cast<int>(sum[c] + 0.5);
       const double above = sum[c] + 0.5 - level;
-      exact |= !(above > doubt && above < 1 - doubt);
+      exact |= !(above > doubt[c] && above < 1 - doubt[c]);
       channel(color, c) = static_cast<std::uint8_t>(level);
     }
     if (exact) {
@@ -151,61 +91,126 @@ class AreaPainter {
     result_.colors.at(column, row) = color;
   }
 
-  template <class Keyed>
-  static Keyed& find(std::vector<Keyed>& list, std::int32_t key) {
-    for (Keyed& entry : list) {
-      if (entry.key == key) return entry;
+ private:
+  /// The lines of a polygon's sides; false if it has no area in the image.
+  bool lines_of(std::span<const HalfPlane> sides) {
+    sides_.clear();
+    const LineTable& lines = feed_.lines();
+    for (const HalfPlane& side : sides) {
+      if (lines.is_zero(side.line)) return false;
+      sides_.push_back(line_of(side.line, side.side));
     }
-    return list.emplace_back(Keyed{key});
+    return true;
   }
+  PixelLine line_of(LineId line, double scale) {
+    const LineTable& lines = feed_.lines();
+    return {2 * scale * lines.slope_x(line), 2 * scale * lines.slope_y(line),
+            scale * lines.offset(line)};
+  }
+
   static std::uint8_t& channel(Rgb& color, std::size_t c) {
     return c == 0 ? color.r : c == 1 ? color.g : color.b;
   }
 
-  /// Adds what a key gives to a pixel's colour.
+  /// Adds what an item gives to a pixel's colour.
   ///
-  /// A smooth colour is between 0 and 256, so that of an area too small to have
-  /// a sure centroid is in doubt by so much. Else the centroid is off by
-  /// 4 e / area, and the quotient of affine functions by that times its slopes.
-  void add(const Share& share, std::int32_t column, std::int32_t row,
-           Channels& sum, double& doubt) {
-    const PolygonId item = item_of(share.key);
+  /// With its area and integrals off by e, a centroid is off by 2 e / area
+  /// along either axis. A mean of the corners' colours is off by their range
+  /// times twice what that and rounding add to the weights, of their sum. Where
+  /// that is not small the colour is one between the corners'.
+  void add(const PixelShare& share, std::int32_t column, std::int32_t row,
+           double error, Channels& sum, Channels& doubt) {
+    const PolygonId item = share.item;
     if (!is_smooth(item)) {
       Rgb color = flat_color(item);
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += share.area * channel(color, c);
       return;
     }
-    if (share.area < 16 * doubt_) {
-      doubt += 256 * (std::abs(share.area) + doubt_);
-      return;
+    const double x = column + share.x / share.area;
+    const double y = row + share.y / share.area;
+    const Weights& weights = weights_of(item);
+    const auto colors = scene_.corner_colors(item);
+    Channels mean = {};
+    double total = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PixelLine& line = weights.lines[k];
+      const double weight = line.a * x + (line.b * y + line.c);
+      total += weight;
+      Rgb color = colors[k];
+      for (std::size_t c = 0; c < 3; ++c) mean[c] += weight * channel(color, c);
     }
-    start(item);
-    const Gradient& g = shader_.gradient();
-    const double u = column + share.x / share.area - 0.5;
-    const double v = row + share.y / share.area - 0.5;
-    const double off = 4 * doubt_ / share.area;
-    const double total = g.a[3] * u + (g.b[3] * v + g.c[3]);
-    const double slope = std::abs(g.a[3]) + std::abs(g.b[3]);
-    const double least = total - slope * off - g.doubt;
-    if (!(least > 0)) {
-      doubt = 1;
-      return;
-    }
-    double steepest = 0;
+    const double off = weights.slopes * 2 * error / share.area +
+                       weights.scales * cells_.line_error();
+    const bool is_sure = total > 4 * off;
+    const double part = is_sure ? 2 * off / (total - off) : 1;
     for (std::size_t c = 0; c < 3; ++c) {
-      sum[c] += share.area * ((g.a[c] * u + (g.b[c] * v + g.c[c])) / total);
-      steepest =
-          std::max(steepest, std::abs(g.a[c]) + std::abs(g.b[c]) + 256 * slope);
+      sum[c] += share.area * (is_sure ? mean[c] / total : weights.least[c]);
+      doubt[c] +=
+          share.area * (weights.range[c] * part + 0x1p-40) + 256 * error;
     }
-    doubt += share.area * (steepest * off + g.doubt) / least + 256 * doubt_;
   }
 
+  /// The functions of S5.4 of a triangle's corners, of one scale: those of the
+  /// edges opposite.
+  struct Weights {
+    std::array<PixelLine, 3> lines;
+    double slopes = 0;  ///< the sizes of all `a` and `b`
+    double scales = 0;  ///< the sum of the lines' scales
+    Channels least = {};
+    Channels range = {};  ///< of the corners' colours
+  };
+  const Weights& weights_of(PolygonId item) {
+    if (item == weighed_) return weights_;
+    weighed_ = item;
+    const int eye_sign =
+        feed_.eye_side()(feed_.reader().planes().plane(item), item);
+    LineTable& lines = feed_.lines();
+    const auto corners = scene_.corners(item);
+    std::array<LineId, 3> edges{};
+    std::array<int, 3> signs{};
+    int highest = INT_MIN;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId p = corners[(k + 1) % 3];
+      const VertexId q = corners[(k + 2) % 3];
+      edges[k] = p < q ? lines.edge(p, q) : lines.edge(q, p);
+      signs[k] = p < q ? eye_sign : -eye_sign;
+      highest = std::max(highest, lines.exponent(edges[k]));
+    }
+    weights_.slopes = weights_.scales = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double scale = std::ldexp(1.0, lines.exponent(edges[k]) - highest);
+      const PixelLine line = line_of(edges[k], signs[k] * scale);
+      weights_.lines[k] = line;
+      weights_.slopes += std::abs(line.a) + std::abs(line.b);
+      weights_.scales += scale;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      double least = 255;
+      double most = 0;
+      for (Rgb color : scene_.corner_colors(item)) {
+        least = std::min<double>(least, channel(color, c));
+        most = std::max<double>(most, channel(color, c));
+      }
+      weights_.least[c] = least;
+      weights_.range[c] = most - least;
+    }
+    return weights_;
+  }
+
+  /// From the map of the pixel.
   Rgb exact_color(std::int32_t column, std::int32_t row) {
+    MapMaker maker(scene_, tree_, camera_, image_,
+                   {column, row, column + 1, row + 1});
+    maker.light_all(image_.cull, {});
+    const auto map = maker.finish({}, [](PolygonId item) {
+      return item == kBackground ? kBackgroundKey : item;
+    });
+    HALFSPACE_ASSERT(map.has_value());
     std::array<BigRational, 3> sum = {0, 0, 0};
-    for (const auto& [key, seen] : exact_moments(map_, column, row)) {
+    for (const auto& [key, seen] : exact_moments(*map, column, row)) {
       if (seen.area == 0) continue;
-      const PolygonId item = item_of(key);
+      const PolygonId item = key == kBackgroundKey ? kBackground : key;
       if (!is_smooth(item)) {
         Rgb color = flat_color(item);
         for (std::size_t c = 0; c < 3; ++c)
@@ -225,9 +230,9 @@ class AreaPainter {
   void start(PolygonId item) {
     if (item == started_) return;
     started_ = item;
-    shader_.start(item, eye_side_(reader_.planes().plane(item), item));
+    shader_.start(item,
+                  feed_.eye_side()(feed_.reader().planes().plane(item), item));
   }
-  PolygonId item_of(std::int32_t key) const { return item_of_.at(key); }
   bool is_smooth(PolygonId item) const {
     return smooth_ && item != kBackground && !is_cap(item) &&
            has_gradient(scene_, item);
@@ -245,55 +250,26 @@ class AreaPainter {
   }
 
   const Scene& scene_;
+  const BspTree& tree_;
+  const Camera& camera_;
   const ImageOptions& image_;
   bool smooth_;
-  const VisibleMap& map_;
   AreaImage& result_;
-  TreeReader reader_;
-  View view_;
-  FilterStats stats_;
-  EyeClassifier eye_side_;
+  MapFeed feed_;
+  PixelCells cells_;
   GouraudShader shader_;
   PolygonId started_ = kBackground;
-  std::unordered_map<std::int32_t, PolygonId> item_of_;
-  double doubt_ = 0;
-  std::vector<Crossing> crossings_;
-  std::vector<Share> shares_;
+  Weights weights_;
+  PolygonId weighed_ = kBackground;
+  std::vector<PixelLine> sides_;
 };
-
-/// Polygons of one colour have one key; smooth ones their own.
-MapOptions keys_of(const Scene& scene, const ImageOptions& image, bool smooth) {
-  MapOptions options;
-  options.cull = image.cull;
-  if (smooth) return options;
-  std::map<Rgb, std::int32_t> numbers;
-  for (const Rgb& color : scene.data().colors) {
-    const auto next = static_cast<std::int32_t>(numbers.size());
-    options.keys.push_back(numbers.try_emplace(color, next).first->second);
-  }
-  if (!image.caps || image.clips.empty()) return options;
-  for (std::size_t k = 0; k < cap_item_count(image); ++k) {
-    const auto next = static_cast<std::int32_t>(numbers.size());
-    const Rgb color = color_of(image, cap_item(k));
-    options.keys.push_back(numbers.try_emplace(color, next).first->second);
-  }
-  return options;
-}
 
 }  // namespace
 
-Result<AreaImage> render_area(const Scene& scene, const BspTree& tree,
-                              const Camera& camera, const ImageOptions& image,
-                              const MapLimits& limits) {
-  const bool smooth =
-      image.shading == Shading::kGouraud && !scene.data().corner_colors.empty();
-  const Result<VisibleMap> map = section_map(
-      scene, tree, camera, keys_of(scene, image, smooth), image, limits);
-  if (!map) return map.error();
+AreaImage render_area(const Scene& scene, const BspTree& tree,
+                      const Camera& camera, const ImageOptions& image) {
   AreaImage result;
-  result.cells = map->cells;
-  result.arcs = map->arcs.size();
-  AreaPainter(scene, tree, camera, image, smooth, *map, result).run();
+  AreaPainter(scene, tree, camera, image, result).run();
   return result;
 }
 

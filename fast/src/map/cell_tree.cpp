@@ -7,11 +7,10 @@
 
 namespace halfspace::fast {
 
-CellTree::CellTree(LineTable& lines, std::int32_t width, std::int32_t height,
-                   int depth)
+CellTree::CellTree(LineTable& lines, const Rectangle& rectangle, int depth)
     : lines_(lines), cutter_(lines) {
   add_cell(add_node(-1), cutter_.rectangle(), kBackground);
-  grid(width, height, depth);
+  grid(rectangle, depth);
 }
 
 CellNodeId CellTree::add_node(CellNodeId parent) {
@@ -68,13 +67,14 @@ void CellTree::drop_cell(CellNodeId node) {
   --cell_count_;
 }
 
-void CellTree::grid(std::int32_t width, std::int32_t height, int depth) {
+void CellTree::grid(const Rectangle& rectangle, int depth) {
   struct Block {
     CellNodeId leaf;
     std::int32_t left, top, right, bottom;
     int depth;
   };
-  std::vector<Block> blocks = {{0, 0, 0, width, height, depth}};
+  std::vector<Block> blocks = {{0, rectangle.left, rectangle.top,
+                                rectangle.right, rectangle.bottom, depth}};
   while (!blocks.empty()) {
     const Block block = blocks.back();
     blocks.pop_back();

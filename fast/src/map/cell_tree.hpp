@@ -27,14 +27,14 @@ struct CellBox {
   double bottom = 0;
 };
 
-/// The image rectangle, divided by a 2-D BSP tree into convex cells, each lit
-/// by one polygon or unlit (S7.2; FAQ, "two dimensional BSP tree").
+/// A rectangle of the image, divided by a 2-D BSP tree into convex cells, each
+/// lit by one polygon or unlit (S7.2; FAQ, "two dimensional BSP tree").
 class CellTree {
  public:
   /// `depth`: how often the rectangle is halved beforehand, across x and y in
   /// turn, so that the tree stays shallow.
-  CellTree(LineTable& lines, std::int32_t width, std::int32_t height,
-           int depth);
+  /// Requires: the rectangle is that of the table.
+  CellTree(LineTable& lines, const Rectangle& rectangle, int depth);
 
   /// Lights the unlit parts of the intersection of the half-planes.
   void light(std::span<const HalfPlane> sides, PolygonId item);
@@ -90,7 +90,7 @@ class CellTree {
   /// Gives a node without a cell two children without cells.
   void divide(CellNodeId node, LineId line);
   std::vector<CellEdge> polygon_of(CellNodeId leaf) const;
-  void grid(std::int32_t width, std::int32_t height, int depth);
+  void grid(const Rectangle& rectangle, int depth);
   /// The intersection of the half-planes with the rectangle, into `polygon_`;
   /// false if there is none.
   bool clip(std::span<const HalfPlane> sides);

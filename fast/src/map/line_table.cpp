@@ -58,15 +58,16 @@ std::uint64_t pair_of(std::int32_t first, std::int32_t second) {
 }  // namespace
 
 LineTable::LineTable(const TreeReader& reader, const CameraData& camera,
+                     const Rectangle& rectangle,
                      const std::vector<ClipPlane>& clips)
     : reader_(reader),
       camera_(camera),
       clips_(clips),
       grid_bits_(reader.scene().grid_bits()) {
-  upright(0);
-  level(0);
-  upright(camera.width_px);
-  level(camera.height_px);
+  upright(rectangle.left);
+  level(rectangle.top);
+  upright(rectangle.right);
+  level(rectangle.bottom);
 }
 
 template <int kBits>
@@ -133,7 +134,8 @@ LineId LineTable::named(Kind kind, std::int32_t first, std::int32_t second) {
   });
   const double size = std::max(std::abs(line.a), std::abs(line.b));
   if (size > 0) {
-    const double scale = std::ldexp(1.0, -std::ilogb(size));
+    line.exponent = static_cast<std::int16_t>(std::ilogb(size));
+    const double scale = std::ldexp(1.0, -line.exponent);
     line.a *= scale;
     line.b *= scale;
     line.c *= scale;

@@ -7,6 +7,7 @@
 
 #include "camera/clip_function.hpp"
 #include "camera/edge_function.hpp"
+#include "halfspace/fast/render.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "tree/tree_reader.hpp"
 
@@ -29,8 +30,8 @@ struct MapPoint {
   VertexId vertex = -1;  ///< the vertex of the scene that is seen there, if one
 };
 
-/// The sides of the image rectangle, which every table begins with. Positive
-/// inside.
+/// The sides of the rectangle, which every table begins with. The left and the
+/// top one are positive inside.
 constexpr LineId kLeftSide = 0;
 constexpr LineId kTopSide = 1;
 constexpr LineId kRightSide = 2;
@@ -43,7 +44,9 @@ constexpr LineId kBottomSide = 3;
 /// doubles cannot decide.
 class LineTable {
  public:
+  /// The first four lines are the sides of a rectangle of the image.
   LineTable(const TreeReader& reader, const CameraData& camera,
+            const Rectangle& rectangle,
             const std::vector<ClipPlane>& clips = {});
 
   /// The image of a source edge, positive on the side that edge_function()
@@ -110,6 +113,8 @@ class LineTable {
   double slope_x(LineId line) const { return at(line).a; }
   double slope_y(LineId line) const { return at(line).b; }
   double offset(LineId line) const { return at(line).c; }
+  /// The power of two that the line's function is more than these.
+  int exponent(LineId line) const { return at(line).exponent; }
   const FilterStats& stats() const { return stats_; }
   /// Frees what finds lines again by name: no more are made by it.
   void forget_names() {
@@ -140,6 +145,7 @@ class LineTable {
     std::int32_t first = 0;  ///< its name, with what kind it is of
     std::int32_t second = 0;
     Kind kind = Kind::kColumn;
+    std::int16_t exponent = 0;
   };
   static constexpr double kMargin = 1 + 0x1p-40;
 

@@ -22,16 +22,7 @@ Result<VisibleMap> section_map(const Scene& scene, const BspTree& tree,
                    options.keys.size() >=
                        scene.polygon_count() + cap_item_count(image));
   MapMaker maker(scene, tree, camera, image);
-  CellTree& cells = maker.cells();
-  // What is kept is behind the planes that the eye is behind (S10, "Caps need
-  // no depth order").
-  maker.light_caps(-1, limits);
-  maker.run(options.cull, true, limits,
-            [&](std::span<const HalfPlane> sides, PolygonId source) {
-              cells.light(sides, source);
-              return !cells.full();
-            });
-  if (!options.cull) maker.light_caps(1, limits);
+  maker.light_all(options.cull, limits);
   return maker.finish(limits, [&](PolygonId item) {
     if (item == kBackground) return kBackgroundKey;
     return options.keys.empty() ? item

@@ -155,8 +155,9 @@ void fill_cell(const Cell& cell, const CellTree& cells, const LineTable& lines,
 
 ScreenWork fill_cells(const ScreenFrame& frame, const ImageOptions& options,
                       Rendering& image) {
-  LineTable lines(frame.reader, frame.camera, options.clips);
-  CellTree cells(lines, frame.camera.width_px, frame.camera.height_px, 0);
+  const Rectangle all = {0, 0, frame.camera.width_px, frame.camera.height_px};
+  LineTable lines(frame.reader, frame.camera, all, options.clips);
+  CellTree cells(lines, all, 0);
   FragmentSides sides(frame.reader, frame.camera, lines);
   std::vector<HalfPlane> left;
   image.fragments_displayed = show_all(

@@ -189,9 +189,8 @@ class Engine {
   ///
   /// Requires: a tree without leaves, where the library has trees for it; no
   ///           rows.
-  /// Errors: kOutOfRange: the visible map is too large.
-  virtual Result<Picture> render_area(const Scene& scene, const Camera& camera,
-                                      const Shot& shot) const = 0;
+  virtual Picture render_area(const Scene& scene, const Camera& camera,
+                              const Shot& shot) const = 0;
 
   /// Marks what is seen from behind in a picture of one sample a pixel (S5.8).
   virtual void mark_back_faces(const Scene& scene, const Camera& camera,

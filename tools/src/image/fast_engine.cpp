@@ -104,19 +104,18 @@ class FastEngine : public Engine {
     return {count.subtrees, count.fragments};
   }
 
-  Result<Picture> render_area(const Scene& scene, const Camera& camera,
-                              const Shot& shot) const override {
-    Result<fast::AreaImage> image =
+  Picture render_area(const Scene& scene, const Camera& camera,
+                      const Shot& shot) const override {
+    fast::AreaImage image =
         fast::render_area(scene, tree_, camera, shot.options);
-    if (!image) return image.error();
     Picture picture;
-    picture.exact_pixels = image->exact_pixels;
+    picture.exact_pixels = image.exact_pixels;
     picture.pixels_painted =
-        image->colors.pixels.size() -
-        static_cast<std::size_t>(std::count(image->colors.pixels.begin(),
-                                            image->colors.pixels.end(),
+        image.colors.pixels.size() -
+        static_cast<std::size_t>(std::count(image.colors.pixels.begin(),
+                                            image.colors.pixels.end(),
                                             shot.options.background));
-    picture.colors = std::move(image->colors);
+    picture.colors = std::move(image.colors);
     if (shot.items) {
       fast::RenderOptions how;
       how.threads = shot.threads;

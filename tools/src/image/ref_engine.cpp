@@ -88,8 +88,8 @@ class RefEngine : public Engine {
   // The reference shows every fragment: nothing is left out.
   Behind count_behind(const Scene&, const Camera&) const override { return {}; }
 
-  Result<Picture> render_area(const Scene& scene, const Camera& camera,
-                              const Shot& shot) const override {
+  Picture render_area(const Scene& scene, const Camera& camera,
+                      const Shot& shot) const override {
     Picture picture;
     picture.colors = ref::render_area(scene, camera, shot.options);
     picture.pixels_painted = picture.colors.pixels.size();

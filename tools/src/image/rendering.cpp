@@ -315,10 +315,7 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
   for (std::uint32_t i = 0; i < arguments.repeat.value_or(1); ++i) {
     const Stopwatch watch;
     if (anti_aliasing == AntiAliasing::kExact) {
-      Result<Picture> picture =
-          engine.render_area(loaded.file.scene, camera, shot);
-      if (!picture) return picture.error();
-      frame.picture = *std::move(picture);
+      frame.picture = engine.render_area(loaded.file.scene, camera, shot);
     } else {
       frame.picture = engine.render(loaded.file.scene, camera, shot);
     }
