@@ -40,6 +40,8 @@ def made_line(chance, width, height):
         return f"press {chance.choice(['left', 'middle', 'right'])}{held}"
     if kind < 14:
         return f"release {chance.choice(['left', 'middle', 'right'])}"
+    if kind == 14:
+        return f"pinch {chance.uniform(-.2, .2):.3f} {x} {y}"
     if kind < 16:
         return f"wheel {chance.uniform(-3, 3):.3f}{held}"
     if kind < 18:

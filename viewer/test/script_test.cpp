@@ -8,7 +8,8 @@ namespace {
 TEST(Script, EveryEventGivesItselfBack) {
   const std::string lines =
       "move 10 -20\nmove 1 2 shift ctrl\npress left\nrelease right alt\n"
-      "wheel -1.5\nwheel 3 shift\nkey A\nkey Ctrl+Shift+Z\nkey Ctrl++\nkey +\n"
+      "wheel -1.5\nwheel 3 shift\npinch -0.25 9 -3\nkey A\nkey "
+      "Ctrl+Shift+Z\nkey Ctrl++\nkey +\n"
       "text Hello, you\ndrop /a b/c.stl\nsize 300 200\nwait\ndump\n"
       "shot window.png\nquit\n";
   const auto events = parse_script(lines);
@@ -37,9 +38,10 @@ TEST(Script, CommentsAndEmptyLinesSayNothing) {
 }
 
 TEST(Script, FaultsNameTheLine) {
-  for (const char* line : {"jump", "move 1", "move 1 2 meta", "press thumb",
-                           "wheel fast", "wheel nan", "key", "key Hyper+A",
-                           "text", "size 0 5", "wait now", "drag left 1 2 3"}) {
+  for (const char* line :
+       {"jump", "move 1", "move 1 2 meta", "press thumb", "wheel fast",
+        "wheel nan", "pinch 1 2", "pinch inf 1 2", "key", "key Hyper+A", "text",
+        "size 0 5", "wait now", "drag left 1 2 3"}) {
     const auto events = parse_script("wait\n" + std::string(line));
     ASSERT_FALSE(events) << line;
     EXPECT_EQ(events.error().index, 2) << line;

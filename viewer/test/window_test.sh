@@ -83,6 +83,39 @@ for ((i = 1; i < 11; ++i)); do
   cmp -s "out-$i.png" "out-$((i - 1)).png" && wrong "move $i moves nothing"
 done
 
+# Two fingers zoom to where they are, and pan; over the panel they do nothing.
+played 5 pinwheel.off --size 320x240 <<'END'
+dump
+pinch 0.1 100 100
+dump
+press left
+release left
+pinch 0 100 100
+pinch 0 130 90
+dump
+press left
+release left
+pinch 0.3 500 100
+dump
+pinch 0 100 100
+pinch 0 70 110
+pinch -0.1 100 100
+dump
+END
+cmp -s out-0.png out-1.png && wrong 'two fingers do not zoom'
+cmp -s out-1.png out-2.png && wrong 'two fingers do not pan'
+same out-2.png out-3.png
+python3 -c 'import json
+def camera(n):
+    return json.load(open(f"out-{n}.view"))["camera"]
+def size(c):
+    return sum((a - b) ** 2 for a, b in zip(c["eye"], c["target"])) ** 0.5
+# Nearer by e^-0.4, then across, then as far again.
+assert abs(size(camera(1)) / size(camera(0)) - 0.67032) < 1e-3
+assert abs(size(camera(2)) / size(camera(1)) - 1) < 1e-9
+assert abs(size(camera(4)) / size(camera(0)) - 1) < 1e-3' ||
+  wrong 'two fingers zoom by another factor'
+
 # Two files, a boolean by the panel's state, hiding, undoing.
 played 4 box.off other.off --size 200x150 <<'END'
 dump

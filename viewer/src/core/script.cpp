@@ -20,10 +20,11 @@ struct KindWord {
 constexpr KindWord kKinds[] = {
     {"move", Kind::kMove},       {"press", Kind::kPress},
     {"release", Kind::kRelease}, {"wheel", Kind::kWheel},
-    {"key", Kind::kKey},         {"text", Kind::kText},
-    {"drop", Kind::kDrop},       {"size", Kind::kSize},
-    {"wait", Kind::kWait},       {"dump", Kind::kDump},
-    {"shot", Kind::kShot},       {"quit", Kind::kQuit}};
+    {"pinch", Kind::kPinch},     {"key", Kind::kKey},
+    {"text", Kind::kText},       {"drop", Kind::kDrop},
+    {"size", Kind::kSize},       {"wait", Kind::kWait},
+    {"dump", Kind::kDump},       {"shot", Kind::kShot},
+    {"quit", Kind::kQuit}};
 
 constexpr std::array<std::string_view, 3> kButtons = {"left", "middle",
                                                       "right"};
@@ -171,6 +172,12 @@ bool parse_arguments(Words& words, Event& event) {
       event.amount = *amount;
       return parse_modifiers(words, event.modifiers);
     }
+    case Kind::kPinch: {
+      const auto amount = words.number<double>();
+      if (!amount || !std::isfinite(*amount)) return false;
+      event.amount = *amount;
+      return parse_place(words, event) && words.is_empty();
+    }
     case Kind::kKey:
       return parse_key(words.rest(), event);
     case Kind::kText:
@@ -245,6 +252,8 @@ std::string to_text(const Event& event) {
              modifiers_text(held);
     case Kind::kWheel:
       return text + fmt::format(" {}", event.amount) + modifiers_text(held);
+    case Kind::kPinch:
+      return text + fmt::format(" {} {} {}", event.amount, event.x, event.y);
     case Kind::kKey:
       return text + (held.control ? " Ctrl+" : " ") +
              (held.shift ? "Shift+" : "") + (held.alt ? "Alt+" : "") +

@@ -27,6 +27,7 @@ struct Event {
     kPress,    ///< of the button
     kRelease,  ///< of the button
     kWheel,    ///< `amount` notches, away from the user if above 0
+    kPinch,    ///< two fingers about x, y, apart by `amount` more
     kKey,      ///< the key that SDL calls `text`, pressed and released
     kText,     ///< letters that were typed
     kDrop,     ///< the file `text`

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "core/measure.hpp"
 #include "core/moves.hpp"
@@ -67,7 +69,11 @@ void Window::handle(const SDL_Event& event) {
       wheel(event.wheel);
       break;
     case SDL_MULTIGESTURE:
-      pinch(event.mgesture.dDist);
+      pinch(event.mgesture);
+      break;
+    case SDL_FINGERDOWN:
+    case SDL_FINGERUP:
+      fingers_.reset();
       break;
     case SDL_KEYDOWN:
       key(event.key);
@@ -104,6 +110,7 @@ void Window::handle_window(const SDL_WindowEvent& event) {
 }
 
 void Window::press(int button, int x, int y) {
+  fingers_.reset();
   if (ImGui::GetIO().WantCaptureMouse || !ui_.view.holds(x, y)) return;
   if (button_ != 0) return;
   button_ = button;
@@ -179,6 +186,7 @@ void Window::move_held(const glm::dvec2& drag) {
 }
 
 void Window::release(int button, bool is_double) {
+  fingers_.reset();
   if (button != button_) return;
   button_ = 0;
   grip_.reset();
@@ -246,11 +254,27 @@ void Window::wheel(const SDL_MouseWheelEvent& wheel) {
                          at.y - static_cast<float>(ui_.view.y)}));
 }
 
-void Window::pinch(double distance) {
+void Window::pinch(const SDL_MultiGestureEvent& gesture) {
   if (!session_.camera()) return;
+  int width = 0, height = 0;
+  SDL_GetRendererOutputSize(renderer_, &width, &height);
+  const glm::dvec2 at(double{gesture.x} * width - ui_.view.x,
+                      double{gesture.y} * height - ui_.view.y);
+  const std::optional<glm::dvec2> before = std::exchange(fingers_, at);
+  // The first finger was taken for a mouse, which has pressed a button.
+  button_ = 0;
+  grip_.reset();
   const io::ViewOptions& camera = *session_.camera();
-  ask_for_camera(zoomed(camera, std::exp(-4 * distance),
-                        {camera.width_px / 2.0, camera.height_px / 2.0}));
+  if (!before && (at.x < 0 || at.y < 0 || at.x >= camera.width_px ||
+                  at.y >= camera.height_px)) {
+    fingers_.reset();
+    return;
+  }
+  stop_flight(session_, ui_);
+  const double factor =
+      std::exp(-4 * std::clamp(double{gesture.dDist}, -1.0, 1.0));
+  ask_for_camera(
+      zoomed(before ? panned(camera, at - *before) : camera, factor, at));
 }
 
 void Window::key(const SDL_KeyboardEvent& key) {

@@ -327,6 +327,7 @@ void draw_help(Ui& ui) {
     draw_row("Ctrl+drag", "turn the picture");
     draw_row("Alt+drag", "move a file or a cut");
     draw_row("Shift+wheel", "pan");
+    draw_row("Two fingers", "zoom and pan");
     draw_row("Click", "what is there");
     draw_row("Double click", "turn about it");
     for (const KeyAction& action : key_actions()) {

@@ -78,6 +78,16 @@ Result<Done> Window::play_event(const Event& event) {
       e.type = SDL_MOUSEWHEEL;
       e.wheel.preciseY = static_cast<float>(event.amount);
       break;
+    case Kind::kPinch: {
+      int width = 0, height = 0;
+      SDL_GetRendererOutputSize(renderer_, &width, &height);
+      e.type = SDL_MULTIGESTURE;
+      e.mgesture.numFingers = 2;
+      e.mgesture.dDist = static_cast<float>(event.amount);
+      e.mgesture.x = static_cast<float>(event.x) / static_cast<float>(width);
+      e.mgesture.y = static_cast<float>(event.y) / static_cast<float>(height);
+      break;
+    }
     case Kind::kKey: {
       e.type = SDL_KEYDOWN;
       e.key.keysym.sym = SDL_GetKeyFromName(event.text.c_str());
@@ -166,6 +176,15 @@ void Window::record(const SDL_Event& e) {
       event.kind = Kind::kWheel;
       event.amount = static_cast<double>(e.wheel.preciseY);
       break;
+    case SDL_MULTIGESTURE: {
+      int width = 0, height = 0;
+      SDL_GetRendererOutputSize(renderer_, &width, &height);
+      event.kind = Kind::kPinch;
+      event.amount = static_cast<double>(e.mgesture.dDist);
+      event.x = static_cast<int>(e.mgesture.x * static_cast<float>(width));
+      event.y = static_cast<int>(e.mgesture.y * static_cast<float>(height));
+      break;
+    }
     case SDL_KEYDOWN: {
       event.kind = Kind::kKey;
       event.text = SDL_GetKeyName(e.key.keysym.sym);

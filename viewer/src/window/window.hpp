@@ -57,7 +57,7 @@ class Window {
   void wheel(const SDL_MouseWheelEvent& wheel);
   void key(const SDL_KeyboardEvent& key);
   void click(int x, int y, bool is_double);
-  void pinch(double distance);
+  void pinch(const SDL_MultiGestureEvent& gesture);
   void drop();
   void ask_for_camera(const io::ViewOptions& camera);
   void note_request();
@@ -107,6 +107,7 @@ class Window {
   };
   std::optional<Held> grip_;
   unsigned grip_count_ = 0;
+  std::optional<glm::dvec2> fingers_;  ///< their middle, while two are down
   int pressed_x_ = 0, pressed_y_ = 0, last_x_ = 0, last_y_ = 0;
   bool has_moved_ = false;
   bool is_hover_known_ = false;  ///< to the panels, of the cursor's place
