@@ -245,6 +245,7 @@ Solid solid_of(const State& state) {
 Result<Done> save_combined(const State& state,
                            const std::filesystem::path& path,
                            const Report& report) {
+  if (!report("boolean", 0)) return io::stopped();
   const Solid solid = solid_of(state);
   const Result<Done> done = evaluated(solid, report);
   if (!done) return done.error();

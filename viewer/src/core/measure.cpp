@@ -13,6 +13,7 @@
 
 #include "core/combine.hpp"
 #include "core/moves.hpp"
+#include "halfspace/io/stop.hpp"
 
 namespace halfspace::viewer {
 
@@ -123,13 +124,20 @@ Result<std::string> section_lines(const Solid& solid, const State& state) {
 }  // namespace
 
 Result<std::string> measures_of(const State& state, const Report& report) {
+  // The boolean counts its progress. Reading comes before it, and the numbers
+  // come after: a quarter of the bar each.
+  const auto part = [&report](double from, double to) {
+    return [&report, from, to](double share) {
+      return report("measuring", from + (to - from) * share);
+    };
+  };
+  if (!report("measuring", 0)) return io::stopped();
   const Solid solid = solid_of(state);
   WorkOptions options;
-  options.progress = [&report](double share) {
-    return report("measuring", share);
-  };
+  options.progress = part(0.25, 0.75);
   const auto done = solid.evaluate(options);
   if (!done) return done.error();
+  if (!part(0.75, 1)(0)) return io::stopped();
   const auto volume = solid.exact_volume();
   if (!volume) return volume.error();
   const auto area = solid.area();
@@ -144,6 +152,7 @@ Result<std::string> measures_of(const State& state, const Report& report) {
           ? std::string()
           : fmt::format("\nof coordinates rounded by {:.2g} at most",
                         rounding->max_move);
+  if (!part(0.75, 1)(0.5)) return io::stopped();
   const auto sections = section_lines(solid, state);
   if (!sections) return sections.error();
   const Point& low = bounds->low;

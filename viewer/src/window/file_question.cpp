@@ -162,7 +162,7 @@ Result<Done> begin_saving(Session& session, Background& background,
   return Done{};
 }
 
-void answer(Session& session, Background& background, Ui& ui, Browser& b) {
+void answer(Session& session, Jobs& jobs, Ui& ui, Browser& b) {
   const std::string path = (b.folder / b.name).string();
   std::error_code code;
   if (fs::is_directory(path, code)) {
@@ -174,7 +174,7 @@ void answer(Session& session, Background& background, Ui& ui, Browser& b) {
   if (b.question == FileQuestion::kAdd) session.add({path});
   if (b.question == FileQuestion::kSavePicture && io::is_figure_name(path) &&
       ui.draw_figure) {
-    const auto begun = begin_figure(session, background, ui, path);
+    const auto begun = begin_figure(session, jobs.saving, ui, path);
     if (!begun) {
       b.fault = begun.error().message;
       return;
@@ -189,7 +189,7 @@ void answer(Session& session, Background& background, Ui& ui, Browser& b) {
         b.question == FileQuestion::kSaveView ||
         (b.question == FileQuestion::kSavePicture && is_view_name(path));
     const auto begun = is_view ? write_state(path, session.state())
-                               : begin_saving(session, background, ui, path);
+                               : begin_saving(session, jobs.saving, ui, path);
     if (!begun) {
       b.fault = begun.error().message;
       return;
@@ -198,7 +198,7 @@ void answer(Session& session, Background& background, Ui& ui, Browser& b) {
   }
   if (b.question == FileQuestion::kExport) {
     const State state = session.state();
-    background.start([state, path](const Report& report) {
+    jobs.solids.start([state, path](const Report& report) {
       const auto saved = save_combined(state, path, report);
       return saved ? Result<std::string>("Saved " + path)
                    : Result<std::string>(saved.error());
@@ -231,7 +231,7 @@ bool draw_list(Browser& b, float height) {
 
 }  // namespace
 
-void draw_file_question(Session& session, Background& background, Ui& ui) {
+void draw_file_question(Session& session, Jobs& jobs, Ui& ui) {
   Browser& b = browser();
   if (ui.question == FileQuestion::kNone) {
     b.question = FileQuestion::kNone;
@@ -277,7 +277,7 @@ void draw_file_question(Session& session, Background& background, Ui& ui) {
   if (is_cancelled)
     ui.question = FileQuestion::kNone;
   else if (is_answered && !b.name.empty())
-    answer(session, background, ui, b);
+    answer(session, jobs, ui, b);
 }
 
 }  // namespace halfspace::viewer

@@ -246,27 +246,33 @@ bool begin_card(const char* name, float x, float y, float pivot_x,
   return is_open;
 }
 
-void draw_progress(Session& session, Background& background, const Ui& ui) {
-  Progress progress = session.progress();
-  const bool is_loading = !progress.work.empty();
-  if (!is_loading) progress = background.progress();
-  if (progress.work.empty()) return;
+/// A card for work that is being done; whether it is to end.
+bool draw_card_of(const Progress& progress, const char* name, float low,
+                  const Ui& ui) {
   const auto middle = static_cast<float>(ui.view.x + ui.view.width / 2);
-  const auto low =
-      static_cast<float>(ui.view.y + ui.view.height - 24 * ui.scale);
-  begin_card("progress", middle, low, 0.5f, 1);
+  begin_card(name, middle, low, 0.5f, 1);
   ImGui::TextUnformatted(progress.work.c_str());
   const auto width = static_cast<float>(260 * ui.scale);
   ImGui::ProgressBar(static_cast<float>(progress.share),
                      {width, static_cast<float>(8 * ui.scale)}, "");
   ImGui::SameLine();
-  if (ImGui::SmallButton("Cancel")) {
-    if (is_loading)
-      session.cancel_loading();
-    else
-      background.cancel();
-  }
+  const bool is_cancelled = ImGui::SmallButton("Cancel");
   ImGui::End();
+  return is_cancelled;
+}
+
+void draw_progress(Session& session, Jobs& jobs, const Ui& ui) {
+  auto low = static_cast<float>(ui.view.y + ui.view.height - 24 * ui.scale);
+  const auto step = static_cast<float>(76 * ui.scale);
+  const auto draw = [&](const Progress& progress, const char* name) {
+    if (progress.work.empty()) return false;
+    const bool is_cancelled = draw_card_of(progress, name, low, ui);
+    low -= step;
+    return is_cancelled;
+  };
+  if (draw(session.progress(), "loading")) session.cancel_loading();
+  if (draw(jobs.solids.progress(), "solids")) jobs.solids.cancel();
+  if (draw(jobs.saving.progress(), "saving")) jobs.saving.cancel();
 }
 
 void draw_message(Session& session, const Ui& ui) {
@@ -371,7 +377,7 @@ AxesPlace axes_place(const Ui& ui) {
           radius};
 }
 
-void draw_overlay(Session& session, Background& background, Ui& ui) {
+void draw_overlay(Session& session, Jobs& jobs, Ui& ui) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 low = {static_cast<float>(ui.view.x),
                       static_cast<float>(ui.view.y)};
@@ -386,7 +392,7 @@ void draw_overlay(Session& session, Background& background, Ui& ui) {
   }
   list.PopClipRect();
   draw_welcome(session, ui);
-  draw_progress(session, background, ui);
+  draw_progress(session, jobs, ui);
   draw_message(session, ui);
   draw_help(ui);
 }

@@ -199,7 +199,7 @@ void draw_chosen_faces(const std::vector<PickedPoint>& points) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-void draw_measures(Session& session, Background& background, Ui& ui) {
+void draw_measures(Session& session, Jobs& jobs, Ui& ui) {
   ImGui::Checkbox("Keep points that are clicked", &ui.measures);
   if (ui.points.empty()) {
     ImGui::TextDisabled("Click on the model: the nearest corner,");
@@ -215,7 +215,7 @@ void draw_measures(Session& session, Background& background, Ui& ui) {
   if (wide_button("Volume and area", 1) && !session.state().parts.empty()) {
     const State state = session.state();
     ui.measures_text.clear();
-    background.start(
+    jobs.solids.start(
         [state](const Report& report) { return measures_of(state, report); });
   }
   if (!ui.measures_text.empty())
@@ -372,7 +372,7 @@ void draw_undo(Session& session, Ui& ui) {
   if (wide_button("Keys", 4)) ui.has_help = !ui.has_help;
 }
 
-void draw_side_panel(Session& session, Background& background, Ui& ui) {
+void draw_side_panel(Session& session, Jobs& jobs, Ui& ui) {
   const float left = static_cast<float>(ui.view.x + ui.view.width);
   const ImVec2 all = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({left, 0});
@@ -387,7 +387,7 @@ void draw_side_panel(Session& session, Background& background, Ui& ui) {
   if (begin_section("Look")) draw_looks(session, ui);
   if (begin_section("Section", session.model() != nullptr))
     draw_sections(session, ui);
-  if (begin_section("Measure")) draw_measures(session, background, ui);
+  if (begin_section("Measure")) draw_measures(session, jobs, ui);
   if (begin_section("Combine", session.state().parts.size() > 1))
     draw_booleans(session, ui);
   if (begin_section("Save")) draw_saving(session, ui);
@@ -425,13 +425,12 @@ void draw_status_line(Session& session, const Ui& ui) {
 
 }  // namespace
 
-void draw_panels(Session& session, Background& background, Ui& ui) {
+void draw_panels(Session& session, Jobs& jobs, Ui& ui) {
   if (ui.closes_popups) ImGui::ClosePopupToLevel(0, true);
   ui.closes_popups = false;
-  if (ui.has_panel && !ui.is_fullscreen)
-    draw_side_panel(session, background, ui);
+  if (ui.has_panel && !ui.is_fullscreen) draw_side_panel(session, jobs, ui);
   if (!ui.is_fullscreen) draw_status_line(session, ui);
-  draw_file_question(session, background, ui);
+  draw_file_question(session, jobs, ui);
   ui.has_popup = ImGui::IsPopupOpen(
       "", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }

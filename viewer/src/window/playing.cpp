@@ -45,7 +45,7 @@ Result<Done> Window::play() {
                      event.kind == Kind::kShot;
   if (waits) {
     update();
-    if (!session_.is_settled() || background_.is_busy()) return Done{};
+    if (!session_.is_settled() || jobs_.are_busy()) return Done{};
   }
   // A picture of the window is taken when panels have settled.
   if (event.kind == Kind::kShot && redraws_ > 0) return Done{};

@@ -78,14 +78,25 @@ struct Ui {
   std::string measures_text;  ///< of the solid, a line each
 };
 
+/// Work beside the pictures. What is saved does not wait for solids, which are
+/// measured and exported.
+struct Jobs {
+  explicit Jobs(const std::function<void()>& wake)
+      : saving(wake), solids(wake) {}
+  bool are_busy() const { return saving.is_busy() || solids.is_busy(); }
+
+  Background saving;
+  Background solids;
+};
+
 /// Panels, the status line and questions, by ImGui.
-void draw_panels(Session& session, Background& background, Ui& ui);
+void draw_panels(Session& session, Jobs& jobs, Ui& ui);
 
 /// The question for a file's name, if one is asked, and what follows from it.
-void draw_file_question(Session& session, Background& background, Ui& ui);
+void draw_file_question(Session& session, Jobs& jobs, Ui& ui);
 
 /// What is drawn over the picture: axes, measures, progress, messages.
-void draw_overlay(Session& session, Background& background, Ui& ui);
+void draw_overlay(Session& session, Jobs& jobs, Ui& ui);
 
 /// The circle of the axes, in which a drag turns freely. Units: pixels.
 struct AxesPlace {

@@ -60,7 +60,7 @@ Window::Window(const WindowOptions& options, SDL_Window* window,
                  event.type = wake_event_;
                  SDL_PushEvent(&event);
                }),
-      background_([this] {
+      jobs_([this] {
         if (is_woken_.exchange(true)) return;
         SDL_Event event{};
         event.type = wake_event_;
@@ -159,17 +159,8 @@ void Window::update() {
     note_request();
     fly_to(session_, ui_, *found);
   }
-  while (auto result = background_.take()) {
-    if (!*result) {
-      if (result->error().code != ErrorCode::kStopped)
-        session_.say(result->error().message);
-    } else if ((*result)->starts_with("Saved")) {
-      ui_.note = **result;
-    } else {
-      ui_.measures_text = **result;
-    }
-    redraws_ = 3;
-  }
+  while (const auto result = jobs_.saving.take()) note_done(*result);
+  while (const auto result = jobs_.solids.take()) note_done(*result);
   if (options_.watch && window_now_ms() >= next_look_ms_) {
     next_look_ms_ = window_now_ms() + kWatchMs;
     session_.reload_if_changed();
@@ -184,6 +175,18 @@ void Window::update() {
   }
   lay_out();
   show_title();
+}
+
+void Window::note_done(const Result<std::string>& result) {
+  if (!result) {
+    if (result.error().code != ErrorCode::kStopped)
+      session_.say(result.error().message);
+  } else if (result->starts_with("Saved")) {
+    ui_.note = *result;
+  } else {
+    ui_.measures_text = *result;
+  }
+  redraws_ = 3;
 }
 
 void Window::note_opened() {
@@ -289,8 +292,8 @@ void Window::draw() {
   imgui_.begin_frame();
   is_hover_known_ = true;
   if (imgui_.has_pending()) redraws_ = std::max(redraws_, 3);
-  draw_panels(session_, background_, ui_);
-  draw_overlay(session_, background_, ui_);
+  draw_panels(session_, jobs_, ui_);
+  draw_overlay(session_, jobs_, ui_);
   const SDL_Rect view = {ui_.view.x, ui_.view.y, ui_.view.width,
                          ui_.view.height};
   const ImguiBackend::Changes changes = imgui_.end_frame(view);

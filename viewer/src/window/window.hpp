@@ -66,6 +66,7 @@ class Window {
   void fly();
   void follow_eye();
   void note_opened();
+  void note_done(const Result<std::string>& result);
   void draw();
   bool take_rows();
   void paint(const SDL_Rect& region);
@@ -87,7 +88,7 @@ class Window {
   ImguiBackend imgui_;
   Ui ui_;
   Session session_;
-  Background background_;
+  Jobs jobs_;
   Player* player_;
   SDL_Texture* texture_ = nullptr;
   int texture_width_ = 0, texture_height_ = 0;
