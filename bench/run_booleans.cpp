@@ -1,12 +1,15 @@
 #include <benchmark/benchmark.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory_resource>
 #include <string>
+#include <utility>
 
 #include "booleans/contestant.hpp"
+#include "booleans/mesh_file.hpp"
 #include "booleans/table_reporter.hpp"
 #include "halfspace/fast/huge_page_pool.hpp"
 
@@ -15,7 +18,12 @@ namespace halfspace::bench {
 namespace {
 
 std::vector<Contestant> contestants() {
-  std::vector<Contestant> all{ours_in_turn(), ours_at_once()};
+  std::vector<Contestant> all{ours_in_turn(), ours_at_once(), ours_checked(),
+                              ours_at_once_checked()};
+#ifdef HALFSPACE_BENCH_MANIFOLD
+  all.push_back(manifold_in_turn());
+  all.push_back(manifold_in_batch());
+#endif
 #ifdef HALFSPACE_BENCH_CGAL
   all.push_back(cgal());
   all.push_back(cgal_nef());
@@ -38,7 +46,8 @@ const char* fault_of(const BooleanCase& task, const Contestant& contestant,
   if (!outcome.closed) return "wrong: not closed";
   if (is_ours(contestant) && task.least != 0 && outcome.triangles != task.least)
     return "wrong: not the least triangles";
-  if (std::abs(outcome.volume6 - volume6) > 1e-9 * volume6)
+  if (std::abs(outcome.volume6 - volume6) >
+      contestant.volume_error * volume6_of(task.operands.front()))
     return "wrong: another volume than the first one's";
   return nullptr;
 }
@@ -63,10 +72,48 @@ void measure(benchmark::State& state, const BooleanCase& task,
   }
 }
 
+/// Our options; the others are Google Benchmark's.
+struct Request {
+  int grid_bits = 0;  ///< 0: the models' own coordinates, which are whole
+  std::uint64_t seed = 0;
+  std::vector<std::string> meshes;
+};
+
+/// All cases that are asked for; an error if a mesh cannot be read.
+Result<std::vector<BooleanCase>> cases_of(const Request& request) {
+  std::vector<BooleanCase> cases;
+  if (request.meshes.empty()) cases = boolean_cases(request.seed);
+  for (const std::string& path : request.meshes) {
+    Result<Triangles> mesh = read_triangles(path);
+    if (!mesh) return mesh.error();
+    for (const double turn : {0.0, 0.01})
+      cases.push_back(mesh_pair(path, *mesh, turn, request.seed));
+  }
+  if (request.grid_bits != 0) {
+    for (BooleanCase& task : cases)
+      task = in_floats(std::move(task), request.grid_bits, request.seed);
+  }
+  return cases;
+}
+
 int run(int count, char** arguments) {
   benchmark::Initialize(&count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
-  const std::vector<BooleanCase> cases = boolean_cases();
+  Request request;
+  CLI::App app("Booleans of solids, ours and others'");
+  app.add_option("--grid", request.grid_bits,
+                 "coordinates are floats, on a grid of so many bits")
+      ->check(CLI::IsMember({26, 40, 54}));
+  app.add_option("--seed", request.seed, "where solids stand");
+  app.add_option("--mesh", request.meshes,
+                 "meshes, each with itself moved, in place of all cases");
+  CLI11_PARSE(app, count, arguments);
+  if (!request.meshes.empty() && request.grid_bits == 0) request.grid_bits = 54;
+  const Result<std::vector<BooleanCase>> made = cases_of(request);
+  if (!made) {
+    std::fprintf(stderr, "run_booleans: %s\n", made.error().message.c_str());
+    return 2;
+  }
+  const std::vector<BooleanCase>& cases = *made;
   const std::vector<Contestant> all = contestants();
   bool good = true;
   for (const BooleanCase& task : cases) {

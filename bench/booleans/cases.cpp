@@ -1,12 +1,43 @@
 #include "booleans/cases.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-namespace halfspace::bench {
+#include "random.hpp"
 
-BooleanCase two_spheres(int triangles, double turn) {
+namespace halfspace::bench {
+namespace {
+
+/// From 0 to 1.
+double share(Random& random) {
+  return static_cast<double>(random.between(0, 1 << 30)) * 0x1p-30;
+}
+
+/// Of length 1; all about evenly.
+std::array<double, 3> direction(Random& random) {
+  for (;;) {
+    std::array<double, 3> d;
+    for (double& x : d) x = 2 * share(random) - 1;
+    const double length = std::hypot(d[0], d[1], d[2]);
+    if (length > 1 || length < 0.1) continue;
+    for (double& x : d) x /= length;
+    return d;
+  }
+}
+
+}  // namespace
+
+BooleanCase two_spheres(int triangles, double turn, std::uint64_t seed) {
   Placement second;
-  if (turn == 0) {
+  if (seed != 0) {
+    Random random(seed);
+    second.axis = direction(random);
+    second.turn = turn == 0 ? 1 : turn;
+    if (turn == 0) {
+      second.centre = direction(random);
+      for (double& x : second.centre) x *= 0.5 * second.radius;
+    }
+  } else if (turn == 0) {
     second.turn = 1;
     second.centre = {0.4 * second.radius, 0.25 * second.radius,
                      0.15 * second.radius};
@@ -29,6 +60,14 @@ BooleanCase two_spheres(int triangles, double turn) {
   return result;
 }
 
+BooleanCase same_sphere(int triangles, BooleanOp operation) {
+  const Triangles one = sphere(bands_for(triangles), {});
+  return {"sphere " + std::to_string(triangles / 1000) + " k, itself, " +
+              (operation == BooleanOp::kUnion ? "union" : "difference"),
+          operation,
+          {one, one}};
+}
+
 BooleanCase menger(int level) {
   constexpr std::int64_t kScale = 1024;
   BooleanCase result{"Menger " + std::to_string(level), BooleanOp::kDifference,
@@ -43,18 +82,22 @@ BooleanCase menger(int level) {
   return result;
 }
 
-BooleanCase plate() {
+BooleanCase plate(bool is_flush) {
   constexpr std::int64_t kPitch = 1 << 16;
   constexpr int kHoles = 10;
-  BooleanCase result{"plate, 100 holes", BooleanOp::kDifference, {}, 13212};
+  BooleanCase result{is_flush ? "plate, 100 holes" : "plate, 100 drilled",
+                     BooleanOp::kDifference,
+                     {},
+                     13212};
+  const std::int64_t more = is_flush ? 0 : kPitch / 4;
   result.repeats_of_others = 1;
   result.operands.push_back(
       block({0, 0, 0}, {kHoles * kPitch, kHoles * kPitch, kPitch}));
   for (int i = 0; i < kHoles; ++i) {
     for (int j = 0; j < kHoles; ++j) {
       result.operands.push_back(
-          prism(32, {i * kPitch + kPitch / 2, j * kPitch + kPitch / 2, 0},
-                kPitch / 3, kPitch));
+          prism(32, {i * kPitch + kPitch / 2, j * kPitch + kPitch / 2, -more},
+                kPitch / 3, kPitch + 2 * more));
     }
   }
   return result;
@@ -96,18 +139,74 @@ BooleanCase shared_face(int count) {
   return result;
 }
 
-std::vector<BooleanCase> boolean_cases() {
+std::vector<BooleanCase> boolean_cases(std::uint64_t seed) {
   std::vector<BooleanCase> cases;
   for (const double turn : {0.0, 0.01}) {
     for (const int triangles : {1000, 10000, 100000, 1000000})
-      cases.push_back(two_spheres(triangles, turn));
+      cases.push_back(two_spheres(triangles, turn, seed));
   }
+  for (const BooleanOp operation : {BooleanOp::kUnion, BooleanOp::kDifference})
+    cases.push_back(same_sphere(10000, operation));
   cases.push_back(menger(3));
   cases.push_back(menger(4));
-  cases.push_back(plate());
+  for (const bool is_flush : {true, false}) cases.push_back(plate(is_flush));
   for (const int count : {100, 1000}) cases.push_back(sphere_chain(count));
   cases.push_back(shared_face(50));
   return cases;
+}
+
+Triangles moved(Triangles surface, double turn, std::uint64_t seed) {
+  Random random(seed);
+  using Point = std::array<double, 3>;
+  Point low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  const auto point_of = [](const GridPoint& p) {
+    return Point{static_cast<double>(p.x), static_cast<double>(p.y),
+                 static_cast<double>(p.z)};
+  };
+  for (const GridPoint& p : surface.points) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], point_of(p)[k]);
+      high[k] = std::max(high[k], point_of(p)[k]);
+    }
+  }
+  const double size =
+      std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  const Point axis = direction(random);
+  for (GridPoint& grid_point : surface.points) {
+    Point p = point_of(grid_point);
+    for (std::size_t k = 0; k < 3; ++k) p[k] -= (low[k] + high[k]) / 2;
+    if (turn != 0) p = turned(p, turn, axis);
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] += (low[k] + high[k]) / 2;
+      if (turn == 0) p[k] += 0.1 * size * axis[k];
+    }
+    grid_point = {std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
+  }
+  return surface;
+}
+
+BooleanCase in_floats(BooleanCase task, int grid_bits, std::uint64_t seed) {
+  Random random(seed);
+  double extent = 1;
+  for (const Triangles& operand : task.operands) {
+    for (const GridPoint& p : operand.points) {
+      for (const std::int64_t x : {p.x, p.y, p.z})
+        extent = std::max(extent, std::abs(static_cast<double>(x)));
+    }
+  }
+  // What comes of it is below 1.
+  const double scale = 0.4 * (1 + share(random)) / extent;
+  const std::array<double, 3> shift = direction(random);
+  const auto placed = [&](std::int64_t x, std::size_t axis) {
+    const double at = scale * static_cast<double>(x) + 0.1 * shift[axis];
+    return std::llround(
+        std::ldexp(double{static_cast<float>(at)}, grid_bits - 1));
+  };
+  for (Triangles& operand : task.operands) {
+    for (GridPoint& p : operand.points)
+      p = {placed(p.x, 0), placed(p.y, 1), placed(p.z, 2)};
+  }
+  return task;
 }
 
 }  // namespace halfspace::bench

@@ -28,12 +28,23 @@ struct Contestant {
   std::optional<Outcome> (*run)(const BooleanCase& task);
   /// Whether the case is run at all.
   bool (*takes)(const BooleanCase& task);
+  /// How far its volume may be from the first one's, as a share of the first
+  /// operand's: doubles round, and some libraries move points.
+  double volume_error = 1e-9;
 };
 
 /// fast::Chain, one operand after the other; fast::boolean of just two.
 Contestant ours_in_turn();
 /// fast::boolean_all, all operands at once, where there are more than two.
 Contestant ours_at_once();
+/// Both with operands that are checked, as the program does.
+Contestant ours_checked();
+Contestant ours_at_once_checked();
+/// Manifold, one operand after the other, in one thread
+/// (HALFSPACE_BENCH_MANIFOLD).
+Contestant manifold_in_turn();
+/// Manifold, all operands at once, where there are more than two.
+Contestant manifold_in_batch();
 /// CGAL's corefinement with its exact kernel (HALFSPACE_BENCH_CGAL).
 Contestant cgal();
 /// CGAL's Nef polyhedra, with the same kernel (HALFSPACE_BENCH_CGAL).

@@ -7,14 +7,13 @@
 #include "halfspace/assert.hpp"
 
 namespace halfspace::bench {
-namespace {
 
 using Point = std::array<double, 3>;
 
-/// The point turned about the axis (1, 2, 3), by Rodrigues' formula.
-Point turned(const Point& p, double angle) {
-  const double length = std::sqrt(14.0);
-  const Point k{1 / length, 2 / length, 3 / length};
+/// By Rodrigues' formula.
+Point turned(const Point& p, double angle, const Point& axis) {
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  const Point k{axis[0] / length, axis[1] / length, axis[2] / length};
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   const double along = k[0] * p[0] + k[1] * p[1] + k[2] * p[2];
@@ -28,8 +27,10 @@ Point turned(const Point& p, double angle) {
   return q;
 }
 
+namespace {
+
 GridPoint placed(const Point& unit, const Placement& placement) {
-  const Point p = turned(unit, placement.turn);
+  const Point p = turned(unit, placement.turn, placement.axis);
   const auto at = [&](std::size_t i) {
     return std::llround(placement.centre[i] + placement.radius * p[i]);
   };
@@ -145,6 +146,23 @@ std::vector<Triangles> menger_bars(int level, std::int64_t scale) {
     }
   }
   return bars;
+}
+
+double volume6_of(const Triangles& triangles) {
+  double sum = 0;
+  for (const auto& corners : triangles.corners) {
+    const auto at = [&](std::size_t i) {
+      const GridPoint& p =
+          triangles.points[static_cast<std::size_t>(corners[i])];
+      return Point{static_cast<double>(p.x), static_cast<double>(p.y),
+                   static_cast<double>(p.z)};
+    };
+    const Point p = at(0), q = at(1), r = at(2);
+    sum += p[0] * (q[1] * r[2] - q[2] * r[1]) +
+           p[1] * (q[2] * r[0] - q[0] * r[2]) +
+           p[2] * (q[0] * r[1] - q[1] * r[0]);
+  }
+  return sum;
 }
 
 GridSolid solid_of(const Triangles& triangles) {

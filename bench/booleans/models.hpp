@@ -19,8 +19,13 @@ struct Triangles {
 struct Placement {
   std::array<double, 3> centre{};
   double radius = 0x1p23;
-  double turn = 0;  ///< about the axis (1, 2, 3)
+  double turn = 0;  ///< about the axis
+  std::array<double, 3> axis{1, 2, 3};
 };
+
+/// The point turned about an axis through the origin. Units: radians.
+std::array<double, 3> turned(const std::array<double, 3>& point, double angle,
+                             const std::array<double, 3>& axis);
 
 /// A sphere of 4 n (n - 1) triangles in n bands, every corner rounded to the
 /// grid.
@@ -43,6 +48,9 @@ Triangles pyramid(std::int64_t side, const GridPoint& tip);
 /// The square bars that, taken away from the block from the origin to 3^level
 /// on every axis, leave a Menger sponge; all times `scale`, coarse bars first.
 std::vector<Triangles> menger_bars(int level, std::int64_t scale);
+
+/// Six times the volume within, about. Units: cubic grid steps.
+double volume6_of(const Triangles& triangles);
 
 /// The surface as a valid solid of one colour.
 GridSolid solid_of(const Triangles& triangles);

@@ -5,6 +5,7 @@
 #include "booleans/contestant.hpp"
 #include "halfspace/fast/boolean.hpp"
 #include "halfspace/fast/chain.hpp"
+#include "halfspace/fast/check_operand.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "timing.hpp"
 
@@ -45,16 +46,18 @@ fast::Solid lean(fast::Solid solid) {
 }
 
 template <class Evaluate>
-std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
+std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate,
+                             bool is_checked = false) {
   Outcome outcome;
   const double start = process_ms();
   std::vector<fast::Solid> solids;
   for (const Triangles& operand : task.operands) {
     const GridSolid solid = solid_of(operand);
     const auto part = static_cast<std::int32_t>(solids.size());
-    solids.push_back(lean(solids.empty()
-                              ? fast::to_solid(solid)
-                              : fast::to_solid(solid, solids[0], part)));
+    fast::Solid made = solids.empty() ? fast::to_solid(solid)
+                                      : fast::to_solid(solid, solids[0], part);
+    if (is_checked && !fast::check_operand(made)) return {};
+    solids.push_back(lean(std::move(made)));
   }
   const double imported = process_ms();
   fast::Solid result = evaluate(std::move(solids));
@@ -70,32 +73,48 @@ std::optional<Outcome> timed(const BooleanCase& task, Evaluate&& evaluate) {
   return outcome;
 }
 
+template <bool kIsChecked>
 std::optional<Outcome> in_turn(const BooleanCase& task) {
-  return timed(task, [&](std::vector<fast::Solid> solids) {
-    if (solids.size() == 2)
-      return fast::boolean(task.operation, solids[0], solids[1]);
-    fast::Chain chain(std::move(solids[0]));
-    for (std::size_t i = 1; i < solids.size(); ++i)
-      chain.apply(task.operation, solids[i]);
-    return std::move(chain).solid();
-  });
+  return timed(
+      task,
+      [&](std::vector<fast::Solid> solids) {
+        if (solids.size() == 2)
+          return fast::boolean(task.operation, solids[0], solids[1]);
+        fast::Chain chain(std::move(solids[0]));
+        for (std::size_t i = 1; i < solids.size(); ++i)
+          chain.apply(task.operation, solids[i]);
+        return std::move(chain).solid();
+      },
+      kIsChecked);
 }
 
+template <bool kIsChecked>
 std::optional<Outcome> at_once(const BooleanCase& task) {
-  return timed(task, [&](const std::vector<fast::Solid>& solids) {
-    return fast::boolean_all(task.operation, solids);
-  });
+  return timed(
+      task,
+      [&](const std::vector<fast::Solid>& solids) {
+        return fast::boolean_all(task.operation, solids);
+      },
+      kIsChecked);
 }
+
+bool takes_any(const BooleanCase&) { return true; }
+bool takes_many(const BooleanCase& task) { return task.operands.size() > 2; }
 
 }  // namespace
 
-Contestant ours_in_turn() {
-  return {"Halfspace", &in_turn, [](const BooleanCase&) { return true; }};
+Contestant ours_in_turn() { return {"Halfspace", &in_turn<false>, &takes_any}; }
+
+Contestant ours_checked() {
+  return {"Halfspace, checked", &in_turn<true>, &takes_any};
 }
 
 Contestant ours_at_once() {
-  return {"Halfspace, at once", &at_once,
-          [](const BooleanCase& task) { return task.operands.size() > 2; }};
+  return {"Halfspace, at once", &at_once<false>, &takes_many};
+}
+
+Contestant ours_at_once_checked() {
+  return {"Halfspace, at once, checked", &at_once<true>, &takes_many};
 }
 
 }  // namespace halfspace::bench

@@ -1,6 +1,8 @@
 #include "booleans/table_reporter.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "papers/table.hpp"
 
@@ -63,6 +65,41 @@ void TableReporter::Finalize() {
   GetOutputStream()
       << "Processor time in ms, one thread, least of all runs.\n\n"
       << to_markdown(table);
+  print_means();
+}
+
+void TableReporter::print_means() {
+  using Times = std::map<std::string, double>;  // by case
+  std::map<std::string, Times> ours, others;
+  for (const Row& row : rows_) {
+    if (!row.error.empty()) continue;
+    const bool is_ours = row.who.rfind("Halfspace", 0) == 0;
+    (is_ours ? ours : others)[row.who][row.task] = row.total_ms;
+  }
+  if (others.empty()) return;
+  Table table{{"ours", "other", "cases", "mean ratio", "least", "of"}, {}};
+  for (const auto& [mine, my_times] : ours) {
+    for (const auto& [other, its_times] : others) {
+      std::size_t cases = 0;
+      double sum = 0, least = 0;
+      std::string of;
+      for (const auto& [task, time] : my_times) {
+        const auto its = its_times.find(task);
+        if (its == its_times.end()) continue;
+        const double ratio = its->second / time;
+        sum += std::log(ratio);
+        if (cases++ != 0 && ratio >= least) continue;
+        least = ratio;
+        of = task;
+      }
+      if (cases == 0) continue;
+      table.rows.push_back({mine, other, std::to_string(cases),
+                            digits(std::exp(sum / static_cast<double>(cases))),
+                            digits(least), of});
+    }
+  }
+  GetOutputStream() << "\nTheir time over ours, geometric means.\n\n"
+                    << to_markdown(table);
 }
 
 }  // namespace halfspace::bench

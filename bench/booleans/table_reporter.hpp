@@ -10,7 +10,9 @@ namespace halfspace::bench {
 /// Prints one Markdown table at the end: a row for each benchmark, named
 /// "case/who", with its fastest repetition and the ratio to the first benchmark
 /// of the same case. The counters `import`, `booleans`, `output` (Units: ms)
-/// and `triangles` are columns.
+/// and `triangles` are columns. A second table has, by each of ours and each of
+/// the others, in how many cases both were right, the geometric mean of the
+/// other's time over ours, and the least ratio.
 class TableReporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
@@ -28,6 +30,7 @@ class TableReporter : public benchmark::BenchmarkReporter {
     double triangles = 0;
   };
   static Row row_of(const Run& run);
+  void print_means();
 
   std::vector<Row> rows_;
 };

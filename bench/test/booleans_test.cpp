@@ -69,5 +69,40 @@ TEST(Booleans, SpheresTurnedHaveAllTrianglesCut) {
   EXPECT_GT(outcome->triangles, 4 * task.operands[0].corners.size());
 }
 
+TEST(Booleans, FloatsFillTheirGridAndWhatIsFlushStaysSo) {
+  for (const int grid_bits : {26, 40, 54}) {
+    SCOPED_TRACE(grid_bits);
+    const BooleanCase task = in_floats(plate(), grid_bits, 7);
+    for (const Triangles& operand : task.operands) {
+      EXPECT_EQ(grid_bits_for(operand.points), grid_bits);
+      for (const GridPoint& p : operand.points) {
+        for (const std::int64_t x : {p.x, p.y, p.z}) {
+          const auto at = static_cast<double>(x);
+          EXPECT_EQ(double{static_cast<float>(at)}, at);
+        }
+      }
+    }
+    const auto outcome = ours_checked().run(task);
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->triangles, task.least);
+    const auto at_once = ours_at_once_checked().run(task);
+    ASSERT_TRUE(at_once);
+    EXPECT_EQ(at_once->triangles, task.least);
+  }
+  EXPECT_NE(two_spheres(1000, 0, 1).operands[1].points[0].x,
+            two_spheres(1000, 0, 2).operands[1].points[0].x);
+}
+
+TEST(Booleans, OfASphereWithItselfItOrNothingIsLeft) {
+  const BooleanCase task = same_sphere(1000, BooleanOp::kUnion);
+  const auto whole = ours_in_turn().run(task);
+  const double volume6 = volume6_of(task.operands[0]);
+  EXPECT_NEAR(whole->volume6, volume6, 1e-12 * volume6);
+  EXPECT_TRUE(whole->closed);
+  EXPECT_EQ(
+      ours_in_turn().run(same_sphere(1000, BooleanOp::kDifference))->triangles,
+      0u);
+}
+
 }  // namespace
 }  // namespace halfspace::bench
