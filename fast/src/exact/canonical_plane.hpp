@@ -5,17 +5,22 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "exact/cell_hash.hpp"
 #include "exact/exact_plane.hpp"
 #include "exact/gcd.hpp"
+#include "exact/residue.hpp"
 
 /// A form of planes by which those that are the same point set are found.
 namespace halfspace::fast {
 
-/// A plane whose normal's first component that is not zero is positive. On
-/// grids of more than 26 bits the normal is divided by its greatest common
-/// divisor.
+/// Whether normals of wide grids are divided by their greatest common divisor:
+/// where products take as long as numbers are. Elsewhere that took as long as
+/// all else that import does.
+constexpr bool kReducesNormals = kSlowProducts;
+
+/// A plane whose normal's first component that is not zero is positive.
 template <int kBits>
 struct CanonicalPlane {
   ExactPlane<kBits> exact;
@@ -106,31 +111,86 @@ inline std::uint64_t hash_of_ray(const Vector3<std::int64_t>& n, Int128 offset,
                static_cast<std::uint64_t>(cell) * 0xa0761d6478bd642fu);
 }
 
-/// Sets `plane` to the canonical form of `exact`: in place, because a copy
-/// would wait for the stores.
+/// The residues of a normal and an offset, all divided by the normal's first
+/// one that is not 0 once `inverse` is inverted: equal for all positive
+/// multiples of them.
+struct RayResidues {
+  std::array<std::uint64_t, 4> at;
+  std::uint64_t inverse;
+};
+
+/// Of a normal, and of its plane's value at the origin.
+///
+/// If the prime divides the normal it divides the offset, which is the product
+/// with a point of the grid. Then both are divided by it: which residue is the
+/// first that is not 0 must not depend on common factors.
 template <int kBits>
-inline void set_canonical(const ExactPlane<kBits>& exact,
-                          CanonicalPlane<kBits>& plane) {
-  auto n = exact.normal;
-  plane.flipped = orient_normal(n);
-  if constexpr (kBits != 26) reduce_normal(n);
-  const auto offset = value_at(ExactPlane<kBits>{n, exact.origin}, GridPoint{});
-  plane.offset = to_double(offset);
-  if constexpr (kBits == 26) {
-    plane.hash = hash_of_ray(n, offset, plane.offset);
-  } else {
-    plane.hash =
-        mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
-              low_word_of(offset));
+RayResidues residues_of(ExactPlane<kBits> plane,
+                        typename Grid<kBits>::Value offset) {
+  auto& n = plane.normal;
+  RayResidues result;
+  auto& at = result.at;
+  while (true) {
+    at = {residue(n.x), residue(n.y), residue(n.z), residue(offset)};
+    if ((at[0] | at[1] | at[2]) != 0) break;
+    constexpr auto kBy = static_cast<Int128>(kPrime);
+    n = {n.x / kBy, n.y / kBy, n.z / kBy};
+    offset = value_at(plane, GridPoint{});
   }
-  plane.exact.normal = n;
-  plane.exact.origin = exact.origin;
+  result.inverse = at[0] != 0 ? at[0] : at[1] != 0 ? at[1] : at[2];
+  return result;
+}
+
+inline std::uint64_t hash_of(const RayResidues& ray) {
+  const auto ratio = [&](std::size_t i) {
+    return multiply_residues(ray.at[i], ray.inverse);
+  };
+  return mixed(hash_of(ratio(0), ratio(1), ratio(2)) + ratio(3));
+}
+
+/// Sets planes to the canonical forms of others: in place, because a copy would
+/// wait for the stores. Requires: at most 32.
+template <int kBits, class ExactAt>
+void set_canonical(std::span<CanonicalPlane<kBits>> planes,
+                   const ExactAt& exact_at) {
+  std::array<RayResidues, 32> rays;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    CanonicalPlane<kBits>& plane = planes[i];
+    const ExactPlane<kBits> exact = exact_at(i);
+    auto n = exact.normal;
+    plane.flipped = orient_normal(n);
+    if constexpr (kBits != 26 && kReducesNormals) reduce_normal(n);
+    const auto offset =
+        value_at(ExactPlane<kBits>{n, exact.origin}, GridPoint{});
+    plane.offset = to_double(offset);
+    if constexpr (kBits == 26) {
+      plane.hash = hash_of_ray(n, offset, plane.offset);
+    } else if constexpr (kReducesNormals) {
+      plane.hash =
+          mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
+                low_word_of(offset));
+    } else {
+      rays[i] = residues_of<kBits>({n, exact.origin}, offset);
+    }
+    plane.exact.normal = n;
+    plane.exact.origin = exact.origin;
+  }
+  if constexpr (kBits != 26 && !kReducesNormals) {
+    std::array<std::uint64_t, 32> inverses;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      inverses[i] = rays[i].inverse;
+    invert_residues(std::span(inverses).first(planes.size()));
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      rays[i].inverse = inverses[i];
+      planes[i].hash = hash_of(rays[i]);
+    }
+  }
 }
 
 template <int kBits>
 CanonicalPlane<kBits> canonical_plane(const ExactPlane<kBits>& exact) {
   CanonicalPlane<kBits> plane;
-  set_canonical(exact, plane);
+  set_canonical(std::span(&plane, 1), [&](std::size_t) { return exact; });
   return plane;
 }
 
@@ -145,7 +205,12 @@ inline bool are_parallel(const Vector3<std::int64_t>& m,
          same(m.z, m.x, n.z, n.x);
 }
 inline bool are_parallel(const Vector3<Int128>& m, const Vector3<Int128>& n) {
-  return m == n;
+  if constexpr (kReducesNormals) return m == n;
+  const auto same = [](Int128 a, Int128 b, Int128 c, Int128 d) {
+    return multiply<4>(a, d) == multiply<4>(b, c);
+  };
+  return same(m.x, m.y, n.x, n.y) && same(m.y, m.z, n.y, n.z) &&
+         same(m.z, m.x, n.z, n.x);
 }
 
 /// Whether two planes with canonical normals are the same point set.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,22 +12,35 @@ namespace halfspace::fast {
 
 /// The number of binary digits after the point of a coordinate that its cell
 /// has: fewer on wide grids, whose coordinates leave doubles fewer of them.
+/// Below 0 cells are of several steps: on the widest grid doubles are off by up
+/// to eight steps, and one in ten asks for exact numbers.
 constexpr int cell_digits(int grid_bits) {
-  return grid_bits == 26 ? 10 : grid_bits == 40 ? 2 : 0;
+  return grid_bits == 26 ? 10 : grid_bits == 40 ? 2 : -8;
+}
+
+/// The number of the cell that holds a coordinate of the grid.
+constexpr std::int64_t cell_of(std::int64_t coordinate, int digits) {
+  return digits >= 0
+             ? coordinate * (std::int64_t{1} << digits)
+             : (coordinate + (std::int64_t{1} << (-digits - 1))) >> -digits;
 }
 
 /// The number of the cell that holds n / d: in cells of 2^-digits, the one
 /// whose middle is nearest, the upper one of two.
 ///
-/// Requires: d > 0; 2^(digits + 1) n + d and 2d fit `kWords` words;
+/// Requires: d > 0; 2^(digits + 1) n + d and 2d fit `kWords` words, and for
+///           digits below 0, 2n + 2^-digits d and 2^(1 - digits) d;
 ///           `approximate` is off n / d by `error` at most, which is at most
 ///           2^-48 of it, and less than 2^60 cells from 0.
 template <std::size_t kWords, std::size_t kFew>
 std::int64_t exact_cell(double approximate, const Wide<kFew>& n,
                         const Wide<kFew>& d, int digits) {
   using More = Wide<kWords>;
-  const More by = More(d) + More(d);
-  const More whole = multiply<kWords>(Int128{2} << digits, n) + More(d);
+  const More unit =
+      digits >= 0 ? More(d) : multiply<kWords>(Int128{1} << -digits, d);
+  const More by = unit + unit;
+  const More whole =
+      multiply<kWords>(Int128{2} << std::max(digits, 0), n) + unit;
   auto cell = static_cast<std::int64_t>(
       std::floor(approximate * power_of_two(digits) + 0.5));
   while (true) {

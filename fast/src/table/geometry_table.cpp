@@ -82,6 +82,19 @@ int GeometryTable::turn(int axis, std::int32_t p, std::int32_t q,
 }
 
 int GeometryTable::cross_sign(int axis, std::int32_t p, std::int32_t q) const {
+  const Plane& m = plane(p).filter.plane;
+  const Plane& n = plane(q).filter.plane;
+  const auto component = [](const Plane& of, int k) {
+    return k == 0 ? of.a : k == 1 ? of.b : of.c;
+  };
+  const int i = (axis + 1) % 3;
+  const int j = (axis + 2) % 3;
+  const double left = component(m, i) * component(n, j);
+  const double right = component(m, j) * component(n, i);
+  // Four roundings of each product: of its factors, its own, the difference's.
+  const double bound = 8 * kRounding * (std::abs(left) + std::abs(right));
+  if (left - right > bound) return 1;
+  if (left - right < -bound) return -1;
   return with_grid(grid_bits_, [&](auto bits) {
     return sign(cross_component<bits()>(exact_at<bits()>(p),
                                         exact_at<bits()>(q), axis));

@@ -54,10 +54,11 @@ void GeometryTable::add_planes(
     std::array<CanonicalPlane<bits()>, kBlock> block;
     for (std::size_t i = 0; i < corners.size(); i += kBlock) {
       const std::size_t count = std::min(kBlock, corners.size() - i);
-      for (std::size_t k = 0; k < count; ++k) {
-        set_canonical(exact_plane<bits()>(corners[i + k]), block[k]);
+      set_canonical(std::span(block).first(count), [&](std::size_t k) {
+        return exact_plane<bits()>(corners[i + k]);
+      });
+      for (std::size_t k = 0; k < count; ++k)
         plane_index_.prefetch(block[k].hash);
-      }
       for (std::size_t k = 0; k < count; ++k) planes.push_back(enter(block[k]));
     }
   });

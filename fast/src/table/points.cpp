@@ -9,10 +9,9 @@
 namespace halfspace::fast {
 namespace {
 
-/// The cells of a point of the grid are about it.
 std::uint64_t hash_of_grid(const GridPoint& point, int grid_bits) {
   const auto cell = [&](std::int64_t c) {
-    return static_cast<std::uint64_t>(c) << cell_digits(grid_bits);
+    return static_cast<std::uint64_t>(cell_of(c, cell_digits(grid_bits)));
   };
   return hash_of(cell(point.x), cell(point.y), cell(point.z));
 }
