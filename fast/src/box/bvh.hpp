@@ -36,6 +36,14 @@ class EightBoxes {
       high_[k][i / 4][i % 4] = box.high[k];
     }
   }
+  Box box(std::size_t i) const {
+    Box box;
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = low_[k][i / 4][i % 4];
+      box.high[k] = high_[k][i / 4][i % 4];
+    }
+    return box;
+  }
   /// Holds all of them.
   Box hull() const {
     Box box = kEmptyBox;
@@ -85,7 +93,62 @@ class BoxTree {
   /// Calls `found(item)` for the items whose boxes overlap `box`.
   template <class Found>
   void find(const Box& box, Found&& found) const {
-    if (level_count_ == 0) return;
+    visit_packets(box, 0, [&](std::size_t packet) {
+      std::uint32_t rest = eights_[packet].overlapping(box);
+      for (; rest != 0; rest &= rest - 1) found(item(packet, rest));
+    });
+  }
+
+  /// The number of packets: items stand in eights that are near each other.
+  std::size_t packet_count() const {
+    return level_count_ > 1 ? levels_[1] : level_count_;
+  }
+
+  /// Calls `found(item, other)` once for each two items whose boxes overlap,
+  /// one of which is in the packet and the other one in the same or a later
+  /// one. A search for eight items takes little longer than for one.
+  template <class Found>
+  void find_pairs(std::size_t packet, Found&& found) const {
+    const EightBoxes& own = eights_[packet];
+    visit_packets(own.hull(), packet, [&](std::size_t other) {
+      std::uint32_t those =
+          other == packet
+              ? 0xff
+              : own.overlapping(
+                    eights_[levels_[1] + other / EightBoxes::kCount].box(
+                        other % EightBoxes::kCount));
+      for (; those != 0; those &= those - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(those));
+        std::uint32_t rest = eights_[other].overlapping(own.box(i));
+        if (other == packet) rest &= ~std::uint32_t{1} << i;
+        for (; rest != 0; rest &= rest - 1)
+          found(item(packet, those), item(other, rest));
+      }
+    });
+  }
+
+ private:
+  struct Item {
+    Box box;
+    std::int32_t number = 0;
+  };
+  /// 8^11 exceeds the number of items that an int32 counts.
+  static constexpr std::size_t kMostLevels = 11;
+
+  /// The item of a packet that the lowest bit stands for.
+  std::int32_t item(std::size_t packet, std::uint32_t bits) const {
+    return numbers_[EightBoxes::kCount * packet +
+                    static_cast<std::size_t>(std::countr_zero(bits))];
+  }
+
+  /// Calls `visit(packet)` for the packets from number `from` on whose hulls
+  /// overlap `box`.
+  template <class Visit>
+  void visit_packets(const Box& box, std::size_t from, Visit&& visit) const {
+    if (level_count_ < 2) {
+      if (level_count_ != 0) visit(std::size_t{0});
+      return;
+    }
     // At each level the children of one node that are still to be visited.
     struct Pending {
       std::size_t first;
@@ -104,8 +167,10 @@ class BoxTree {
           pending.first +
           static_cast<std::size_t>(std::countr_zero(pending.rest));
       pending.rest &= pending.rest - 1;
-      if (level == 0) {
-        found(numbers_[at]);
+      // The last packet below it.
+      if ((((at + 1) << (3 * (level - 1))) - 1) < from) continue;
+      if (level == 1) {
+        visit(at);
         continue;
       }
       --level;
@@ -113,14 +178,6 @@ class BoxTree {
                      eights_[levels_[level] + at].overlapping(box)};
     }
   }
-
- private:
-  struct Item {
-    Box box;
-    std::int32_t number = 0;
-  };
-  /// 8^11 exceeds the number of items that an int32 counts.
-  static constexpr std::size_t kMostLevels = 11;
 
   static void sort_items(std::vector<Item>& items);
   void build(std::vector<Item>& items);

@@ -209,11 +209,12 @@ FacePairs undecided_pairs(const Solid& solid, const GeometryTable& table,
                           const SurfaceEdges& edges, const DynamicBvh& index,
                           const CheckOptions& options) {
   const CloseFaces close(solid, table, edges);
-  const std::size_t count = solid.faces.size();
-  constexpr std::size_t kBlock = 512;
+  FacePairs pairs;
+  const BoxTree* const tree = index.whole();
+  const std::size_t count = tree != nullptr ? tree->packet_count() : 0;
+  constexpr std::size_t kBlock = 64;
   // Progress is shown between parts: whoever shows it has one thread.
   constexpr std::size_t kPart = 64 * kBlock;
-  FacePairs pairs;
   for (std::size_t begin = 0; begin < count; begin += kPart) {
     if (options.progress && !options.progress(static_cast<double>(begin) /
                                               static_cast<double>(count)))
@@ -223,9 +224,9 @@ FacePairs undecided_pairs(const Solid& solid, const GeometryTable& table,
     for_blocks(thread_count(options.threads), size, kBlock,
                [&](std::size_t number, std::size_t first, std::size_t last) {
                  for (std::size_t i = begin + first; i < begin + last; ++i) {
-                   const auto f = static_cast<std::int32_t>(i);
-                   index.find(solid.faces[i].box, [&](std::int32_t g) {
-                     if (g > f && !close.only_share_corners(f, g))
+                   tree->find_pairs(i, [&](std::int32_t f, std::int32_t g) {
+                     if (f > g) std::swap(f, g);
+                     if (!close.only_share_corners(f, g))
                        found[number].emplace_back(f, g);
                    });
                  }

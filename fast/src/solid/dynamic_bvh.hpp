@@ -34,6 +34,12 @@ class DynamicBvh {
     }
   }
 
+  /// The tree that holds all faces, where they were added at once, and none has
+  /// been removed; null if there are none.
+  const BoxTree* whole() const {
+    return layers_.empty() ? nullptr : &layers_.front().tree;
+  }
+
  private:
   struct Layer {
     std::vector<std::int32_t> faces;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "boxed_faces.hpp"
@@ -30,6 +31,21 @@ TEST(Bvh, FindsJustWhatOverlaps) {
       std::sort(found.begin(), found.end());
       ASSERT_EQ(found, overlapping(solid, box)) << count;
     }
+    // All pairs, each once.
+    std::vector<std::pair<std::int32_t, std::int32_t>> pairs, expected;
+    for (std::size_t packet = 0; packet < tree.packet_count(); ++packet) {
+      tree.find_pairs(packet, [&](std::int32_t f, std::int32_t g) {
+        pairs.emplace_back(std::min(f, g), std::max(f, g));
+      });
+    }
+    std::sort(pairs.begin(), pairs.end());
+    for (std::size_t f = 0; f < count; ++f) {
+      for (const std::int32_t g : overlapping(solid, solid.faces[f].box)) {
+        if (static_cast<std::size_t>(g) > f)
+          expected.emplace_back(static_cast<std::int32_t>(f), g);
+      }
+    }
+    ASSERT_EQ(pairs, expected) << count;
   }
 }
 
