@@ -43,8 +43,11 @@ class Assembler {
   void begin_face(std::size_t o, std::int32_t face, bool flipped,
                   Solid& result) const;
   void copy_untouched(std::size_t o, Solid& result);
+  void copy_common(std::size_t o, std::int32_t face, Solid& result);
   void copy_whole(std::size_t o, std::int32_t face, bool is_near,
                   Solid& result);
+  void copy_between(std::size_t o, std::int32_t face, bool beyond, bool behind,
+                    bool is_near, Solid& result);
   bool is_far(std::size_t o, std::int32_t face) const;
   std::int32_t copy_far(std::size_t o, std::int32_t first, Solid& result);
   void copy_row(std::size_t o, std::int32_t first, std::int32_t last,
@@ -209,13 +212,30 @@ void Assembler::begin_face(std::size_t o, std::int32_t f, bool flipped,
 /// the result.
 void Assembler::copy_whole(std::size_t o, std::int32_t f, bool is_near,
                            Solid& result) {
+  if (operands_[o].face(f).edge_count == 0) return;
+  const bool member =
+      is_near ? classifier_.is_inside(o, operands_[o].edges_of(f)[0].from)
+              : operands_[1 - o].solid->unbounded;
+  copy_between(o, f, common_.is_in_result(o, false, member),
+               common_.is_in_result(o, true, member), is_near, result);
+}
+
+/// Adds a face that both operands have, as the first one's (S6.4), if it bounds
+/// the result.
+void Assembler::copy_common(std::size_t o, std::int32_t f, Solid& result) {
+  if (o != 0) return;
+  const bool is_same = operands_[0].common_at(f) == Operand::kSame;
+  copy_between(0, f, common_.is_in_result(0, false, !is_same),
+               common_.is_in_result(0, true, is_same), /*is_near=*/true,
+               result);
+}
+
+/// Adds a face with or without the result in front of it and behind it.
+void Assembler::copy_between(std::size_t o, std::int32_t f, bool beyond,
+                             bool behind, bool is_near, Solid& result) {
+  if (beyond == behind) return;
   const std::uint32_t size = operands_[o].face(f).edge_count;
-  if (size == 0) return;
   const SolidEdge* edges = operands_[o].edges_of(f);
-  const bool member = is_near ? classifier_.is_inside(o, edges[0].from)
-                              : operands_[1 - o].solid->unbounded;
-  const bool beyond = common_.is_in_result(o, false, member);
-  if (common_.is_in_result(o, true, member) == beyond) return;
   begin_face(o, f, beyond, result);
   result.faces.back().edge_count = size;
   if (beyond) {
@@ -306,6 +326,10 @@ void Assembler::copy_untouched(std::size_t o, Solid& result) {
       continue;
     }
     const std::int32_t f = next++;
+    if (operands_[o].common_at(f) != Operand::kNotCommon) {
+      copy_common(o, f, result);
+      continue;
+    }
     if (operands_[o].touched[static_cast<std::size_t>(f)] != 0) continue;
     const std::uint32_t size = operands_[o].face(f).edge_count;
     const SolidEdge* edges = operands_[o].edges_of(f);

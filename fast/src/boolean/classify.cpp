@@ -55,7 +55,9 @@ void Classifier::join_vertices(std::size_t o) {
       0, operands_[1 - o].solid->unbounded ? kInside : kOutside);
   for (std::size_t f = 0; f < operand.solid->faces.size(); ++f) {
     const Face& face = operand.solid->faces[f];
-    if (operand.touched[f] != 0 || !overlap(face.box, operand.reach)) continue;
+    if (operand.touched[f] != 0 || !overlap(face.box, operand.reach) ||
+        operand.common_at(static_cast<std::int32_t>(f)) != Operand::kNotCommon)
+      continue;
     const SolidEdge* edges = operand.solid->edges.data() + face.first_edge;
     if (face.edge_count == 3 && is_joined(o, edges)) continue;
     // Loop by loop: the face need not be connected, and where the other

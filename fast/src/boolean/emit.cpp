@@ -165,13 +165,19 @@ void Emitter::emit(const Segment& segment, const std::array<bool, 2>& member) {
   // Step 3: where the result begins or ends, there is a face of it.
   const std::size_t before_any = pieces_.size();
   for (std::size_t i = 0; i < half_faces_.size();) {
-    const bool before = is_member(common_.operation, inside[0], inside[1]);
     std::size_t j = i;
     do {
+      // As after the last one of the operand, unless some that both have are
+      // not here.
       inside[static_cast<std::size_t>(half_faces_[j].operand)] =
-          !exits(half_faces_[j]);
+          exits(half_faces_[j]);
       ++j;
     } while (j < half_faces_.size() && as_last(half_faces_, j));
+    const bool before = is_member(common_.operation, inside[0], inside[1]);
+    for (std::size_t k = i; k < j; ++k) {
+      inside[static_cast<std::size_t>(half_faces_[k].operand)] =
+          !exits(half_faces_[k]);
+    }
     if (before != is_member(common_.operation, inside[0], inside[1])) {
       // Outwards is on from here where the result ends, else back.
       const bool flipped = half_faces_[i].turn == (before ? -1 : 1);

@@ -31,8 +31,10 @@ std::vector<std::pair<std::int32_t, std::int32_t>> candidate_pairs(
   const auto near = [](const Operand& of) {
     std::vector<std::int32_t> items;
     for (std::size_t f = 0; f < of.solid->faces.size(); ++f) {
-      if (overlap(of.solid->faces[f].box, of.reach))
-        items.push_back(static_cast<std::int32_t>(f));
+      const auto id = static_cast<std::int32_t>(f);
+      if (overlap(of.solid->faces[f].box, of.reach) &&
+          of.common_at(id) == Operand::kNotCommon)
+        items.push_back(id);
     }
     return items;
   };

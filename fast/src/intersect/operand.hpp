@@ -72,6 +72,8 @@ struct BooleanScratch {
   std::array<SparseDisjointSets, 2> sets;
   std::array<EpochArray<std::uint8_t>, 2> member;
   EpochArray<std::uint8_t> kept;
+  /// By plane: whether an operand has faces there.
+  EpochArray<std::uint8_t> planes;
 };
 
 /// An operand of a boolean.
@@ -91,9 +93,13 @@ struct Operand {
   std::vector<std::int32_t> active;     ///< faces whose boxes meet other faces'
   std::vector<std::uint8_t> is_active;  ///< by face
   std::vector<std::uint8_t> touched;    ///< by face: it meets another
-  std::vector<OperandEdge> edges;       ///< of the active faces, near ones
-  std::vector<EdgeUse> uses;            ///< by edge
-  std::vector<std::int32_t> edge_of;    ///< by edge of the solid; -1: not here
+  /// By face whether the other operand has it, too (find_common_faces());
+  /// empty: none.
+  enum Common : std::uint8_t { kNotCommon, kSame, kOpposite };
+  std::vector<Common> common;
+  std::vector<OperandEdge> edges;     ///< of the active faces, near ones
+  std::vector<EdgeUse> uses;          ///< by edge
+  std::vector<std::int32_t> edge_of;  ///< by edge of the solid; -1: not here
   std::vector<EdgeFaceIntersection> cuts;
   std::vector<EdgeInFace> covers;
   /// By vertex: on both operands' surfaces.
@@ -104,6 +110,9 @@ struct Operand {
   }
   const SolidEdge* edges_of(std::int32_t f) const {
     return solid->edges.data() + face(f).first_edge;
+  }
+  Common common_at(std::int32_t f) const {
+    return common.empty() ? kNotCommon : common[static_cast<std::size_t>(f)];
   }
   OperandEdge& edge(std::int32_t e) {
     return edges[static_cast<std::size_t>(e)];

@@ -236,7 +236,11 @@ TEST(FastConform, IsAskedForOnlyWhereAFaceHasAnEdgeThatIsNotItsOwn) {
   const Solid beside = blocks({{{1, 1, 0}, {2, 2, 1}}});
   EXPECT_EQ(have_nodes(a, beside), not_first);
   EXPECT_EQ(have_nodes(beside, a), not_second);
-  EXPECT_EQ(have_nodes(a, a), (std::array{false, false}));
+  EXPECT_EQ(
+      have_nodes(a, blocks({{{0, 2, 0}, {2, 4, 2}}, {{2, 0, 0}, {4, 2, 3}}})),
+      (std::array{false, false}));
+  // What both have needs no look.
+  EXPECT_EQ(have_nodes(a, a), kBoth);
   // Beyond the part that both have: near it, and where nothing is near it.
   EXPECT_EQ(have_nodes(a, blocks({{{1, 1, 1}, {2, 2, 3}}})), not_first);
   EXPECT_EQ(have_nodes(a, blocks({{{1, 1, 2}, {2, 2, 3}}})), kBoth);
