@@ -40,7 +40,8 @@ Arrangement::Arrangement(BooleanOp op, const Solid& a, const Solid& b,
 
 void Arrangement::find_contacts() {
   prepare(operands[0], operands[1], scratch);
-  find_common_faces(operands[0], operands[1], scratch);
+  if constexpr (kFindsCommonFaces)
+    find_common_faces(operands[0], operands[1], scratch);
   auto pairs = candidate_pairs(operands[0], operands[1], threads_);
   if (threads_ > 1) drop_disjoint_pairs(pairs);
   for (Operand& operand : operands) add_edges(operand, table);

@@ -4,6 +4,14 @@
 
 namespace halfspace::fast {
 
+/// Whether that is looked for: not in a module for the web, of whose size it is
+/// some kilobytes.
+#if defined(__wasm__)
+constexpr bool kFindsCommonFaces = false;
+#else
+constexpr bool kFindsCommonFaces = true;
+#endif
+
 /// Finds the faces that both operands have, edge by edge, one way round or the
 /// other, and near which either has nothing but such faces: Operand::common.
 ///
