@@ -97,7 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     expect_same_areas(fast::seen_areas(*map, *view.camera),
                       ref::seen_areas(arcs, *view.camera), text);
     const auto areas =
-        fast::render_area(view.scene, divided, *view.camera, view.options);
+        fast::render_area(view.scene, divided, *view.camera, view.options, 2);
     HALFSPACE_FUZZ_EXPECT(
         areas.colors ==
             ref::render_area(view.scene, *view.camera, view.options),

@@ -175,7 +175,9 @@ Result<fast::Rendering> Display::State::rendered(
   if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {
     const fast::BspTree* divided = ordered_tree(view);
     if (divided == nullptr) return detail::stopped();
-    image.colors = fast::render_area(scene, *divided, *camera, *options).colors;
+    image.colors =
+        fast::render_area(scene, *divided, *camera, *options, how.threads)
+            .colors;
   }
   if (view.back_color) {
     fast::mark_back_faces(scene, *camera, image.items, *view.back_color,

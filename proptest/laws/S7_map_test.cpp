@@ -361,9 +361,13 @@ std::uint8_t rounded_level(const Fraction& value) {
 ColorImage area_image(const RefMap*, const SceneFile& view) {
   return ref::render_area(view.scene, *view.camera, view.options);
 }
+/// From one to three.
+int threads_of(const SceneFile& view) {
+  return 1 + static_cast<int>(view.scene.polygon_count() % 3);
+}
 ColorImage area_image(const FastMap*, const SceneFile& view) {
   return fast::render_area(view.scene, fast::build(view.scene, {}),
-                           *view.camera, view.options)
+                           *view.camera, view.options, threads_of(view))
       .colors;
 }
 

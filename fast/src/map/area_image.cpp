@@ -5,11 +5,13 @@
 #include <climits>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "halfspace/assert.hpp"
 #include "halfspace/cap_parts.hpp"
 #include "map/exact_moments.hpp"
 #include "map/map_maker.hpp"
 #include "map/pixel_cells.hpp"
+#include "raster/bands.hpp"
 #include "raster/gouraud.hpp"
 
 namespace halfspace::fast {
@@ -20,21 +22,18 @@ using Channels = std::array<double, 3>;
 class AreaPainter : public PixelSink {
  public:
   AreaPainter(const Scene& scene, const BspTree& tree, const Camera& camera,
-              const ImageOptions& image, AreaImage& result)
+              const ImageOptions& image, PixelRange rows, ColorImage& colors)
       : scene_(scene),
         tree_(tree),
         camera_(camera),
         image_(image),
         smooth_(image.shading == Shading::kGouraud &&
                 !scene.data().corner_colors.empty()),
-        result_(result),
+        colors_(colors),
         feed_(scene, tree, camera, image,
-              {0, 0, camera->width_px, camera->height_px}),
-        cells_(camera->width_px, camera->height_px, *this),
-        shader_(scene, camera.data(), feed_.view()) {
-    result.colors =
-        ColorImage(camera->width_px, camera->height_px, image.background);
-  }
+              {0, rows.first, camera->width_px, rows.end}),
+        cells_(camera->width_px, rows.first, rows.end, *this),
+        shader_(scene, camera.data(), feed_.view()) {}
 
   void run() {
     const auto light = [&](std::span<const HalfPlane> sides, PolygonId item) {
@@ -52,10 +51,12 @@ class AreaPainter : public PixelSink {
     cells_.finish();
   }
 
+  std::size_t exact_pixels() const { return exact_pixels_; }
+
   void fill(PolygonId item, std::int32_t row, std::int32_t from,
             std::int32_t end) override {
     if (!is_smooth(item)) {
-      std::fill_n(&result_.colors.at(from, row), end - from, flat_color(item));
+      std::fill_n(&colors_.at(from, row), end - from, flat_color(item));
       return;
     }
     start(item);
@@ -64,8 +65,7 @@ class AreaPainter : public PixelSink {
           ~std::uint32_t{0} >> (32 - std::min(end - x, 32));
       static_assert(sizeof(Rgb) == 3);
       shader_.shade(x, row, bits,
-                    reinterpret_cast<std::uint8_t*>(&result_.colors.at(x, row)),
-                    0);
+                    reinterpret_cast<std::uint8_t*>(&colors_.at(x, row)), 0);
     }
   }
 
@@ -85,10 +85,10 @@ class AreaPainter : public PixelSink {
       channel(color, c) = static_cast<std::uint8_t>(level);
     }
     if (exact) {
-      ++result_.exact_pixels;
+      ++exact_pixels_;
       color = exact_color(column, row);
     }
-    result_.colors.at(column, row) = color;
+    colors_.at(column, row) = color;
   }
 
  private:
@@ -254,7 +254,8 @@ class AreaPainter : public PixelSink {
   const Camera& camera_;
   const ImageOptions& image_;
   bool smooth_;
-  AreaImage& result_;
+  ColorImage& colors_;
+  std::size_t exact_pixels_ = 0;
   MapFeed feed_;
   PixelCells cells_;
   GouraudShader shader_;
@@ -267,9 +268,21 @@ class AreaPainter : public PixelSink {
 }  // namespace
 
 AreaImage render_area(const Scene& scene, const BspTree& tree,
-                      const Camera& camera, const ImageOptions& image) {
+                      const Camera& camera, const ImageOptions& image,
+                      int threads) {
   AreaImage result;
-  AreaPainter(scene, tree, camera, image, result).run();
+  result.colors =
+      ColorImage(camera->width_px, camera->height_px, image.background);
+  threads = thread_count(threads);
+  const std::vector<PixelRange> bands =
+      bands_of({0, 0, camera->width_px, camera->height_px}, threads);
+  std::vector<std::size_t> exact(bands.size());
+  for_bands(bands.size(), threads, [&](std::size_t b) {
+    AreaPainter painter(scene, tree, camera, image, bands[b], result.colors);
+    painter.run();
+    exact[b] = painter.exact_pixels();
+  });
+  for (const std::size_t count : exact) result.exact_pixels += count;
   return result;
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// in the image it is off by less than 2^-40.
 constexpr double kMargin = 0x1p-20;
 
-std::int32_t clamped_column(double x, std::int32_t low, std::int32_t high) {
+std::int32_t within(double x, std::int32_t low, std::int32_t high) {
   return static_cast<std::int32_t>(
       std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
 }
@@ -24,20 +24,25 @@ std::int32_t clamped_column(double x, std::int32_t low, std::int32_t high) {
 /// pixels. So their numbers add 2^-52 16 s to what is off, and two roundings of
 /// at most 12 s 2^-53 each; within a pixel values are at most 16, and three
 /// roundings add 2^-53 48 at most.
-PixelCells::PixelCells(std::int32_t width, std::int32_t height, PixelSink& sink)
+PixelCells::PixelCells(std::int32_t width, std::int32_t first_row,
+                       std::int32_t end_row, PixelSink& sink)
     : width_(width),
-      height_(height),
+      first_row_(first_row),
+      end_row_(end_row),
       sink_(sink),
-      tolerance_(0x1p-47 * std::max(width, height) + 0x1p-47),
+      tolerance_(0x1p-47 * std::max(width, end_row) + 0x1p-47),
       words_(static_cast<std::size_t>((width + 63) / 64)),
-      unlit_(words_ * static_cast<std::size_t>(height), ~std::uint64_t{0}),
-      block_left_(words_ * static_cast<std::size_t>((height + kBlockRows - 1) /
-                                                    kBlockRows)),
-      left_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      unlit_(words_ * static_cast<std::size_t>(end_row - first_row),
+             ~std::uint64_t{0}),
+      block_left_(words_ *
+                  static_cast<std::size_t>(
+                      (end_row - first_row + kBlockRows - 1) / kBlockRows)),
+      left_(static_cast<std::size_t>(width) *
+            static_cast<std::size_t>(end_row - first_row)),
       begun_(unlit_.size()),
       pixel_of_(new std::int32_t[left_]) {
   const std::int32_t rest = width % 64;
-  for (std::int32_t row = 0; row < height; ++row) {
+  for (std::int32_t row = first_row; row < end_row; ++row) {
     if (rest != 0)
       unlit_[word_of(width - 1, row)] = (std::uint64_t{1} << rest) - 1;
     for (std::int32_t column = 0; column < width; column += 64)
@@ -64,8 +69,9 @@ void PixelCells::light(std::span<const PixelLine> sides, PolygonId item) {
 /// The rectangle of pixels that the polygon may meet; false if there is none.
 bool PixelCells::find_bounds(std::span<const PixelLine> sides) {
   const double right = width_;
-  const double bottom = height_;
-  bounds_ = {{0, 0}, {right, 0}, {right, bottom}, {0, bottom}};
+  const double top = first_row_;
+  const double bottom = end_row_;
+  bounds_ = {{0, top}, {right, top}, {right, bottom}, {0, bottom}};
   for (const PixelLine& line : sides) {
     clipped_.clear();
     Point before = bounds_.back();
@@ -90,10 +96,10 @@ bool PixelCells::find_bounds(std::span<const PixelLine> sides) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  leftmost_ = clamped_column(std::floor(low.x - kMargin), 0, width_ - 1);
-  rightmost_ = clamped_column(std::floor(high.x + kMargin), 0, width_ - 1) + 1;
-  top_ = clamped_column(std::floor(low.y - kMargin), 0, height_ - 1);
-  bottom_ = clamped_column(std::floor(high.y + kMargin), 0, height_ - 1) + 1;
+  leftmost_ = within(std::floor(low.x - kMargin), 0, width_ - 1);
+  rightmost_ = within(std::floor(high.x + kMargin), 0, width_ - 1) + 1;
+  top_ = within(std::floor(low.y - kMargin), first_row_, end_row_ - 1);
+  bottom_ = within(std::floor(high.y + kMargin), first_row_, end_row_ - 1) + 1;
   return true;
 }
 
@@ -121,16 +127,14 @@ bool PixelCells::find_reach(std::span<const PixelLine> sides, std::int32_t row,
       if (least < 0) full_high = leftmost_;
     }
   }
-  reach.first = std::max(
-      leftmost_, clamped_column(std::floor(low - kMargin), -1, rightmost_));
-  reach.end = std::min(
-      rightmost_,
-      clamped_column(std::floor(high + kMargin), leftmost_ - 1, width_) + 1);
+  reach.first =
+      std::max(leftmost_, within(std::floor(low - kMargin), -1, rightmost_));
+  reach.end =
+      std::min(rightmost_,
+               within(std::floor(high + kMargin), leftmost_ - 1, width_) + 1);
   if (reach.first >= reach.end) return false;
-  reach.full_first =
-      clamped_column(std::ceil(full_low), reach.first, reach.end);
-  reach.full_end =
-      clamped_column(std::floor(full_high), reach.full_first, reach.end);
+  reach.full_first = within(std::ceil(full_low), reach.first, reach.end);
+  reach.full_end = within(std::floor(full_high), reach.full_first, reach.end);
   return true;
 }
 
@@ -401,21 +405,20 @@ void PixelCells::finish() {
 
 bool PixelCells::any_unlit(const CellBox& box) const {
   // Boxes are in twice the image's coordinates.
-  const auto low = [](double twice, std::int32_t size) {
-    return clamped_column(std::floor(twice / 2 - kMargin), 0, size - 1);
+  const auto at = [](double twice, double margin, std::int32_t first,
+                     std::int32_t end) {
+    return within(std::floor(twice / 2 + margin), first, end - 1);
   };
-  const std::int32_t left = low(box.left, width_);
-  const std::int32_t right =
-      clamped_column(std::floor(box.right / 2 + kMargin), 0, width_ - 1);
-  const std::int32_t top = low(box.top, height_);
-  const std::int32_t bottom =
-      clamped_column(std::floor(box.bottom / 2 + kMargin), 0, height_ - 1);
+  const std::int32_t left = at(box.left, -kMargin, 0, width_);
+  const std::int32_t right = at(box.right, kMargin, 0, width_);
+  const std::int32_t top = at(box.top, -kMargin, first_row_, end_row_);
+  const std::int32_t bottom = at(box.bottom, kMargin, first_row_, end_row_);
   const std::uint64_t first_mask = ~std::uint64_t{0} << (left % 64);
   const std::uint64_t last_mask = ~std::uint64_t{0} >> (63 - right % 64);
-  for (std::int32_t block = top / kBlockRows; block <= bottom / kBlockRows;
-       ++block) {
-    const std::int32_t from = std::max(top, block * kBlockRows);
-    const std::int32_t last = std::min(bottom, block * kBlockRows + 7);
+  for (std::int32_t from = top; from <= bottom;) {
+    const std::int32_t block = (from - first_row_) / kBlockRows;
+    const std::int32_t last =
+        std::min(bottom, first_row_ + (block + 1) * kBlockRows - 1);
     for (std::int32_t word = left / 64; word <= right / 64; ++word) {
       if (block_left_[static_cast<std::size_t>(block) * words_ +
                       static_cast<std::size_t>(word)] == 0)
@@ -427,6 +430,7 @@ bool PixelCells::any_unlit(const CellBox& box) const {
         if ((unlit_[word_of(word * 64, row)] & mask) != 0) return true;
       }
     }
+    from = last + 1;
   }
   return false;
 }

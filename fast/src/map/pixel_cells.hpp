@@ -52,7 +52,9 @@ class PixelSink {
 /// passes through it: so polygons that share an edge leave nothing between.
 class PixelCells {
  public:
-  PixelCells(std::int32_t width, std::int32_t height, PixelSink& sink);
+  /// Of an image of so many columns, these rows.
+  PixelCells(std::int32_t width, std::int32_t first_row, std::int32_t end_row,
+             PixelSink& sink);
 
   /// Lights what is unlit on the positive side of all lines.
   void light(std::span<const PixelLine> sides, PolygonId item);
@@ -129,11 +131,12 @@ class PixelCells {
     return line.a * p.x + (line.b * p.y + line.c);
   }
   std::size_t index_of(std::int32_t column, std::int32_t row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+    return static_cast<std::size_t>(row - first_row_) *
+               static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(column);
   }
   std::size_t word_of(std::int32_t column, std::int32_t row) const {
-    return static_cast<std::size_t>(row) * words_ +
+    return static_cast<std::size_t>(row - first_row_) * words_ +
            static_cast<std::size_t>(column / 64);
   }
   static std::uint64_t bit_of(std::int32_t column) {
@@ -143,14 +146,17 @@ class PixelCells {
     return (begun_[word_of(column, row)] & bit_of(column)) != 0;
   }
   std::int32_t& left_in_block(std::int32_t column, std::int32_t row) {
-    return block_left_[static_cast<std::size_t>(row / kBlockRows) * words_ +
+    return block_left_[static_cast<std::size_t>((row - first_row_) /
+                                                kBlockRows) *
+                           words_ +
                        static_cast<std::size_t>(column / 64)];
   }
 
   static constexpr std::int32_t kBlockRows = 8;
 
   std::int32_t width_;
-  std::int32_t height_;
+  std::int32_t first_row_;
+  std::int32_t end_row_;
   PixelSink& sink_;
   double tolerance_;
   std::size_t words_;                 ///< of a row

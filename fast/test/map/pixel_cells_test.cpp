@@ -163,7 +163,7 @@ class PixelCellsTest : public ::testing::Test, public PixelSink {
       add_polygon(
           {p, q, {q[0] + 3000, q[1] + 1000}, {p[0] + 3000, p[1] + 1000}}, at);
     }
-    PixelCells cells(kWidth, kHeight, *this);
+    PixelCells cells(kWidth, 0, kHeight, *this);
     for (std::size_t k = 0; k < polygons_.size(); ++k) {
       std::vector<PixelLine> sides;
       for (const Line& line : polygons_[k]) {

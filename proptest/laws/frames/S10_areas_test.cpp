@@ -172,7 +172,8 @@ ClipPlane clip_of(const AxisCut& cut) {
 
 ColorImage fast_areas(const SceneFile& view) {
   return fast::render_area(view.scene, fast::build(view.scene, {}),
-                           *view.camera, view.options)
+                           *view.camera, view.options,
+                           1 + static_cast<int>(section_number_of(view) % 3))
       .colors;
 }
 

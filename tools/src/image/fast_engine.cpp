@@ -107,7 +107,7 @@ class FastEngine : public Engine {
   Picture render_area(const Scene& scene, const Camera& camera,
                       const Shot& shot) const override {
     fast::AreaImage image =
-        fast::render_area(scene, tree_, camera, shot.options);
+        fast::render_area(scene, tree_, camera, shot.options, shot.threads);
     Picture picture;
     picture.exact_pixels = image.exact_pixels;
     picture.pixels_painted =

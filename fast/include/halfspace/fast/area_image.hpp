@@ -22,12 +22,15 @@ struct AreaImage {
 ///
 /// From front to back polygons are cut out of what is unlit of the pixels that
 /// their edges pass; those that one covers are filled.
+/// `threads`: as RenderOptions::threads.
 /// Requires: a tree of this scene without leaves (divide_leaves()); a closed
 ///           scene where there are caps.
 /// Exact:    yes: areas in doubles with a bound; where that touches a step of
 ///           rounding, the visible map of the pixel in rationals.
+///           The same for any number of threads.
 /// Cost:     that of pixels, and the pixels that edges of what is seen pass.
 AreaImage render_area(const Scene& scene, const BspTree& tree,
-                      const Camera& camera, const ImageOptions& image);
+                      const Camera& camera, const ImageOptions& image,
+                      int threads = 1);
 
 }  // namespace halfspace::fast
