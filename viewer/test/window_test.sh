@@ -178,6 +178,21 @@ for k in 0 1 17 35; do same "box-$(printf %03d $k).png" "film-$k.png"; done
 same box-000.png out-0.png
 cmp -s box-000.png box-001.png && wrong 'the film does not turn'
 
+# What was typed for one question is not undone in the next, whose name is
+# shorter: the letters to be undone are not there.
+played 1 box.off --size 200x150 <<'END'
+wait
+key Ctrl+E
+key Ctrl+Y
+key Backspace
+key Return
+key Ctrl+Z
+key Ctrl+S
+key Ctrl+Z
+key Escape
+dump
+END
+
 # A section is one more clip plane, which other keys move; numbers colour.
 played 4 box.off --size 200x150 <<'END'
 dump

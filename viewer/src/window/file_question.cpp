@@ -259,8 +259,11 @@ void draw_file_question(Session& session, Jobs& jobs, Ui& ui) {
   bool is_answered = draw_list(b, std::min(320 * scale, all.y / 2));
   ImGui::SetNextItemWidth(-1);
   if (is_new) ImGui::SetKeyboardFocusHere();
+  // One field a question: what is typed in one does not go on in another.
+  ImGui::PushID(static_cast<int>(b.question));
   is_answered |=
       ImGui::InputText("##name", &b.name, ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::PopID();
   if (const char* hint = hint_of(ui.question); *hint != 0)
     ImGui::TextDisabled("%s", hint);
   if (ui.question == FileQuestion::kSaveFilm) {

@@ -1,5 +1,7 @@
 #include "window/imgui_backend.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
@@ -239,8 +241,18 @@ void ImguiBackend::show_cursor() {
   SDL_SetCursor(cursor != nullptr ? cursor : cursors_[ImGuiMouseCursor_Arrow]);
 }
 
+/// ImGui keeps what was typed in a field to be undone there when it is edited
+/// again, though the field may hold another text by then: undoing beyond its
+/// end is an assertion that fails.
+void ImguiBackend::forget_text() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.InputTextState.ID != context.ActiveId)
+    context.InputTextState.ID = 0;
+}
+
 ImguiBackend::Changes ImguiBackend::end_frame(const SDL_Rect& area) {
   ImGui::Render();
+  forget_text();
   const ImDrawData& data = *ImGui::GetDrawData();
   std::uint64_t inside = hash_of(&data.DisplaySize, sizeof(ImVec2), 1);
   std::uint64_t outside = inside;

@@ -45,6 +45,7 @@ class ImguiBackend {
   void make_font_texture();
   void draw(const ImDrawList& list, const ImDrawCmd& command);
   void show_cursor();
+  void forget_text();
   void take_pending();
 
   /// A button or key that went down or up.
