@@ -41,6 +41,10 @@ PixelCells::PixelCells(std::int32_t width, std::int32_t first_row,
             static_cast<std::size_t>(end_row - first_row)),
       begun_(unlit_.size()),
       pixel_of_(new std::int32_t[left_]) {
+  // Room that is seldom written, so that what is there is seldom moved.
+  pixels_.reserve(left_ / 8);
+  pieces_.reserve(left_ / 8);
+  seen_.reserve(left_ / 8);
   const std::int32_t rest = width % 64;
   for (std::int32_t row = first_row; row < end_row; ++row) {
     if (rest != 0)
