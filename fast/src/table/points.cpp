@@ -167,7 +167,18 @@ bool GeometryTable::put_on_grid(
     whole[i] = static_cast<std::int64_t>(near);
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(multiply<kWords>(Int128{whole[i]}, c[3]) == c[i])) return false;
+    const auto rest = c[i] - multiply<kWords>(Int128{whole[i]}, c[3]);
+    if (sign(rest) == 0) continue;
+    // Far out on the widest grid doubles are off by some steps, which are whole
+    // but for rounding.
+    if (v.approximate.error < 0.5) return false;
+    const double off = to_double(rest) / to_double(c[3]);
+    const double steps = std::nearbyint(off);
+    if (std::abs(off - steps) > 0x1p-20) return false;
+    whole[i] += static_cast<std::int64_t>(steps);
+    if (!fits(whole[i], grid_bits_) ||
+        !(multiply<kWords>(Int128{whole[i]}, c[3]) == c[i]))
+      return false;
   }
   v.approximate = to_vertex({whole[0], whole[1], whole[2]});
   return true;
