@@ -209,18 +209,22 @@ View make_view(const MovedCamera& camera, int grid_bits, int samples) {
   view.eye = steps_of(camera.eye, camera.w, 1);
   view.reach = 0;
   for (std::size_t a = 0; a < 3; ++a) {
-    view.reach =
-        std::max(view.reach,
-                 std::abs(view.start[a]) +
-                     (camera.width_px * samples + 1) * std::abs(view.right[a]) +
-                     (camera.height_px * samples + 1) * std::abs(view.down[a]));
+    const double span =
+        (camera.width_px * samples + 1) * std::abs(view.right[a]) +
+        (camera.height_px * samples + 1) * std::abs(view.down[a]);
+    view.span = std::max(view.span, span);
+    view.reach = std::max(view.reach, std::abs(view.start[a]) + span);
     view.start[a] += (view.right[a] + view.down[a]) / 2;
+    view.sight[a] = view.start[a] - view.eye[a];
   }
   // Vectors of a camera are off by 5u here and not 2u. Bounds that are products
   // of a reach, or two, pay for that by a reach that is twice as large, that of
   // the eye included.
   const double farthest = greatest(view.eye);
   view.reach = 2 * (view.reach + grid + farthest) * (1 + 0x1p-40);
+  view.span *= 1 + 0x1p-40;
+  // The eye and the start are off by 7u of themselves at most.
+  view.slack = 2 * (farthest + greatest(view.start));
   // Coefficient 2u, eye 5u, product u, sums 3u: 11u of N E + |d|.
   view.eye_error =
       16 * kRounding * (farthest + (camera.perspective ? grid : 0.0));

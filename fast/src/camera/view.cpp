@@ -38,6 +38,38 @@ Affine3 coordinate(const CameraVector& row, const LatticeVector& origin,
           -to_double(dot(row, origin)) / determinant};
 }
 
+/// `v` parts of a lattice step, in grid steps: a double and what is left of it.
+/// Their sum is exact: a lattice vector has n + 14 bits, 8 of `parts` more, and
+/// a double rounds at most 24 of them away.
+struct TwoDoubles {
+  std::array<double, 3> value;
+  std::array<double, 3> rest;
+};
+[[gnu::noinline]] TwoDoubles in_steps(const LatticeVector& v, int parts) {
+  const double step = 1.0 / ((1 << kLatticeBits) * parts);
+  TwoDoubles sum;
+  const Int128 of[3] = {v.x, v.y, v.z};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto value = static_cast<double>(of[a]);
+    const auto rest = static_cast<double>(of[a] - static_cast<Int128>(value));
+    sum.value[a] = value * step;
+    sum.rest[a] = rest * step;
+  }
+  return sum;
+}
+
+LatticeVector times(const LatticeVector& v, int factor) {
+  return {v.x * factor, v.y * factor, v.z * factor};
+}
+
+LatticeVector plus(const LatticeVector& u, const LatticeVector& v) {
+  return {u.x + v.x, u.y + v.y, u.z + v.z};
+}
+
+double largest_of(const std::array<double, 3>& v) {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+
 double growth_of(const Affine3& f) {
   return std::abs(f.a) + std::abs(f.b) + std::abs(f.c);
 }
@@ -50,7 +82,7 @@ ApproximateProjection project_approximately(const Plane& plane,
     return plane.a * v[0] + plane.b * v[1] + plane.c * v[2];
   };
   const double size = std::abs(plane.a) + std::abs(plane.b) + std::abs(plane.c);
-  const double most = size * view.reach;
+  const double most = (size * view.reach + std::abs(plane.d)) * (1 + 0x1p-50);
   return {view.eye_value(plane),       along(view.right),     along(view.down),
           along(view.start) + plane.d, 16 * kRounding * most, most};
 }
@@ -68,7 +100,7 @@ DepthDifference depth_difference(const ApproximateProjection& p,
           error * (1 + 0x1p-40)};
 }
 
-View make_view(const Camera& camera, int grid_bits, int samples) {
+View make_view(const Camera& camera, const Extent& extent, int samples) {
   const CameraData& data = camera.data();
   const LatticeVector origin = data.perspective ? data.eye : data.s0;
   const LatticeVector depth =
@@ -91,9 +123,8 @@ View make_view(const Camera& camera, int grid_bits, int samples) {
   view.y = image(cross(depth, data.sx));
   view.t = coordinate(across, origin, size);
 
-  const double grid = std::ldexp(1.0, grid_bits - 1);
-  const auto error_of = [grid](const Affine3& f) {
-    return 16 * kRounding * (growth_of(f) * grid + std::abs(f.d));
+  const auto error_of = [&extent](const Affine3& f) {
+    return 16 * kRounding * (growth_of(f) * extent.most + std::abs(f.d));
   };
   view.xy_error = std::max(error_of(view.x), error_of(view.y));
   view.t_error = error_of(view.t);
@@ -107,33 +138,40 @@ View make_view(const Camera& camera, int grid_bits, int samples) {
     view.near = -std::numeric_limits<double>::infinity();
   }
 
-  const auto to_steps = [](const LatticeVector& v, int parts) {
-    const double lattice = 1.0 / ((1 << kLatticeBits) * parts);
-    return std::array<double, 3>{static_cast<double>(v.x) * lattice,
-                                 static_cast<double>(v.y) * lattice,
-                                 static_cast<double>(v.z) * lattice};
-  };
-  view.start = to_steps(data.s0, 1);
-  view.right = to_steps(data.sx, samples);
-  view.down = to_steps(data.sy, samples);
+  // The start in halves of samples.
+  const LatticeVector half =
+      plus(times(data.s0, 2 * samples), plus(data.sx, data.sy));
+  const TwoDoubles start = in_steps(half, 2 * samples);
+  view.start = start.value;
+  view.start_rest = start.rest;
+  view.right = in_steps(data.sx, samples).value;
+  view.down = in_steps(data.sy, samples).value;
   view.reach = 0;
   for (std::size_t a = 0; a < 3; ++a) {
-    view.reach =
-        std::max(view.reach,
-                 std::abs(view.start[a]) +
-                     (data.width_px * samples + 1) * std::abs(view.right[a]) +
-                     (data.height_px * samples + 1) * std::abs(view.down[a]));
-    view.start[a] += (view.right[a] + view.down[a]) / 2;
+    const double span =
+        (data.width_px * samples + 1) * std::abs(view.right[a]) +
+        (data.height_px * samples + 1) * std::abs(view.down[a]);
+    view.span = std::max(view.span, span);
+    view.reach = std::max(view.reach, std::abs(view.start[a]) + span);
   }
-  view.reach = (view.reach + grid) * (1 + 0x1p-40);
+  view.reach *= 1 + 0x1p-40;
+  view.span *= 1 + 0x1p-40;
 
-  const double step = data.perspective ? 1.0 / (1 << kLatticeBits) : 1.0;
-  view.eye = {static_cast<double>(data.eye.x) * step,
-              static_cast<double>(data.eye.y) * step,
-              static_cast<double>(data.eye.z) * step};
-  const double farthest = std::max(
-      {std::abs(view.eye[0]), std::abs(view.eye[1]), std::abs(view.eye[2])});
-  view.eye_error = 8 * kRounding * (farthest + (data.perspective ? grid : 0.0));
+  // A direction in place of the eye has no lattice.
+  const TwoDoubles eye = data.perspective
+                             ? in_steps(data.eye, 1)
+                             : in_steps(times(data.eye, 1 << kLatticeBits), 1);
+  view.eye = eye.value;
+  view.eye_rest = eye.rest;
+  const double farthest = largest_of(view.eye);
+  const double grid = data.perspective ? extent.grid : 0.0;
+  view.eye_error = 8 * kRounding * (farthest + grid);
+  if (data.perspective) {
+    view.sight =
+        in_steps(plus(half, times(data.eye, -2 * samples)), 2 * samples).value;
+  }
+  // The rest, at most u of the whole, is off by u of that again.
+  view.slack = kRounding * (farthest + largest_of(view.start));
   return view;
 }
 

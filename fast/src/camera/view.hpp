@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "exact/filter.hpp"
@@ -63,8 +64,19 @@ struct View {
   std::array<double, 3> start{};
   std::array<double, 3> right{};
   std::array<double, 3> down{};
-  /// Bounds the sizes of the image points' coordinates and M together.
+  /// Bounds the sizes of the image points' coordinates.
   double reach = 0;
+
+  /// The eye and the start less what they are above: with it they are exact.
+  /// The start less the eye, which is rounded once, bounded by `slack` and 5u
+  /// of itself. How far image points are from the start at most.
+  std::array<double, 3> eye_rest{};
+  std::array<double, 3> start_rest{};
+  std::array<double, 3> sight{};
+  double span = 0;
+  /// A difference to the eye or the start in doubles, less the rest, is off by
+  /// 5u of the sum of this and its size.
+  double slack = 0;
 
   /// Units: grid steps for points, pixels for images.
   Bounded eye_value(const Plane& p) const {
@@ -75,18 +87,18 @@ struct View {
 };
 
 /// A projected plane in doubles: its value at the centre of pixel (i, j) is
-/// a i + b j + c. With N the sum of the normal's sizes and R the view's reach:
-/// a coefficient is off by 2u, a camera vector by 2u, a product by u, sums by
-/// 4u, so each of a i, b j and c by 9u N times its share of R, and their sum by
-/// 3u more: `error`, 16u N R, bounds all that and stays a bound for the sum
-/// of any two of them. |a i + b j + c| <= N R.
+/// a i + b j + c. With N the sum of the normal's sizes, R the view's reach and
+/// Q = N R + |d|: a coefficient is off by 2u, a camera vector by 2u, a product
+/// by u, sums by 4u, so each of a i, b j and c by 9u of its share of Q, and
+/// their sum by 3u more: `error`, 16u Q, bounds all that and stays a bound for
+/// the sum of any two of them. |a i + b j + c| <= Q.
 struct ApproximateProjection {
   Bounded eye;
   double a = 0;
   double b = 0;
   double c = 0;
   double error = 0;
-  double most = 0;  ///< N R
+  double most = 0;  ///< Q
 };
 
 ApproximateProjection project_approximately(const Plane& plane,
@@ -122,8 +134,22 @@ inline DepthDifference difference_of_depths(const DepthDifference& p,
   return {p.a - q.a, p.b - q.b, p.c - q.c, (p.error + q.error) * (1 + 0x1p-40)};
 }
 
-/// The view in which x and y, and the pixels named here, are samples, so many a
-/// pixel each way.
-View make_view(const Camera& camera, int grid_bits, int samples = 1);
+/// Bounds the sizes of coordinates: of the points that are seen, and of points
+/// of all planes. Units: grid steps.
+struct Extent {
+  double most = 0;
+  double grid = 0;
+};
+inline Extent extent_of_grid(int grid_bits) {
+  const double grid = std::ldexp(1.0, grid_bits - 1);
+  return {grid, grid};
+}
+
+/// The view, of points within the extent, in which x and y, and the pixels
+/// named here, are samples, so many a pixel each way.
+View make_view(const Camera& camera, const Extent& extent, int samples = 1);
+inline View make_view(const Camera& camera, int grid_bits, int samples = 1) {
+  return make_view(camera, extent_of_grid(grid_bits), samples);
+}
 
 }  // namespace halfspace::fast

@@ -15,6 +15,7 @@ namespace {
 struct MovingBand {
   std::size_t pixels = 0;
   std::size_t fragments = 0;
+  std::size_t tiles = 0;
   FilterStats stats;
 };
 
@@ -38,7 +39,8 @@ MovingBand render_moving_band(const MovingFrame& all, const Frame& world,
   const std::size_t fragments = rasterizer.fragments() + objects.fragments();
   stats.add(rasterizer.stats());
   stats.add(objects.stats());
-  return {static_cast<std::size_t>(area - unlit), fragments, stats};
+  return {static_cast<std::size_t>(area - unlit), fragments,
+          static_cast<std::size_t>(screen.touches), stats};
 }
 
 std::optional<Error> fault_of_cells(const KeptCells& cells,
@@ -136,6 +138,7 @@ Rendering render_moving(const Assembly& assembly, const MovingTrees& trees,
   for (const MovingBand& band : found) {
     result.pixels_painted += band.pixels;
     result.fragments_displayed += band.fragments;
+    result.tiles_touched += band.tiles;
     result.decisions.add(band.stats);
   }
   return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "exact/filter.hpp"
 
@@ -20,7 +21,10 @@ void add(EdgeFunction<4>& sum, const EdgeFunction<4>& line, int factor) {
 }  // namespace
 
 bool has_gradient(const Scene& scene, PolygonId polygon) {
-  const auto colors = scene.corner_colors(polygon);
+  return has_gradient(scene.corner_colors(polygon));
+}
+
+bool has_gradient(std::span<const Rgb> colors) {
   return std::adjacent_find(colors.begin(), colors.end(),
                             std::not_equal_to<>()) != colors.end();
 }
@@ -45,39 +49,48 @@ void GouraudShader::prepare_exact() {
 
 /// The weights as edge_function() has them, in doubles.
 ///
-/// Let R bound the sizes of all coordinates: of the view's reach, and of the
-/// eye; L those of the edges, so that small triangles have small errors. A
-/// difference to the eye is at most 2R, and off by 2u of each and its own
-/// rounding: 6u R; an edge is off by u L. A component of the cross product has
-/// two products of at most 2R L, off by 6u R L + 2u R L + 2u R L each, and a
-/// difference: 24u R L in all, and is at most 4 R L. Its product with the image
-/// point, at most 2R and off by 6u R: off by 48u + 24u + 8u = 80u R^2 L, three
-/// of them and their sums: 300u R^2 L. The three parts a i, b j, c are each as
-/// large at most, so a weight is off by 920u R^2 L. A total has three of them,
-/// a sum of a channel three times 255: with the sums' roundings a quotient of
-/// at most 256 is off by (256 + 255) 3 960u R^2 L over the total: 2^21 u R^2 L.
+/// All is a product of differences, which are taken before anything is rounded
+/// that is larger than they are: the error is one of what is near, whatever the
+/// grid and the place in it. Let D bound the sizes of the differences of the
+/// corners to the eye, L those of the edges, S those of the image points to the
+/// eye, the view's slack included in D and S. A difference to the eye is off by
+/// 5u D, an edge by u L. A component of the cross product has two products of
+/// at most D L, off by 7u D L each, and a difference: 16u D L in all, and is at
+/// most 2 D L. Its product with a component of a camera vector, off by 5u, is
+/// off by 16u + 10u + 2u = 28u times that component; three of them 84u and
+/// their sums 10u, so the three parts a i, b j, c of a weight together by 94u
+/// D L S, and they are at most 6 D L S. A sum of a channel has three of them,
+/// times 255 at most: 282u from these, 18u from the factors, 30u from two sums;
+/// its value at a pixel has two products and two sums more: 54u. So it is off
+/// by 255 times 384u D L S, and the total by 384u D L S. A quotient of at most
+/// 256 is off by (255 + 256) 384u D L S over the total, and its own roundings
+/// add 3u 256; as the total is at most 18 D L S that is 18 times that over the
+/// total. 2^18 u D L S bounds all of it.
 ///
-/// Without perspective the direction stands in place of the difference to the
-/// eye, and may be far longer or shorter than R. With E its largest component,
-/// off by u E: a component of the cross product is at most 2 E L and off by
-/// 3u E L twice and 2u E L; its product with the image point by 12u + 16u + 4u
-/// = 32u E R L, three of them and their sums by 120u, and a weight by
-/// 3 120u + 72u = 432u E R L. So a quotient is off by (256 + 255) 3 470u E R L
-/// over the total: 2^20 u E R L.
+/// Without perspective the direction stands in place of a difference to the
+/// eye, D being its largest component, and a corner in place of the eye for S.
 void GouraudShader::prepare() {
   ready_ = true;
   using Point = std::array<double, 3>;
   const auto minus = [](const Point& p, const Point& q) {
     return Point{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
   };
+  const auto plus = [](const Point& p, const Point& q) {
+    return Point{p[0] + q[0], p[1] + q[1], p[2] + q[2]};
+  };
   const auto dot = [](const Point& p, const Point& q) {
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  };
+  const auto size = [](const Point& p) {
+    return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   };
   const auto colors = scene_.corner_colors(polygon_);
   if (!has_corners_) read_corners();
   Gradient& g = gradient_;
   std::array<std::array<double, 4>, 3> across{}, down{}, at{};
-  double longest = 0;
+  double edge = 0;
+  double direction = view_.perspective ? 0 : size(view_.eye);
+  double sight = view_.perspective ? size(view_.sight) : 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto point = [this](std::size_t c) {
       const Vertex& v = corners_[c % 3];
@@ -86,17 +99,22 @@ void GouraudShader::prepare() {
     const Point from = point(k + 1);
     const Point to = point(k + 2);
     // The edge in place of `from` less the eye: the same product.
-    const Point u = view_.perspective ? minus(to, view_.eye) : view_.eye;
+    const Point u = view_.perspective
+                        ? minus(minus(to, view_.eye), view_.eye_rest)
+                        : view_.eye;
     const Point v = view_.perspective ? minus(from, to) : minus(to, from);
-    longest =
-        std::max({longest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    const Point s = view_.perspective
+                        ? view_.sight
+                        : plus(minus(view_.start, from), view_.start_rest);
+    edge = std::max(edge, size(v));
+    direction = std::max(direction, size(u));
+    sight = std::max(sight, size(s));
     const Point m = {eye_sign_ * (u[1] * v[2] - u[2] * v[1]),
                      eye_sign_ * (u[2] * v[0] - u[0] * v[2]),
                      eye_sign_ * (u[0] * v[1] - u[1] * v[0])};
-    const Point& origin = view_.perspective ? view_.eye : from;
     const double a = dot(m, view_.right);
     const double b = dot(m, view_.down);
-    const double c = dot(m, minus(view_.start, origin));
+    const double c = dot(m, s);
     const std::array<double, 4> factors = {
         static_cast<double>(colors[k].r), static_cast<double>(colors[k].g),
         static_cast<double>(colors[k].b), 1.0};
@@ -111,11 +129,8 @@ void GouraudShader::prepare() {
     g.b[f] = down[0][f] + down[1][f] + down[2][f];
     g.c[f] = at[0][f] + at[1][f] + at[2][f];
   }
-  const double eye = std::max(
-      {std::abs(view_.eye[0]), std::abs(view_.eye[1]), std::abs(view_.eye[2])});
-  const double reach = view_.reach + (view_.perspective ? eye : 0.0);
-  gradient_.doubt = kRounding * longest * reach *
-                    (view_.perspective ? 0x1p21 * reach : 0x1p20 * eye);
+  gradient_.doubt = 0x1p18 * kRounding * edge * (direction + view_.slack) *
+                    (sight + view_.span + view_.slack);
 }
 
 void GouraudShader::read_corners() {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "camera/edge_function.hpp"
 #include "camera/moved_camera.hpp"
@@ -15,6 +16,7 @@ namespace halfspace::fast {
 
 /// Whether the polygon has corner colours that differ: then it is a triangle.
 bool has_gradient(const Scene& scene, PolygonId polygon);
+bool has_gradient(std::span<const Rgb> colors);
 
 /// The colours of a triangle whose corners' differ (S5.4).
 ///

@@ -35,6 +35,9 @@ PolygonRasterizer<kBits>::PolygonRasterizer(const Frame& frame,
       late_shader_(frame.reader.scene(), frame.camera, frame.view, frame.moved),
       gouraud_(frame.image.shading == Shading::kGouraud &&
                !frame.reader.scene().data().corner_colors.empty()),
+      // None has less than three.
+      triangles_(frame.reader.scene().data().corners.size() ==
+                 3 * frame.reader.scene().polygon_count()),
       clipper_(frame.clips, frame.reader),
       depth_(frame, screen) {
   blends = frame.alpha != kOpaque;
@@ -50,9 +53,14 @@ void PolygonRasterizer<kBits>::prefetch(const Run& run, std::int32_t from,
   for (std::int32_t f = run.first + from; f < end; ++f) {
     const TreeFragment& fragment = fragments[f];
     const auto source = static_cast<std::size_t>(fragment.source);
-    __builtin_prefetch(
-        gouraud_ ? static_cast<const void*>(scene.first_corner.data() + source)
-                 : scene.colors.data() + source);
+    if (!gouraud_) {
+      __builtin_prefetch(scene.colors.data() + source);
+    } else if (!triangles_) {
+      __builtin_prefetch(scene.first_corner.data() + source);
+    } else {
+      __builtin_prefetch(scene.corners.data() + 3 * source);
+      __builtin_prefetch(scene.corner_colors.data() + 3 * source);
+    }
   }
 }
 
@@ -66,8 +74,16 @@ void PolygonRasterizer<kBits>::prefetch_colors(const Run& run,
   const TreeFragment* fragments = frame_.reader.tree().fragments.data();
   const std::int32_t end = std::min(run.end, run.first + from + count);
   for (std::int32_t f = run.first + from; f < end; ++f) {
-    const std::size_t first =
-        scene.first_corner[static_cast<std::size_t>(fragments[f].source)];
+    const auto source = static_cast<std::size_t>(fragments[f].source);
+    if (triangles_) {
+      // Corners that were cut off are in the scene alone.
+      if (fragments[f].corner_count == 3) continue;
+      for (std::size_t k = 3 * source; k < 3 * source + 3; ++k) {
+        __builtin_prefetch(scene.vertices.data() + scene.corners[k]);
+      }
+      continue;
+    }
+    const std::size_t first = scene.first_corner[source];
     __builtin_prefetch(scene.corners.data() + first);
     __builtin_prefetch(scene.corner_colors.data() + first);
   }
@@ -213,10 +229,12 @@ PixelSource PolygonRasterizer<kBits>::start(const TreeFragment& fragment,
   scan_.start(fragment, eye_sign, cuts_);
   depth_.start(fragment, eye_sign, block_);
   const Scene& scene = frame_.reader.scene();
-  const bool smooth = gouraud_ && has_gradient(scene, fragment.source);
+  const std::span<const Rgb> colors =
+      gouraud_ ? corner_colors(fragment.source) : std::span<const Rgb>();
+  const bool smooth = has_gradient(colors);
+  screen_.corner_colors = nullptr;
   if (smooth) start_shader(fragment, eye_sign);
-  const Rgb color = gouraud_ ? scene.corner_colors(fragment.source)[0]
-                             : scene.color(fragment.source);
+  const Rgb color = gouraud_ ? colors[0] : scene.color(fragment.source);
   return {
       frame_.first_id + fragment.source,
       smooth ? PixelSource::kSmooth : packed_color(color.r, color.g, color.b),
@@ -232,6 +250,8 @@ void PolygonRasterizer<kBits>::start_shader(const TreeFragment& fragment,
     const auto k =
         static_cast<std::size_t>(&fragment - frame_.reader.fragments_of(block));
     if (((block.whole >> k) & 1u) != 0) {
+      screen_.corner_colors = reinterpret_cast<const std::uint8_t*>(
+          corner_colors(fragment.source).data());
       shader_.start(fragment.source, eye_sign,
                     {corner_of(block, 0, k), corner_of(block, 1, k),
                      corner_of(block, 2, k)});

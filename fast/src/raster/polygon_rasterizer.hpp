@@ -145,6 +145,15 @@ class PolygonRasterizer final : public ExactFallback {
     }
   }
 
+  /// Scene::corner_colors(), in one step to memory where that is known.
+  std::span<const Rgb> corner_colors(PolygonId polygon) const {
+    const Scene& scene = frame_.reader.scene();
+    if (!triangles_) return scene.corner_colors(polygon);
+    return {scene.data().corner_colors.data() +
+                3 * static_cast<std::size_t>(polygon),
+            3};
+  }
+
   Projection project(const TreeFragment& fragment);
   template <class VertexAt>
   Projection project(std::size_t count, VertexAt&& vertex_at);
@@ -173,6 +182,8 @@ class PolygonRasterizer final : public ExactFallback {
   GouraudShader late_shader_;  ///< for what is written later
   PolygonId late_ = kBackground;
   bool gouraud_;
+  /// Whether all polygons have three corners: the p-th those from 3 p on.
+  bool triangles_;
   PixelSource source_;  ///< of the last that was not drawn together with others
   double x_[kMostCorners];
   double y_[kMostCorners];

@@ -13,6 +13,7 @@
 #include "raster/render_pass.hpp"
 #include "raster/tile_buffer.hpp"
 #include "tree/behind_test.hpp"
+#include "tree/node_boxes.hpp"
 #include "tree/traversal.hpp"
 
 namespace halfspace::fast {
@@ -22,6 +23,7 @@ namespace {
 struct BandResult {
   std::size_t pixels = 0;
   std::size_t fragments = 0;
+  std::size_t tiles = 0;
   FilterStats stats;
 };
 
@@ -36,7 +38,8 @@ BandResult render_band(const Frame& frame, TileBuffer& buffer) {
       std::int64_t{screen.columns.end - screen.columns.first} *
       (screen.lines.end - screen.lines.first);
   stats.add(rasterizer.stats());
-  return {static_cast<std::size_t>(all - unlit), rasterizer.fragments(), stats};
+  return {static_cast<std::size_t>(all - unlit), rasterizer.fragments(),
+          static_cast<std::size_t>(screen.touches), stats};
 }
 
 template <int kBits>
@@ -63,7 +66,8 @@ BandResult paint_band(const Frame& frame, TileBuffer& buffer) {
                        return !behind(node.plane, node.splitter, sign, side);
                      });
   stats.add(rasterizer.stats());
-  return {rasterizer.pixels(), rasterizer.fragments(), stats};
+  return {rasterizer.pixels(), rasterizer.fragments(),
+          static_cast<std::size_t>(screen.touches), stats};
 }
 
 }  // namespace
@@ -92,7 +96,8 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   const bool leaves = has_leaves(tree);
   HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
   const TreeReader reader(scene, tree);
-  const View view = make_view(camera, scene.grid_bits(), pass.samples);
+  const View view =
+      make_view(camera, extent_of(tree, scene.grid_bits()), pass.samples);
   const ClipSet clips(image.clips, image.caps.has_value(), scene.grid_bits());
   const Frame frame = {
       reader, data, image, view, best_kernel(options.simd), clips, pass.alpha};
@@ -119,10 +124,12 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   }
   result.pixels_painted = 0;
   result.fragments_displayed = 0;
+  result.tiles_touched = 0;
   result.decisions = {};
   for (const BandResult& band : found) {
     result.pixels_painted += band.pixels;
     result.fragments_displayed += band.fragments;
+    result.tiles_touched += band.tiles;
     result.decisions.add(band.stats);
   }
 }

@@ -10,6 +10,7 @@
 #include "raster/frame.hpp"
 #include "raster/render_pass.hpp"
 #include "raster/sample_means.hpp"
+#include "tree/node_boxes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -32,7 +33,7 @@ class SampledImage {
         rectangle_(rectangle),
         result_(result),
         reader_(scene, tree),
-        view_(make_view(camera, scene.grid_bits(), samples)),
+        view_(make_view(camera, extent_of(tree, scene.grid_bits()), samples)),
         samples_(samples) {
     if (image.caps && !image.clips.empty()) find_caps();
   }
@@ -69,6 +70,7 @@ class SampledImage {
     const Lock lock(mutex_);
     result_.pixels_painted += strip.pixels_painted;
     result_.fragments_displayed += strip.fragments_displayed;
+    result_.tiles_touched += strip.tiles_touched;
     result_.decisions.add(stats);
   }
 

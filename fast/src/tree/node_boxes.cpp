@@ -1,5 +1,7 @@
 #include "tree/node_boxes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "box/box.hpp"
@@ -25,6 +27,17 @@ void add_boxes(BspTree& tree, const Scene& scene) {
     }
   }
   tree.boxes = std::move(boxes);
+}
+
+Extent extent_of(const BspTree& tree, int grid_bits) {
+  const Extent grid = extent_of_grid(grid_bits);
+  if (tree.nodes.empty() || tree.boxes.size() != tree.nodes.size()) return grid;
+  double most = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    most = std::max({most, std::abs(double{tree.boxes[0].low[a]}),
+                     std::abs(double{tree.boxes[0].high[a]})});
+  }
+  return {std::min(most, grid.most), grid.grid};
 }
 
 }  // namespace halfspace::fast

@@ -14,6 +14,7 @@
 #include "raster/kernel/tile_kernel.hpp"
 #include "raster/tile_buffer.hpp"
 #include "scenes.hpp"
+#include "shade/exact_double.hpp"
 
 /// Colours that the kernels do not ask about are the right ones, however their
 /// gradients are off within their doubt.
@@ -313,6 +314,211 @@ TEST(ShadeBounds, OfGradientsInParallelViewsOfAnyDirection) {
     const Gradient& g = shader.gradient();
     // A total of 2^40 times the direction's length.
     EXPECT_LT(g.doubt / std::abs(g.c[3]), 0x1p-20) << bits;
+  }
+}
+
+/// A triangle of `size` steps anywhere on the grid, and a camera as near to it
+/// as it is large: most of each number is the place in the grid.
+struct NearShot {
+  NearShot(Random& random, int bits) {
+    const double size = std::exp2(std::floor(random.from_to(6, bits - 5)));
+    const double room = std::ldexp(1.0, bits - 1) - 16 * size;
+    const auto one = [&](double range) {
+      return static_cast<std::int64_t>(random.from_to(-range, range));
+    };
+    const GridPoint middle = {one(room), one(room), one(room)};
+    const auto point = [&] {
+      return GridPoint{middle.x + one(size), middle.y + one(size),
+                       middle.z + one(size)};
+    };
+    const auto lattice = [&](const GridPoint& from, double range) {
+      const std::int64_t x = one(range), y = one(range), z = one(range);
+      return LatticeVector{Int128{from.x} * 256 + x, Int128{from.y} * 256 + y,
+                           Int128{from.z} * 256 + z};
+    };
+    SceneData data;
+    data.grid_bits = bits;
+    add_polygon(data, {point(), point(), point()});
+    data.corner_colors = {{255, 0, 0}, {0, 255, 0}, {100, 0, 255}};
+    scene = make_scene(std::move(data));
+    CameraData seen;
+    seen.perspective = random.from_to(0, 1) < 0.5;
+    seen.eye = seen.perspective ? lattice(middle, 2048 * size)
+                                : lattice({}, std::min(size, 0x1p20));
+    seen.s0 = lattice(middle, 512 * size);
+    seen.sx = lattice({}, 8 * size);
+    seen.sy = lattice({}, 8 * size);
+    seen.width_px = seen.height_px = 64;
+    camera = make_camera(seen, bits);
+  }
+  Result<Scene> scene = Scene();
+  Result<Camera> camera = Error{};
+};
+
+/// The bound counts differences, and no place in the grid: rounding them with
+/// the place, or a bound 2^9 times smaller, fails.
+TEST(ShadeBounds, OfGradientsOfWhatIsSmallOnAFineGrid) {
+  Random random;
+  double largest = 0;
+  std::size_t told = 0;
+  std::size_t sharp = 0;
+  for (int round = 0; round < 4500; ++round) {
+    const int bits = kGridBits[round % 3];
+    const NearShot shot(random, bits);
+    if (!shot.scene || !shot.camera) continue;
+    const View view = make_view(*shot.camera, bits);
+    GouraudShader shader(*shot.scene, shot.camera->data(), view);
+    const int i = round % 64;
+    const int j = 63 - i;
+    shader.start(0, 1);
+    const Gradient& g = shader.gradient();
+    const auto at = [&](std::size_t f) {
+      return g.a[f] * i + (g.b[f] * j + g.c[f]);
+    };
+    const double total = at(3);
+    const double doubt = g.doubt / std::abs(total);
+    if (!(doubt < 0.25)) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double level = at(c) / total;
+      if (!(std::abs(level) <= 256)) continue;
+      ++told;
+      sharp += doubt < 0x1p-20 ? 1 : 0;
+      const BigRational off = shader.exact_value(c, i, j) - exact_double(level);
+      const auto share = static_cast<double>(off) / doubt;
+      ASSERT_LE(std::abs(share), 1) << bits << " bits, round " << round;
+      largest = std::max(largest, std::abs(share));
+    }
+  }
+  EXPECT_GT(told, 2000u);
+  EXPECT_GT(10 * sharp, 9 * told);
+  EXPECT_GT(largest, 0x1p-9);
+}
+
+/// A triangle of a block with smooth colours; tells whether it was asked for
+/// them.
+struct SmallAsked : NoFallback {
+  PixelSource begin(std::int32_t, std::int32_t) override {
+    view->corner_colors = colors.data();
+    return {0, PixelSource::kSmooth, 1, 0};
+  }
+  const Gradient& gradient() override {
+    is_asked = true;
+    return NoFallback::gradient();
+  }
+  TileView* view = nullptr;
+  std::array<std::uint8_t, 9> colors{};
+  bool is_asked = false;
+};
+
+/// A corner as a camera sees it that divides x and y by t.
+struct SeenCorner {
+  Long x, y, t;
+};
+using SeenTriangle = std::array<SeenCorner, 3>;
+
+/// The channels at (x, y) of a triangle that covers it; none where it does not.
+std::vector<Long> levels_within(const SeenTriangle& corners,
+                                const std::array<std::uint8_t, 9>& colors,
+                                Long x, Long y) {
+  std::array<Long, 3> weight;
+  Long total = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SeenCorner& p = corners[(k + 1) % 3];
+    const SeenCorner& q = corners[(k + 2) % 3];
+    weight[k] = ((q.x / q.t - p.x / p.t) * (y - p.y / p.t) -
+                 (q.y / q.t - p.y / p.t) * (x - p.x / p.t)) /
+                corners[k].t;
+    total += weight[k];
+  }
+  std::vector<Long> levels(3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(weight[k] / total > 0)) return {};
+    for (std::size_t c = 0; c < 3; ++c) {
+      levels[c] += weight[k] * colors[3 * k + c] / total;
+    }
+  }
+  return levels;
+}
+
+/// Small triangles whose colours come from their corners in the image, which
+/// are off by what the view says, or hardly: a bound 2^12 times smaller fails.
+TEST(ShadeBounds, OfGradientsFromCornersInTheImage) {
+  for (const SimdLevel level : {SimdLevel::kAvx2, SimdLevel::kAvx512}) {
+    const TileKernel& kernel = best_kernel(level);
+    if (!is_supported(level)) continue;
+    Random random;
+    std::size_t told = 0;
+    std::array<double, 2> largest{};
+    for (int round = 0; round < 20'000; ++round) {
+      const bool is_off = round % 2 != 0;
+      View view;
+      view.perspective = round % 4 < 2;
+      view.x.a = view.y.b = view.t.c = 1;
+      view.near = view.perspective ? 0 : -1e300;
+      const double depth = view.perspective ? random.from_to(1, 900) : 1;
+      view.xy_error = is_off ? 0x1p-21 * depth : 0;
+      view.t_error = is_off && view.perspective ? 0x1p-28 * depth : 0;
+
+      SmallAsked asked;
+      for (std::uint8_t& c : asked.colors) {
+        c = static_cast<std::uint8_t>(random.from_to(0, 256));
+      }
+      FragmentBlock<3> block;
+      block.count = 1;
+      SeenTriangle corners;
+      for (std::size_t c = 0; c < 3; ++c) {
+        // Close together in depth, or not.
+        const auto t = static_cast<float>(
+            view.perspective ? depth * random.from_to(0.9, 1.1) : 1);
+        const auto x = static_cast<float>(t * random.from_to(0, 60));
+        const auto y = static_cast<float>(t * random.from_to(0, 18));
+        block.x[c].fill(x);
+        block.y[c].fill(y);
+        block.z[c].fill(t);
+        corners[c] = {x, y, t};
+      }
+      Rendering result;
+      result.colors = ColorImage(kSampleWidth, kSampleHeight, Rgb{});
+      TileBuffer buffer({0, 0, kSampleWidth, kSampleHeight}, {0, kSampleHeight},
+                        result, false);
+      asked.view = &buffer.view();
+      buffer.view().exact = &asked;
+      kernel.draw_triangles(buffer.view(), view, false, block);
+      if (buffer.view().source_count == 0 || asked.is_asked) continue;
+      const Gradient& g = buffer.view().gradients[0];
+      for (int way = 0; way < (is_off ? 4 : 1); ++way) {
+        SeenTriangle truth = corners;
+        for (SeenCorner& corner : truth) {
+          const auto off = [&](double by) {
+            return by * (random.from_to(0, 1) < 0.5 ? -0.99 : 0.99);
+          };
+          corner.x += off(view.xy_error);
+          corner.y += off(view.xy_error);
+          corner.t += off(view.t_error);
+        }
+        for (std::int32_t j = 0; j < kSampleHeight; j += 2) {
+          for (std::int32_t i = 0; i < 64; i += 3) {
+            const std::vector<Long> levels =
+                levels_within(truth, asked.colors, i + 0.5L, j + 0.5L);
+            for (std::size_t c = 0; c < levels.size(); ++c) {
+              const auto at = [&](std::size_t f) {
+                return g.a[f] * i + (g.b[f] * j + g.c[f]);
+              };
+              const double share =
+                  static_cast<double>(std::abs(at(c) / at(3) - levels[c])) *
+                  at(3) / g.doubt;
+              ASSERT_LE(share, 1) << "round " << round;
+              largest[is_off ? 1 : 0] =
+                  std::max(largest[is_off ? 1 : 0], share);
+              ++told;
+            }
+          }
+        }
+      }
+    }
+    EXPECT_GT(told, 100'000u);
+    EXPECT_GT(largest[0], 0x1p-12);
+    EXPECT_GT(largest[1], 0x1p-10);
   }
 }
 

@@ -3,12 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <utility>
 
 #include "halfspace/fast/build.hpp"
+#include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "scenes.hpp"
 #include "tree/leaf_packets.hpp"
+#include "tree/node_boxes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -138,6 +142,88 @@ TEST(FastRender, AColorIsNotRoundedUpAHairBelowAHalf) {
 
 // Two squares, one before the other, and a rectangle that begins and ends
 // within the picture: counts are of this image, however it came about.
+/// A surface of many small triangles about `centre`, each cell `step` wide.
+Scene hills(int bits, const GridPoint& centre, std::int64_t step) {
+  constexpr int kCells = 24;
+  SceneData data;
+  data.grid_bits = bits;
+  const auto height = [step](int i, int j) {
+    return (i * i + 3 * j) % 5 * step;
+  };
+  const auto point = [&](int i, int j) {
+    return GridPoint{centre.x + (i - kCells / 2) * step,
+                     centre.y + (j - kCells / 2) * step,
+                     centre.z + height(i, j)};
+  };
+  for (int j = 0; j < kCells; ++j) {
+    for (int i = 0; i < kCells; ++i) {
+      add_polygon(data, {point(i, j), point(i + 1, j), point(i + 1, j + 1)});
+      add_polygon(data, {point(i, j), point(i + 1, j + 1), point(i, j + 1)});
+    }
+  }
+  for (std::size_t k = 0; k < data.corners.size(); ++k) {
+    const auto level = static_cast<std::uint8_t>(k * 37 % 256);
+    data.corner_colors.push_back({level, 90, 255});
+  }
+  return made(std::move(data));
+}
+
+TEST(FastRender, BoundsCountTheBoxOfTheTree) {
+  const GridPoint centre = {-5'000'000, 40, 1'000};
+  const Scene scene = hills(54, centre, 1 << 12);
+  BspTree tree = build_display_tree(scene);
+  double most = 0;
+  for (const GridPoint& p : scene.data().vertices) {
+    for (const std::int64_t x : {p.x, p.y, p.z}) {
+      most = std::max(most, std::abs(static_cast<double>(x)));
+    }
+  }
+  const Extent extent = extent_of(tree, 54);
+  EXPECT_GE(extent.most, most);
+  EXPECT_LE(extent.most, most + 2);
+  EXPECT_EQ(extent.grid, 0x1p53);
+  tree.boxes.clear();
+  EXPECT_EQ(extent_of(tree, 54).most, 0x1p53);
+  EXPECT_EQ(extent_of(BspTree{}, 26).most, 0x1p25);
+}
+
+/// The same picture, wherever in the grid the scene is and however little of it
+/// the scene takes; and hardly more integers for it.
+TEST(FastRender, AFineGridCostsFewExactDecisions) {
+  const auto draw = [](int bits, const GridPoint& centre, std::int64_t step) {
+    const Scene scene = hills(bits, centre, step);
+    CameraData seen;
+    const auto at = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+      return LatticeVector{Int128{centre.x} * 256 + Int128{x} * step,
+                           Int128{centre.y} * 256 + Int128{y} * step,
+                           Int128{centre.z} * 256 + Int128{z} * step};
+    };
+    seen.eye = at(1000, 700, -16000);
+    seen.s0 = at(-3700, -3700, 0);
+    seen.sx = {Int128{29} * step, 0, 0};
+    seen.sy = {0, Int128{29} * step, 0};
+    seen.width_px = seen.height_px = 256;
+    const Result<Camera> camera = make_camera(seen, bits);
+    EXPECT_TRUE(camera) << camera.error().message;
+    ImageOptions look;
+    look.shading = Shading::kGouraud;
+    RenderOptions options;
+    options.threads = 1;
+    return render(scene, build_display_tree(scene), *camera, look, options);
+  };
+  constexpr std::int64_t kSmall = 1 << 12;
+  const Rendering plain = draw(26, {}, kSmall);
+  EXPECT_GT(plain.pixels_painted, 40'000u);
+  const auto expect_same = [&](const Rendering& fine) {
+    EXPECT_TRUE(fine.colors == plain.colors);
+    // A thousandth of the pixels.
+    EXPECT_LE(fine.decisions.exact, plain.decisions.exact + 65);
+  };
+  expect_same(draw(54, {}, kSmall));
+  constexpr std::int64_t kFar = std::int64_t{1} << 51;
+  expect_same(draw(54, {kFar, -kFar, kFar / 3}, std::int64_t{1} << 34));
+}
+
 TEST(FastRender, CountsWhatThisImageTook) {
   SceneData data;
   for (const std::int64_t depth : {kDepth, 2 * kDepth}) {
@@ -183,6 +269,99 @@ TEST(FastRender, CountsWhatThisImageTook) {
   paint(scene, tree, camera, {}, part, image);
   EXPECT_EQ(image.pixels_painted, 2 * pixels);
   EXPECT_EQ(image.fragments_displayed, 2u);
+}
+
+/// Small triangles anywhere, many of them crossing, cut and in doubt: what one
+/// leaves behind in a kernel changes the colours of the next.
+TEST(FastRender, SmoothColorsAreTheSameByAllInstructions) {
+  constexpr std::int64_t kSide = 1 << 22;
+  std::mt19937_64 engine(5);
+  const auto between = [&engine](std::int64_t low, std::int64_t high) {
+    return std::uniform_int_distribution<std::int64_t>(low, high)(engine);
+  };
+  SceneData data;
+  for (int k = 0; k < 30'000; ++k) {
+    const GridPoint middle = {between(-kSide, kSide), between(-kSide, kSide),
+                              between(-kSide, kSide)};
+    const auto corner = [&] {
+      constexpr std::int64_t kReach = kSide / 40;
+      return GridPoint{middle.x + between(-kReach, kReach),
+                       middle.y + between(-kReach, kReach),
+                       middle.z + between(-kReach, kReach)};
+    };
+    add_polygon(data, {corner(), corner(), corner()});
+    for (int c = 0; c < 3; ++c) {
+      const auto channel = [&] {
+        return static_cast<std::uint8_t>(between(0, 255));
+      };
+      data.corner_colors.push_back({channel(), channel(), channel()});
+    }
+  }
+  const Scene scene = made(std::move(data));
+  const BspTree tree = build_display_tree(scene);
+  CameraData seen;
+  seen.eye = {0, 0, -4 * 256 * kSide};
+  seen.s0 = {-384 * kSide, -384 * kSide, 0};
+  seen.sx = {kSide, 0, 0};
+  seen.sy = {0, kSide, 0};
+  seen.width_px = seen.height_px = 768;
+  const Result<Camera> camera = make_camera(seen, 26);
+  ASSERT_TRUE(camera) << camera.error().message;
+  ImageOptions look;
+  look.shading = Shading::kGouraud;
+  const auto draw = [&](SimdLevel simd, bool items) {
+    RenderOptions options;
+    options.threads = 1;
+    options.simd = simd;
+    options.items = items;
+    return render(scene, tree, *camera, look, options);
+  };
+  const Rendering plain = draw(SimdLevel::kPortable, true);
+  EXPECT_GT(plain.pixels_painted, 200'000u);
+  for (const SimdLevel simd : {SimdLevel::kAvx2, SimdLevel::kAvx512}) {
+    EXPECT_TRUE(draw(simd, false).colors == plain.colors);
+    const Rendering both = draw(simd, true);
+    EXPECT_TRUE(both.colors == plain.colors);
+    EXPECT_TRUE(both.items == plain.items);
+  }
+}
+
+/// All of an image of two tiles by two, by one fragment, and what is behind it.
+TEST(FastRender, CountsTheTilesThatFragmentsTouch) {
+  constexpr std::int64_t kWide = 1 << 20;
+  SceneData data;
+  for (const std::int64_t z : {0, 1000}) {
+    add_polygon(data, {{-kWide, -kWide, z}, {kWide, -kWide, z}, {0, kWide, z}});
+  }
+  const Scene scene = made(std::move(data));
+  CameraData seen;
+  seen.perspective = false;
+  seen.eye = {0, 0, -256};
+  seen.s0 = {-32 * 256, -8 * 256, -256};
+  seen.sx = {256, 0, 0};
+  seen.sy = {0, 256, 0};
+  seen.width_px = 64;
+  seen.height_px = 16;
+  const Result<Camera> camera = make_camera(seen, 26);
+  ASSERT_TRUE(camera) << camera.error().message;
+  const BspTree tree = build(scene, BuildOptions{});
+  for (const SimdLevel simd : {SimdLevel::kPortable, SimdLevel::kBest}) {
+    for (const int threads : {1, 2}) {
+      RenderOptions options;
+      options.simd = simd;
+      options.threads = threads;
+      EXPECT_EQ(render(scene, tree, *camera, {}, options).tiles_touched, 4u);
+      EXPECT_EQ(paint(scene, tree, *camera, {}, options).tiles_touched, 8u);
+    }
+    RenderOptions options;
+    options.simd = simd;
+    // In a leaf the nearer of them goes over the other, or comes before it.
+    const std::size_t touched =
+        render(scene, build_display_tree(scene), *camera, {}, options)
+            .tiles_touched;
+    EXPECT_GE(touched, 4u);
+    EXPECT_LE(touched, 8u);
+  }
 }
 
 // What its screen takes is given back, and not kept for the next image.

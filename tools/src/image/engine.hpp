@@ -122,6 +122,10 @@ struct Picture {
   ColorImage colors;
   std::size_t pixels_painted = 0;
   std::size_t fragments_displayed = 0;
+  /// Of the fast library: how often a fragment set pixels of a tile, and
+  /// decisions that took integers.
+  std::size_t tiles_touched = 0;
+  std::size_t exact_decisions = 0;
   /// Of depth sort: the fragments in its list, and what it took (S3.9).
   std::size_t listed = 0;
   std::size_t moves = 0;

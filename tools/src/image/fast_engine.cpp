@@ -91,6 +91,8 @@ class FastEngine : public Engine {
     picture.colors = std::move(image.colors);
     picture.pixels_painted = image.pixels_painted;
     picture.fragments_displayed = image.fragments_displayed;
+    picture.tiles_touched = image.tiles_touched;
+    picture.exact_decisions = image.decisions.exact;
     return picture;
   }
 

@@ -408,6 +408,8 @@ nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
   stats["exact_pixels"] = frame.picture.exact_pixels;
   stats["pixels_painted"] = frame.picture.pixels_painted;
   stats["fragments_displayed"] = frame.picture.fragments_displayed;
+  stats["tiles_touched"] = frame.picture.tiles_touched;
+  stats["exact_decisions"] = frame.picture.exact_decisions;
   if (needs_tree(arguments)) {
     stats["subtrees_behind"] = frame.picture.subtrees_behind;
     stats["fragments_behind"] = frame.picture.fragments_behind;

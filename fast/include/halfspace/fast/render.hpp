@@ -43,6 +43,9 @@ struct Rendering {
   std::size_t pixels_painted = 0;
   /// How many fragments were displayed; a band of lines counts its own.
   std::size_t fragments_displayed = 0;
+  /// How often a fragment set pixels of a tile of 32 x 8; of render_samples(),
+  /// samples.
+  std::size_t tiles_touched = 0;
   /// Decisions of splitters against the eye, of scan lines and of channels.
   FilterStats decisions;
 };

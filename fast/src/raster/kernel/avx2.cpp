@@ -4,7 +4,7 @@
 #include "raster/kernel/generic/small_polygons.hpp"
 #include "raster/kernel/generic/tile_rows.hpp"
 #include "raster/kernel/x86/box_test.hpp"
-#include "raster/kernel/x86/gouraud_blocks.hpp"
+#include "raster/kernel/x86/gouraud_small.hpp"
 
 namespace halfspace::fast {
 

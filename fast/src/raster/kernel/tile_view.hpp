@@ -84,6 +84,7 @@ struct LitTiles {
   std::uint32_t* lit = nullptr;   ///< 8 words a tile, tile by tile
   std::uint64_t* open = nullptr;  ///< one bit a tile: some pixel is unlit
   std::int64_t open_tiles = 0;    ///< how many of those bits are set
+  std::int64_t touches = 0;  ///< how often a polygon lit pixels of a tile
 
   [[gnu::always_inline]] std::int64_t tile_at(std::int32_t row,
                                               std::int32_t tile) const {
@@ -130,6 +131,11 @@ struct MaskPool {
   std::int32_t source_capacity = 0;
   std::int32_t spare_source = kNone;
   std::int32_t current_source = kNone;  ///< the polygon's own, if it is kept
+  /// The colours of the polygon's corners, if it is a whole triangle of a block
+  /// and smooth; else null.
+  const std::uint8_t* corner_colors = nullptr;
+  /// The colours of the polygon that is drawn, where the kernel knows them.
+  const Gradient* gradient = nullptr;
   std::int32_t last_source = kNone;     ///< the last that was kept
   TileMemory* memory = nullptr;         ///< where all this lies
 };
@@ -178,6 +184,18 @@ struct Target {
   bool own;
   std::int32_t first;
   std::int32_t end;
+};
+
+/// A small triangle in the image, for its colours: the corners, each off by at
+/// most `error` both ways, the reciprocals of their depths, off by at most
+/// `weight_error` of themselves, and the depth of the first.
+struct SmallTriangle {
+  double x[3];
+  double y[3];
+  double weight[3];
+  double first_depth;
+  double error;
+  double weight_error;
 };
 
 /// What shade_line() derives: levels are (n0 + n1 k) / (d0 + d k), k from the

@@ -45,6 +45,7 @@ struct CoverageMerge : TileWrite<Simd> {
     std::uint32_t* words = screen.lit + screen.tile_at(row, tile) * kTileHeight;
     const auto [lit, now] = merged(load(words), cover);
     if (!any(lit)) return {lit, false};
+    ++screen.touches;
     store(words, now);
     const bool fills = all(now);
     if (fills) close_tile(screen, row, tile);
@@ -55,6 +56,7 @@ struct CoverageMerge : TileWrite<Simd> {
   static void light_tiles(LitTiles& screen, std::int32_t row, std::int32_t tile,
                           std::int32_t count) {
     std::uint32_t* words = screen.lit + screen.tile_at(row, tile) * kTileHeight;
+    screen.touches += count;
     for (std::int32_t k = 0; k < count; ++k) {
       store(words + k * kTileHeight, every());
       close_tile(screen, row, tile + k);
@@ -93,6 +95,7 @@ struct CoverageMerge : TileWrite<Simd> {
                                     row * kTileHeight, contested);
     }
     if (!any(painted)) return painted;
+    ++screen.touches;
     if (screen.leaf_of[index] != screen.leaf) {
       screen.leaf_of[index] = screen.leaf;
       store(screen.before + index * kTileHeight, was);
@@ -250,6 +253,7 @@ struct CoverageMerge : TileWrite<Simd> {
       if (screen.overwrite) {
         paint_over(screen, tile * kTileWidth, row * kTileHeight, cover, source);
         count += count_of(cover);
+        ++screen.touches;
       } else if (screen.in_leaf) {
         merge_in_leaf(screen, row, tile, cover, source);
       } else {

@@ -26,6 +26,13 @@ template <class T>
   return k + (w > static_cast<double>(k) ? 1 : 0);
 }
 
+/// Stores a colour.
+[[gnu::always_inline]] inline void store_pixel(std::uint8_t* at,
+                                               std::uint32_t packed) {
+  __builtin_memcpy(at, &packed, 2);
+  at[2] = static_cast<std::uint8_t>(packed >> 16);
+}
+
 /// Columns and lines are at most 65,536: beyond, only "beyond" matters.
 [[gnu::always_inline]] constexpr double in_reach(double v) {
   return most(-1e6, least(1e6, v));

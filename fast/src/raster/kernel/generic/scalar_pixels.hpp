@@ -10,6 +10,9 @@ namespace {
 /// What a Simd policy takes to write pixels, one at a time: for processors that
 /// have nothing better.
 struct ScalarPixels {
+  /// Whether small triangles are shaded from their corners in the image.
+  static constexpr bool kShadesSmall = false;
+
   /// Stores `id` at first + k for every bit k.
   static void store_items(std::int32_t* items, std::int64_t first,
                           std::uint32_t bits, std::int32_t id, bool) {

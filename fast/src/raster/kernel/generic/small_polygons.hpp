@@ -75,6 +75,9 @@ struct SmallPolygons : Base {
   struct Projected8 {
     Doubles8 x[kCorners];
     Doubles8 y[kCorners];
+    Doubles8 weight[kCorners];  ///< the reciprocals of depths, or 1
+    Doubles8 weight_error;      ///< in parts of themselves
+    Doubles8 first_depth;
     Doubles8 error;
     Doubles8 y_least;
     Doubles8 y_most;
@@ -130,6 +133,7 @@ struct SmallPolygons : Base {
     LaneMask behind = lanes(0) < lanes(1);
     LaneMask doubtful = lanes(1) < lanes(0);
     Lanes error = lanes(0);
+    [[maybe_unused]] Lanes nearest = lanes(0);
     for (std::size_t c = 0; c < kCorners; ++c) {
       const auto [vx, vy, vz] = corner_of(block, c, part);
       const Lanes t = at(t_of, vx, vy, vz);
@@ -138,8 +142,14 @@ struct SmallPolygons : Base {
       Lanes x = at(x_of, vx, vy, vz);
       Lanes y = at(y_of, vx, vy, vz);
       Lanes doubt = xy_error;
+      if constexpr (Base::kShadesSmall) seen.weight[c].part[part] = lanes(1);
       if (view.perspective) {
         const Lanes reciprocal = lanes(1) / t;
+        if constexpr (Base::kShadesSmall) {
+          if (c == 0) seen.first_depth.part[part] = t;
+          seen.weight[c].part[part] = reciprocal;
+          nearest = greater(nearest, reciprocal);
+        }
         x = x * reciprocal;
         y = y * reciprocal;
         // 1 / (t - b) is at most (1 + 2^-10) / t where b is at most t / 2048.
@@ -152,6 +162,12 @@ struct SmallPolygons : Base {
       doubtful = doubtful | not_less(size, lanes(kFarthestImage));
       seen.x[c].part[part] = x;
       seen.y[c].part[part] = y;
+    }
+    if constexpr (Base::kShadesSmall) {
+      if (!view.perspective) seen.first_depth.part[part] = lanes(1);
+      // t is off by at most 1 / 2048 of itself: see above.
+      seen.weight_error.part[part] =
+          view.perspective ? t_error * nearest * lanes(1 + 0x1p-9) : lanes(0);
     }
     error = error * lanes(1 + 0x1p-40);
     doubtful = doubtful | not_less(error, lanes(kMostImageError));
@@ -389,6 +405,34 @@ struct SmallPolygons : Base {
     return {to_words(first), to_words(end), lines, doubtful != 0};
   }
 
+  /// The colours of the k-th of eight, if it is a whole smooth triangle: from
+  /// its corners in the image, which takes less than from those in space.
+  template <std::size_t kCorners>
+  static void start_gradient(TileView& screen, const Projected8<kCorners>& seen,
+                             int k, Gradient& gradient) {
+    screen.gradient = nullptr;
+    if constexpr (Base::kShadesSmall && kCorners == 3) {
+      if (screen.corner_colors == nullptr) return;
+      const auto lane = [k](const Doubles8& of) {
+        double value;
+        __builtin_memcpy(&value, reinterpret_cast<const char*>(&of) + 8 * k, 8);
+        return value;
+      };
+      SmallTriangle t;
+      for (std::size_t c = 0; c < 3; ++c) {
+        t.x[c] = lane(seen.x[c]);
+        t.y[c] = lane(seen.y[c]);
+        t.weight[c] = lane(seen.weight[c]);
+      }
+      t.first_depth = lane(seen.first_depth);
+      t.error = lane(seen.error);
+      t.weight_error = lane(seen.weight_error);
+      if (Base::small_gradient(t, screen.corner_colors, gradient)) {
+        screen.gradient = &gradient;
+      }
+    }
+  }
+
   /// Draws the k-th of eight; false: it needs more than this.
   template <std::size_t kCorners>
   static bool draw_one(TileView& screen, const Projected8<kCorners>& seen,
@@ -399,6 +443,7 @@ struct SmallPolygons : Base {
     const std::int32_t last_row = (seen.end_line[k] - 1) / kTileHeight;
     bool begun = false;
     PixelSource source;
+    Gradient gradient;
     for (std::int32_t row = first_row; row <= last_row; ++row) {
       const std::uint64_t* open = screen.open + screen.open_at(row);
       Columns8 columns;
@@ -427,6 +472,7 @@ struct SmallPolygons : Base {
           screen.current_source = kNone;
           source =
               screen.exact->begin(k, ((seen.turn >> k) & 1u) != 0 ? 1 : -1);
+          start_gradient(screen, seen, k, gradient);
         }
         if (screen.in_leaf) {
           merge_small(screen, row, tile, cover, source);
@@ -459,10 +505,12 @@ struct SmallPolygons : Base {
     enter_eight(seen, edges, undecided);
     for (std::uint32_t some = inside; some != 0; some &= some - 1) {
       const int k = __builtin_ctz(some);
-      if (((undecided >> k) & 1u) != 0 || !draw_one(screen, seen, edges, k)) {
-        drawn.left |= 1u << k;
-        --drawn.displayed;
-      }
+      const bool is_drawn =
+          ((undecided >> k) & 1u) == 0 && draw_one(screen, seen, edges, k);
+      screen.gradient = nullptr;  // it was draw_one()'s
+      if (is_drawn) continue;
+      drawn.left |= 1u << k;
+      --drawn.displayed;
     }
     return drawn;
   }

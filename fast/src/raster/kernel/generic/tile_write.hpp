@@ -42,6 +42,27 @@ struct TileWrite : Shade<Simd> {
     }
   }
 
+  /// The colours of the polygon that is drawn.
+  static const Gradient& gradient_of(const TileView& screen) {
+    if constexpr (Simd::kShadesSmall) {
+      if (screen.gradient != nullptr) return *screen.gradient;
+    }
+    return screen.exact->gradient();
+  }
+
+  /// Writes an id into the pixels `bits` of the lines `rows` of a tile.
+  static void paint_items(const TileView& screen, std::int32_t x,
+                          std::int32_t y, std::uint32_t rows,
+                          const std::uint32_t* bits, std::int32_t id,
+                          bool whole) {
+    if (screen.items == nullptr) return;
+    const std::int64_t at = screen.pixel_at(x, y);
+    for (; rows != 0; rows &= rows - 1) {
+      const std::int32_t r = __builtin_ctz(rows);
+      store_items(screen.items, at + r * screen.width, bits[r], id, whole);
+    }
+  }
+
   /// Writes `source` into the pixels of a tile.
   static void paint(const TileView& screen, std::int32_t x, std::int32_t y,
                     Words8 pixels, const PixelSource& source) {
@@ -49,17 +70,10 @@ struct TileWrite : Shade<Simd> {
     store(bits, pixels);
     const std::uint32_t rows = some_of(pixels);
     const Target target = target_of(screen, x, y);
-    if (screen.items != nullptr) {
-      const std::int64_t at = screen.pixel_at(x, y);
-      for (std::uint32_t rest = rows; rest != 0; rest &= rest - 1) {
-        const std::int32_t r = __builtin_ctz(rest);
-        store_items(screen.items, at + r * screen.width, bits[r], source.id,
-                    target.whole);
-      }
-    }
+    paint_items(screen, x, y, rows, bits, source.id, target.whole);
     if (screen.colors == nullptr) return;
     if (source.smooth()) {
-      put_smooth(target, x, y, rows, bits, source, screen.exact->gradient(),
+      put_smooth(target, x, y, rows, bits, source, gradient_of(screen),
                  *screen.exact);
     } else {
       put_flat(target, rows, bits, source.color);
@@ -103,7 +117,7 @@ struct TileWrite : Shade<Simd> {
     screen.current_source = screen.last_source = place;
     screen.sources[place] = source;
     screen.sources[place].uses = 0;
-    screen.gradients[place] = screen.exact->gradient();
+    screen.gradients[place] = gradient_of(screen);
   }
 
   /// A new mask of a tile.
@@ -227,7 +241,7 @@ struct TileWrite : Shade<Simd> {
     if (source != nullptr) {
       const bool shades = source->smooth() && screen.colors != nullptr;
       put(screen, to, x, y, at_hand, *source,
-          shades ? &screen.exact->gradient() : nullptr);
+          shades ? &gradient_of(screen) : nullptr);
       rest = and_not(rest, at_hand);
       to.target.loose = false;
     }

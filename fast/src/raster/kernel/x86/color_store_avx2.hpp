@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "raster/kernel/generic/scalar.hpp"
 #include "raster/kernel/x86/registers.hpp"
 
 namespace halfspace::fast {
@@ -60,11 +61,6 @@ struct ColorStore : Registers {
     const __m256i ids = _mm256_set1_epi32(id);
     auto* at = reinterpret_cast<__m256i*>(to);
     for (std::int32_t k = 0; k < 4 * tiles; ++k) _mm256_storeu_si256(at++, ids);
-  }
-
-  static void store_pixel(std::uint8_t* at, std::uint32_t packed) {
-    __builtin_memcpy(at, &packed, 2);
-    at[2] = static_cast<std::uint8_t>(packed >> 16);
   }
 
   /// A colour 32 times over.
@@ -169,7 +165,7 @@ struct ColorStore : Registers {
     if (!whole) {
       for (; bits != 0; bits &= bits - 1) {
         std::uint8_t* at = colors + first + 3 * __builtin_ctz(bits);
-        store_pixel(at, color.packed);
+        scalar::store_pixel(at, color.packed);
       }
       return;
     }
@@ -202,7 +198,7 @@ struct ColorStore : Registers {
     if (count <= 4) {
       for (int k = 0; k < 12; k += 3) {
         std::uint8_t* at = to + before(k, 3);
-        store_pixel(at, color.packed);
+        scalar::store_pixel(at, color.packed);
       }
     } else if (count <= 10) {
       const __m128i first = _mm256_castsi256_si128(color.bytes[0]);

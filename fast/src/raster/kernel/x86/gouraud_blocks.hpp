@@ -273,10 +273,5 @@ struct GouraudBlocks : GouraudLines {
   }
 };
 
-/// What the loops of generic/ take from AVX2 or AVX-512, by what the file that
-/// includes this is compiled for: the headers of this folder have unnamed
-/// namespaces, so that the two files share no function.
-using X86Simd = GouraudBlocks;
-
 }  // namespace
 }  // namespace halfspace::fast
