@@ -17,8 +17,9 @@ namespace halfspace::bench {
 /// Requires: scene and tree outlive it.
 class Ours {
  public:
-  Ours(const Scene& scene, const fast::BspTree& tree, const Camera& camera)
-      : scene_(scene), tree_(tree), camera_(camera) {}
+  Ours(const Scene& scene, const fast::BspTree& tree, const Camera& camera,
+       fast::SimdLevel simd = fast::SimdLevel::kBest)
+      : scene_(scene), tree_(tree), camera_(camera), simd_(simd) {}
 
   /// Draws one frame from front to back: colours, as everyone else does.
   void draw(Shading shading, int threads = 1) { draw(shading, threads, false); }
@@ -34,6 +35,7 @@ class Ours {
     // Into the same memory as draw(), which would else have less to do.
     fast::RenderOptions options;
     options.items = false;
+    options.simd = simd_;
     fast::paint(scene_, tree_, camera_, look(shading), options, frame_);
   }
 
@@ -44,6 +46,7 @@ class Ours {
   void draw(Shading shading, int threads, bool items) {
     fast::RenderOptions options;
     options.threads = threads;
+    options.simd = simd_;
     options.items = items;
     fast::render(scene_, tree_, camera_, look(shading), options, frame_);
   }
@@ -57,6 +60,7 @@ class Ours {
   const Scene& scene_;
   const fast::BspTree& tree_;
   Camera camera_;
+  fast::SimdLevel simd_;
   fast::Rendering frame_;
 };
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +17,12 @@
 namespace halfspace::bench {
 namespace {
 
+const std::map<std::string, fast::SimdLevel> kSimdNames = {
+    {"best", fast::SimdLevel::kBest},
+    {"portable", fast::SimdLevel::kPortable},
+    {"avx2", fast::SimdLevel::kAvx2},
+    {"avx512", fast::SimdLevel::kAvx512}};
+
 /// The options of the command line.
 struct Request {
   Plan plan;
@@ -22,6 +30,8 @@ struct Request {
   std::string view = "front";
   std::vector<std::string> only;
   std::vector<std::string> meshes;
+  std::optional<int> grid_bits;
+  std::string simd = "best";
   std::string csv;
 
   bool wants(const std::string& name) const {
@@ -33,19 +43,35 @@ struct Request {
   }
 };
 
-Result<Scene> scene_of(const std::filesystem::path& path) {
-  const Result<io::Mesh> mesh = io::read_mesh(path);
+/// The nearest float, as a binary file holds it.
+io::Number as_float(const io::Number& number) {
+  return io::number_of(static_cast<float>(io::to_double(number)));
+}
+
+/// A mesh as it is, or on a grid of so many bits, its coordinates floats.
+Result<Scene> scene_of(const std::filesystem::path& path,
+                       std::optional<int> grid_bits) {
+  Result<io::Mesh> mesh = io::read_mesh(path);
   if (!mesh) return mesh.error();
   io::ImportOptions options;
+  options.grid_bits = grid_bits;
+  if (grid_bits && mesh->decimal) {
+    mesh->decimal = false;
+    for (auto& vertex : mesh->vertices) {
+      for (io::Number& x : vertex) x = as_float(x);
+    }
+  }
   options.gouraud = true;
   Result<io::Imported> imported = io::import_scene(*mesh, options);
   if (!imported) return imported.error();
   return imported->scene;
 }
 
-Workload workload_of(const std::filesystem::path& path) {
+Workload workload_of(const std::filesystem::path& path,
+                     std::optional<int> grid_bits) {
   return {"W4 " + path.filename().string(), false,
-          [path] { return scene_of(path); }, &scene_camera};
+          [path, grid_bits] { return scene_of(path, grid_bits); },
+          &scene_camera};
 }
 
 void print(const char* title, const Table& table) {
@@ -68,9 +94,10 @@ bool agree(const std::vector<Row>& rows) {
 
 int run(Request request) {
   request.plan.view = *view_named(request.view);
-  std::vector<Workload> all = workloads(request.seed);
+  request.plan.simd = kSimdNames.at(request.simd);
+  std::vector<Workload> all = workloads(request.seed, request.grid_bits);
   for (const std::string& mesh : request.meshes) {
-    all.push_back(workload_of(mesh));
+    all.push_back(workload_of(mesh, request.grid_bits));
   }
   std::vector<Row> rows;
   for (const Workload& workload : all) {
@@ -83,13 +110,19 @@ int run(Request request) {
     std::fprintf(stderr, "%s ...\n", workload.name.c_str());
     rows.push_back(measure_row(workload, *scene, request.plan));
   }
+  const std::string coordinates =
+      request.grid_bits
+          ? "floats on " + std::to_string(*request.grid_bits) + " bits"
+          : "as they are";
   std::printf(
-      "seed %llu, view %s, %d x %d pixels, one thread, processor time "
-      "in ms, least of up to %d\n\n",
+      "seed %llu, view %s, coordinates %s, instructions %s, %d x %d pixels, "
+      "one thread, processor time in ms, least of up to %d\n\n",
       static_cast<unsigned long long>(request.seed), request.view.c_str(),
-      request.plan.size_px, request.plan.size_px, request.plan.repeats.most);
+      coordinates.c_str(), request.simd.c_str(), request.plan.size_px,
+      request.plan.size_px, request.plan.repeats.most);
   print("Time per frame", cost_table(rows));
   print("Peers' time / ours", ratio_table(rows));
+  print("Work of a frame", work_table(rows));
   print("Trees", tree_table(rows));
   print("Aims", aim_table(aims_of(rows)));
   if (!request.csv.empty() &&
@@ -118,6 +151,11 @@ int main(int argc, char** argv) {
   app.add_option("--only", request.only,
                  "Only workloads with one of these words in their names");
   app.add_option("--mesh", request.meshes, "Mesh files, as workloads W4");
+  app.add_option("--grid", request.grid_bits,
+                 "Coordinates are floats, on a grid of so many bits")
+      ->check(CLI::IsMember({26, 40, 54}));
+  app.add_option("--simd", request.simd, "The fast library's instructions")
+      ->check(CLI::IsMember(halfspace::bench::kSimdNames));
   app.add_option("--repeats", request.plan.repeats.most,
                  "The most times that a frame is drawn")
       ->check(CLI::PositiveNumber);

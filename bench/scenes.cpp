@@ -6,16 +6,17 @@
 #include <utility>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/int128.hpp"
 #include "random.hpp"
 
 namespace halfspace::bench {
 namespace {
 
-/// Whether the corners lie on one line. At 26 bits a difference has 27 and a
-/// component of the cross product 55.
+/// Whether the corners lie on one line. At 54 bits a difference has 55 and a
+/// component of the cross product 111.
 bool is_flat(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
-  const std::int64_t ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
-  const std::int64_t vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
+  const Int128 ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
+  const Int128 vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
   return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
 }
 
@@ -181,7 +182,9 @@ void SceneMaker::triangle(const VertexId (&corners)[3],
   }
 }
 
-Scene SceneMaker::scene() && {
+Scene SceneMaker::scene(Unit unit, int grid_bits) && {
+  data_.unit = unit;
+  data_.grid_bits = grid_bits;
   Result<Scene> made = make_scene(std::move(data_));
   HALFSPACE_ASSERT(made.has_value());
   return std::move(made).value();
@@ -222,6 +225,37 @@ Scene random_triangles(const RandomTriangles& recipe) {
     ++made;
   }
   return std::move(maker).scene();
+}
+
+Scene in_floats(const Scene& scene, int grid_bits) {
+  SceneData data = scene.data();
+  data.grid_bits = grid_bits;
+  // One bit is the sign's, ten are those of 1024.
+  data.unit = {2, 11 - grid_bits};
+  const auto rounded = [&](std::int64_t steps) {
+    const auto value = static_cast<float>(static_cast<double>(steps) /
+                                          static_cast<double>(kStepsPerUnit));
+    return std::llround(std::ldexp(double{value}, -data.unit.exponent));
+  };
+  for (GridPoint& p : data.vertices) {
+    p = {rounded(p.x), rounded(p.y), rounded(p.z)};
+  }
+  SceneMaker maker;
+  for (const GridPoint& p : data.vertices) maker.vertex(p);
+  for (std::size_t p = 0; p < data.colors.size(); ++p) {
+    const std::size_t first = data.first_corner[p];
+    const auto corner = [&](std::size_t k) { return data.corners[first + k]; };
+    const auto point = [&](std::size_t k) {
+      return data.vertices[static_cast<std::size_t>(corner(k))];
+    };
+    const auto color = [&](std::size_t k) {
+      return data.corner_colors[first + k];
+    };
+    if (is_flat(point(0), point(1), point(2))) continue;
+    maker.triangle({corner(0), corner(1), corner(2)},
+                   {color(0), color(1), color(2)});
+  }
+  return std::move(maker).scene(data.unit, grid_bits);
 }
 
 Scene surface_mesh(Surface surface, std::int32_t rings, std::int32_t sectors,

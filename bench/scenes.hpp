@@ -47,15 +47,22 @@ enum class Surface {
 Scene surface_mesh(Surface surface, std::int32_t rings, std::int32_t sectors,
                    std::uint64_t seed);
 
-/// Collects polygons and makes them a scene of the 26-bit grid. For scenes
-/// made by code, which are valid unless the code is wrong: asserts it.
+/// The scene with its coordinates, in F2B units, rounded to floats as files
+/// hold them, and these to a grid of 26, 40 or 54 bits; the unit is that of
+/// the finest steps that reach 1024 F2B units. Polygons whose corners then lie
+/// on one line go.
+/// Requires: a scene of triangles by this file.
+Scene in_floats(const Scene& scene, int grid_bits);
+
+/// Collects polygons and makes them a scene, of the 26-bit grid by default. For
+/// scenes made by code, which are valid unless the code is wrong: asserts it.
 class SceneMaker {
  public:
   VertexId vertex(const GridPoint& p);
   void polygon(const std::vector<VertexId>& corners, Rgb color);
   /// As `polygon`, with a colour a corner.
   void triangle(const VertexId (&corners)[3], const Rgb (&corner_colors)[3]);
-  Scene scene() &&;
+  Scene scene(Unit unit = {}, int grid_bits = 26) &&;
 
  private:
   SceneData data_;

@@ -76,6 +76,12 @@ Camera universe_camera(View view, std::int32_t size_px) {
   return look_at({0, 0, 0}, view, 2 * kSide, 1.33 * kSide, size_px, 26);
 }
 
+Camera universe_camera(const Scene& scene, View view, std::int32_t size_px) {
+  const double side = std::ldexp(kUniverse, -scene.unit().exponent);
+  return look_at({0, 0, 0}, view, 2 * side, 1.33 * side, size_px,
+                 scene.grid_bits());
+}
+
 Camera scene_camera(const Scene& scene, View view, std::int32_t size_px) {
   const auto to_vec = [](const GridPoint& p) {
     return glm::dvec3(static_cast<double>(p.x), static_cast<double>(p.y),

@@ -39,6 +39,8 @@ std::optional<View> view_named(std::string_view name);
 /// shows the whole of it. Front looks along z, so that parallel triangles are
 /// parallel to the screen.
 Camera universe_camera(View view, std::int32_t size_px);
+/// The same for a scene of in_floats().
+Camera universe_camera(const Scene& scene, View view, std::int32_t size_px);
 
 /// A perspective camera that just shows the sphere around the scene, centred
 /// in the middle of its box, from three of the sphere's radii away.

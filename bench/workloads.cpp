@@ -27,13 +27,29 @@ Workload mesh(const char* name, Surface surface, std::int32_t rings,
           &scene_camera};
 }
 
+/// The workload with floats for coordinates.
+Workload with_floats(Workload workload, int grid_bits) {
+  workload.scene = [make = std::move(workload.scene),
+                    grid_bits]() -> Result<Scene> {
+    const Result<Scene> scene = make();
+    return scene ? in_floats(*scene, grid_bits) : scene;
+  };
+  if (workload.name.rfind("W4", 0) != 0) {
+    workload.camera = [](const Scene& scene, View view, std::int32_t size_px) {
+      return universe_camera(scene, view, size_px);
+    };
+  }
+  return workload;
+}
+
 }  // namespace
 
-std::vector<Workload> workloads(std::uint64_t seed) {
+std::vector<Workload> workloads(std::uint64_t seed,
+                                std::optional<int> grid_bits) {
   const auto seed_of = [seed](std::uint64_t place) {
     return mix(seed) + place;
   };
-  return {
+  std::vector<Workload> all = {
       triangles("W1", {300, 500, false, seed_of(1)}),
       triangles("W1", {500, 500, false, seed_of(2)}),
       triangles("W2", {500, 1'000, true, seed_of(3)}),
@@ -46,6 +62,10 @@ std::vector<Workload> workloads(std::uint64_t seed) {
       mesh("Klein bottle 250k", Surface::kKleinBottle, 250, 500, seed_of(10)),
       mesh("torus 1M", Surface::kTorus, 500, 1000, seed_of(11)),
   };
+  if (grid_bits) {
+    for (Workload& one : all) one = with_floats(std::move(one), *grid_bits);
+  }
+  return all;
 }
 
 }  // namespace halfspace::bench

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct Workload {
 /// W4: meshes of 80,000 to 1,000,000 triangles made by code.
 ///
 /// Each draws on a seed of its own, which depends on `seed` and its place.
-std::vector<Workload> workloads(std::uint64_t seed);
+/// With `grid_bits` coordinates are floats on such a grid: in_floats().
+std::vector<Workload> workloads(std::uint64_t seed,
+                                std::optional<int> grid_bits = std::nullopt);
 
 }  // namespace halfspace::bench

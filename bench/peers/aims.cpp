@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 namespace halfspace::bench {
@@ -146,9 +147,26 @@ std::string cell(std::optional<double> value) {
   return value ? digits(*value) : "-";
 }
 
-std::string ratio(std::optional<double> theirs, double ours) {
-  return theirs ? digits(*theirs / ours) : "-";
+std::optional<double> over(std::optional<double> theirs, double ours) {
+  return theirs ? std::optional(*theirs / ours) : std::nullopt;
 }
+
+/// The geometric mean of those ratios that were measured.
+class GeometricMean {
+ public:
+  void add(std::optional<double> ratio) {
+    if (!ratio) return;
+    sum_ += std::log(*ratio);
+    ++count_;
+  }
+  std::optional<double> value() const {
+    return count_ > 0 ? std::optional(std::exp(sum_ / count_)) : std::nullopt;
+  }
+
+ private:
+  double sum_ = 0;
+  int count_ = 0;
+};
 
 std::string pair(std::optional<double> flat, std::optional<double> smooth) {
   return cell(flat) + " / " + cell(smooth);
@@ -183,18 +201,55 @@ Table cost_table(const std::vector<Row>& rows) {
 
 Table ratio_table(const std::vector<Row>& rows) {
   Table table;
-  table.head = {
-      "workload", "llvmpipe z", "llvmpipe z, smooth", "llvmpipe, no depth",
-      "Embree",   "z-buffer",   "span painter",       "span painter, smooth"};
+  table.head = {"workload",
+                "llvmpipe z",
+                "llvmpipe z, smooth",
+                "llvmpipe, no depth",
+                "Embree",
+                "z-buffer",
+                "span painter",
+                "span painter, smooth",
+                "ours, smooth / flat"};
+  std::vector<GeometricMean> means(table.head.size() - 1);
   for (const Row& row : rows) {
     const PeerCosts& peers = row.peers;
-    table.rows.push_back({row.name, ratio(peers.llvmpipe_flat, row.ours.flat),
-                          ratio(peers.llvmpipe_smooth, row.ours.smooth),
-                          ratio(peers.llvmpipe_no_depth, row.ours.flat),
-                          ratio(peers.embree, row.ours.flat),
-                          ratio(peers.z_buffer, row.ours.flat),
-                          ratio(peers.painter_flat, row.ours.flat),
-                          ratio(peers.painter_smooth, row.ours.smooth)});
+    const double flat = row.ours.flat;
+    const double smooth = row.ours.smooth;
+    const std::optional<double> ratios[] = {over(peers.llvmpipe_flat, flat),
+                                            over(peers.llvmpipe_smooth, smooth),
+                                            over(peers.llvmpipe_no_depth, flat),
+                                            over(peers.embree, flat),
+                                            over(peers.z_buffer, flat),
+                                            over(peers.painter_flat, flat),
+                                            over(peers.painter_smooth, smooth),
+                                            over(smooth, flat)};
+    std::vector<std::string> cells = {row.name};
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      means[k].add(ratios[k]);
+      cells.push_back(cell(ratios[k]));
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  std::vector<std::string> last = {"geometric mean"};
+  for (const GeometricMean& mean : means) last.push_back(cell(mean.value()));
+  table.rows.push_back(std::move(last));
+  return table;
+}
+
+Table work_table(const std::vector<Row>& rows) {
+  Table table;
+  table.head = {
+      "workload",      "fragments displayed",         "for each polygon seen",
+      "tiles touched", "exact decisions / pixels, %", "smooth, %"};
+  for (const Row& row : rows) {
+    const auto displayed = static_cast<double>(row.ours.fragments_displayed);
+    table.rows.push_back(
+        {row.name, digits(displayed),
+         digits(displayed /
+                static_cast<double>(std::max<std::size_t>(row.visible, 1))),
+         digits(static_cast<double>(row.ours.tiles_touched)),
+         digits(100 * row.ours.flat_share),
+         digits(100 * row.ours.smooth_share)});
   }
   return table;
 }

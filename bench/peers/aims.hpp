@@ -28,6 +28,10 @@ Table cost_table(const std::vector<Row>& rows);
 /// How many times longer the peers take than the fast library.
 Table ratio_table(const std::vector<Row>& rows);
 
+/// What a frame took: fragments displayed for each polygon seen, and exact
+/// decisions for each pixel.
+Table work_table(const std::vector<Row>& rows);
+
 /// Trees: size, growth, memory, build time against Embree's.
 Table tree_table(const std::vector<Row>& rows);
 

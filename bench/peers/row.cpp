@@ -35,7 +35,7 @@ void measure_painter(const Scene& scene, const Camera& camera, const Plan& plan,
                      OurCosts& costs,
                      std::vector<WrongPicture>& wrong_pictures) {
   const Built built = build_by_rule(scene, {});
-  Ours ours(scene, built.tree, camera);
+  Ours ours(scene, built.tree, camera, plan.simd);
   const auto time = [&](Shading shading) {
     return processor_time([&] { ours.paint(shading); }, plan.repeats).least;
   };
@@ -49,6 +49,12 @@ void measure_painter(const Scene& scene, const Camera& camera, const Plan& plan,
   }
 }
 
+/// Exact decisions over the image's pixels.
+double exact_share(const fast::Rendering& frame) {
+  return static_cast<double>(frame.decisions.exact) /
+         static_cast<double>(frame.colors.pixels.size());
+}
+
 OurCosts measure_ours(const Scene& scene, const Camera& camera,
                       const Plan& plan, std::vector<PolygonId>& items,
                       std::vector<WrongPicture>& wrong_pictures) {
@@ -60,7 +66,7 @@ OurCosts measure_ours(const Scene& scene, const Camera& camera,
   costs.tree_bytes = built.bytes;
   costs.stats = built.stats;
 
-  Ours ours(scene, built.tree, camera);
+  Ours ours(scene, built.tree, camera, plan.simd);
   const auto flat = [&] { ours.draw(Shading::kFlat); };
   const auto smooth = [&] { ours.draw(Shading::kGouraud); };
   costs.smooth = processor_time(smooth, plan.repeats).least;
@@ -76,6 +82,10 @@ OurCosts measure_ours(const Scene& scene, const Camera& camera,
     wrong_pictures.push_back({"ours, colours alone", 0});
   }
   items = flat_frame.items.pixels;
+  costs.flat_share = exact_share(flat_frame);
+  costs.smooth_share = exact_share(smooth_frame);
+  costs.fragments_displayed = flat_frame.fragments_displayed;
+  costs.tiles_touched = flat_frame.tiles_touched;
   costs.elapsed_one = elapsed_time(flat, plan.repeats).least;
   costs.elapsed_two =
       elapsed_time([&] { ours.draw(Shading::kFlat, 2); }, plan.repeats).least;

@@ -19,6 +19,10 @@ struct OurCosts {
   double smooth = 0;
   std::optional<double> painter_flat;  ///< back to front, a tree by rule
   std::optional<double> painter_smooth;
+  double flat_share = 0;    ///< exact decisions over pixels
+  double smooth_share = 0;  ///< the same
+  std::size_t fragments_displayed = 0;
+  std::size_t tiles_touched = 0;
   double elapsed_one = 0;  ///< flat, by the wall
   double elapsed_two = 0;  ///< the same with two threads
   double build = 0;
@@ -32,6 +36,7 @@ struct Plan {
   View view = View::kFront;
   std::int32_t size_px = 1500;
   Repeats repeats;
+  fast::SimdLevel simd = fast::SimdLevel::kBest;
   bool peers = true;          ///< else the fast library alone
   bool back_to_front = true;  ///< the fast library's painter, too
 };

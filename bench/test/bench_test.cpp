@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -115,6 +116,29 @@ TEST(BenchViews, EveryViewSeesTheScene) {
     }
   }
   EXPECT_FALSE(view_named("nowhere").has_value());
+}
+
+TEST(BenchScenes, FloatsOnEveryGridShowTheSameScene) {
+  const Scene scene = random_triangles({500, 60, false, 5});
+  const auto items = exact_items(scene, universe_camera(View::kAskew, kSizePx));
+  for (const int bits : kGridBits) {
+    const Scene floats = in_floats(scene, bits);
+    EXPECT_EQ(floats.grid_bits(), bits);
+    ASSERT_EQ(floats.polygon_count(), scene.polygon_count());
+    EXPECT_EQ(floats.data().corner_colors, scene.data().corner_colors);
+    std::size_t finer = 0;
+    for (const GridPoint& p : floats.data().vertices) {
+      const double value =
+          std::ldexp(static_cast<double>(p.x), floats.unit().exponent);
+      finer += value != static_cast<float>(value) ? 1 : 0;
+    }
+    // Only what is next to zero is finer than the finest grid.
+    if (bits == 54) {
+      EXPECT_EQ(finer, 0u);
+    }
+    const Camera camera = universe_camera(floats, View::kAskew, kSizePx);
+    EXPECT_GT(share_equal(exact_items(floats, camera), items), kShareLeast);
+  }
 }
 
 TEST(BenchPeers, TheZBufferDrawsTheExactImage) {
