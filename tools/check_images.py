@@ -228,7 +228,7 @@ class Scene:
             return None, 0
         at = tuple(F(o, scale) + t * F(w, step) for o, w in zip(origin, way))
         for other, plane in enumerate(self.clips):
-            if other != k and self.clip_value(plane, at, 1) < 0:
+            if other != k and self.clip_value(plane, at, 1) <= 0:
                 return None, 0
         windings = self.windings(at, clip)
         if sum(windings.values()) <= 0:
@@ -773,8 +773,17 @@ def picks(program, folder, chance):
         x, y = chance.randrange(5), chance.randrange(4)
         said = json.loads(run(program, ["pick", "a.scene", "--json", "--at",
                                         "%d,%d" % (x, y)], folder))
-        polygon = (said.get("hits") or [said])[0].get("polygon")
-        compare([items[y][x]], [-1 if polygon is None else polygon], "pick")
+        hits = said["hits"]
+        found = -1
+        if hits and "polygon" in hits[0]:
+            found = hits[0]["polygon"]
+        elif hits:
+            part = hits[0].get("part", 0)
+            if part == "several":
+                part = scene.parts[-1] + 1
+            found = (len(scene.polygons) + hits[0]["cap_of_clip_plane"] +
+                     16 * part)
+        compare([items[y][x]], [found], "pick")
     return 3
 
 
