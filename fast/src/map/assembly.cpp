@@ -408,6 +408,20 @@ void Assembly::write_arcs(VisibleMap& map) {
             });
 }
 
+/// Turns a loop that begins at its first vertex so that it is the least of
+/// those that do: it may pass that vertex several times.
+void begin_at_least(std::vector<std::int32_t>& corners) {
+  std::vector<std::int32_t> least = corners;
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    if (corners[k] != corners[0]) continue;
+    std::vector<std::int32_t> turned = corners;
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(k),
+                turned.end());
+    least = std::min(least, turned);
+  }
+  corners.swap(least);
+}
+
 void Assembly::write_regions(VisibleMap& map) {
   // A loop for every half that leaves the loop's first vertex.
   struct Loop {
@@ -428,18 +442,23 @@ void Assembly::write_regions(VisibleMap& map) {
     if (halves_[at(h)].region == kOutside) continue;
     Loop loop;
     loop.cell = halves_[at(h)].region;
-    // The first vertex is an extreme one: the turn there is the loop's.
+    // The first vertex is an extreme one. The loop may pass it several times:
+    // it goes round a hole if one of its turns there does.
+    const auto turns_back = [&](std::int32_t into, std::int32_t out) {
+      const HalfPiece& p = halves_[at(into)];
+      const HalfPiece& q = halves_[at(out)];
+      return lines_.turn(p.line, q.line) * p.direction * q.direction < 0;
+    };
     std::int32_t before = h;
     std::int32_t k = first;
     do {
       if (start_of(k) >= 0) loop.corners.push_back(start_of(k));
       before = k;
       k = halves_[at(k)].next;
+      if (start_of(k) == start_of(first))
+        loop.is_hole = loop.is_hole || turns_back(before, k);
     } while (k != first);
-    const HalfPiece& into = halves_[at(before)];
-    const HalfPiece& out = halves_[at(first)];
-    loop.is_hole =
-        lines_.turn(into.line, out.line) * into.direction * out.direction < 0;
+    begin_at_least(loop.corners);
     loops.push_back(std::move(loop));
   }
   // Outer loops first, by their first vertices; holes follow their regions.
