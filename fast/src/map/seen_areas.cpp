@@ -83,6 +83,7 @@ class RayBundle {
 
 struct RealArea {
   Real twice_area = 0;
+  Real size = 0;  ///< the sum of what twice_area adds up, without signs
   Real solid_angle = 0;
 };
 
@@ -111,6 +112,19 @@ std::int32_t key_of(const VisibleMap& map, std::int32_t region) {
                     : map.regions[static_cast<std::size_t>(region)].key;
 }
 
+BigRational exact_area(const VisibleMap& map, std::int32_t key) {
+  BigRational twice = 0;
+  for (const MapArc& arc : map.arcs) {
+    const bool is_right = key_of(map, arc.right) == key;
+    if (is_right == (key_of(map, arc.left) == key)) continue;
+    const ExactPoint p = point_of(map, arc.from);
+    const ExactPoint q = point_of(map, arc.to);
+    const BigRational part = p.x * q.y - p.y * q.x;
+    twice += is_right ? part : BigRational(-part);
+  }
+  return twice / 2;
+}
+
 }  // namespace
 
 std::vector<SeenArea> seen_areas(const VisibleMap& map, const Camera& camera) {
@@ -125,31 +139,28 @@ std::vector<SeenArea> seen_areas(const VisibleMap& map, const Camera& camera) {
     const Real angle = rays ? rays->triangle(p.ray, q.ray) : Real(0);
     RealArea& right = sums[key_of(map, arc.right)];
     right.twice_area += twice_area;
+    right.size += abs(twice_area);
     right.solid_angle += angle;
     RealArea& left = sums[key_of(map, arc.left)];
     left.twice_area -= twice_area;
+    left.size += abs(twice_area);
     left.solid_angle -= angle;
   }
   sums.erase(kOutsideKey);
   std::vector<SeenArea> areas;
   for (const auto& [key, sum] : sums) {
-    areas.push_back({key, Real(sum.twice_area / 2).convert_to<double>(),
-                     sum.solid_angle.convert_to<double>()});
+    // Of 60 digits 40 and more are left, or rationals add it up.
+    const Real area = abs(sum.twice_area) > sum.size * Real(1e-20)
+                          ? Real(sum.twice_area / 2)
+                          : real_of(exact_area(map, key));
+    areas.push_back(
+        {key, area.convert_to<double>(), sum.solid_angle.convert_to<double>()});
   }
   return areas;
 }
 
 std::string exact_seen_area(const VisibleMap& map, std::int32_t key) {
-  BigRational twice = 0;
-  for (const MapArc& arc : map.arcs) {
-    const bool is_right = key_of(map, arc.right) == key;
-    if (is_right == (key_of(map, arc.left) == key)) continue;
-    const ExactPoint p = point_of(map, arc.from);
-    const ExactPoint q = point_of(map, arc.to);
-    const BigRational part = p.x * q.y - p.y * q.x;
-    twice += is_right ? part : BigRational(-part);
-  }
-  return BigRational(twice / 2).str();
+  return exact_area(map, key).str();
 }
 
 double pixel_area(const Camera& camera) {
