@@ -87,6 +87,10 @@ void for_all_moving(
       [&](const SceneFile& view) {
         const auto moving = generate::moving_view(view, seed_of_moves(view));
         if (!moving) return;
+        // Of regions that are interlocked fast makes no tree, which it says.
+        if (!fast::build_moving_trees(moving->assembly, fast::InRegion::kCut,
+                                      {}))
+          return;
         ++drawn;
         property(view, *moving);
       },
