@@ -15,13 +15,13 @@
 /// line by line. It shares no code with the implementations it judges.
 namespace halfspace::definition {
 
-using Integer =
-    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
-                                  boost::multiprecision::et_off>;
-using Fraction =
-    boost::multiprecision::number<boost::multiprecision::rational_adaptor<
-                                      boost::multiprecision::cpp_int_backend<>>,
-                                  boost::multiprecision::et_off>;
+/// Of any size; up to 512 bits, which most have, without memory from the heap.
+using IntegerBackend = boost::multiprecision::cpp_int_backend<512>;
+using Integer = boost::multiprecision::number<IntegerBackend,
+                                              boost::multiprecision::et_off>;
+using Fraction = boost::multiprecision::number<
+    boost::multiprecision::rational_adaptor<IntegerBackend>,
+    boost::multiprecision::et_off>;
 
 /// The oriented plane a x + b y + c z + d (S1.4).
 struct Plane {

@@ -87,13 +87,14 @@ int side_of(const Plane& plane, const Point& p) {
 }
 
 Relation relation(const std::vector<Point>& points, const Plane& plane) {
-  const auto some = [&](int side) {
-    return std::any_of(points.begin(), points.end(), [&](const Point& p) {
-      return side_of(plane, p) == side;
-    });
-  };
-  if (some(1)) return some(-1) ? Relation::kSpanning : Relation::kPositive;
-  return some(-1) ? Relation::kNegative : Relation::kCoincident;
+  bool positive = false, negative = false;
+  for (const Point& p : points) {
+    const int side = side_of(plane, p);
+    positive = positive || side > 0;
+    negative = negative || side < 0;
+  }
+  if (positive) return negative ? Relation::kSpanning : Relation::kPositive;
+  return negative ? Relation::kNegative : Relation::kCoincident;
 }
 
 FragmentName whole(const Scene& scene, PolygonId polygon) {

@@ -18,22 +18,28 @@ Member member_of(const Scene& scene, const FragmentName& name) {
   return {name, points_of(scene, name), plane_of(scene, name.source)};
 }
 
-/// How a list lies against the plane of one of its members (S3.3).
+/// How a list lies against the plane of one of its members (S3.3), as far as the
+/// rule asks for it.
 struct Degrees {
   std::int64_t cuts = 0;
   std::int64_t cut_by = 0;
   std::int64_t difference = 0;  ///< |IN - OUT|
 };
 
-Degrees degrees_of(const std::vector<Member>& list, const Member& member) {
+Degrees degrees_of(const std::vector<Member>& list, const Member& member,
+                   RootRule rule) {
   Degrees degrees;
+  if (rule == RootRule::kFirst) return degrees;
+  const bool asks_who_cuts = rule == RootRule::kH2 || rule == RootRule::kH3;
   for (const Member& other : list) {
     const Relation seen = relation(other.points, member.plane);
     degrees.cuts += seen == Relation::kSpanning ? 1 : 0;
     degrees.difference += seen == Relation::kPositive ? 1 : 0;
     degrees.difference -= seen == Relation::kNegative ? 1 : 0;
-    if (relation(member.points, other.plane) == Relation::kSpanning)
+    if (asks_who_cuts &&
+        relation(member.points, other.plane) == Relation::kSpanning) {
       ++degrees.cut_by;
+    }
   }
   degrees.difference = std::abs(degrees.difference);
   return degrees;
@@ -84,7 +90,8 @@ const Member& root_of(const std::vector<Member>& list,
   Score least;
   for (const std::size_t i : candidates_of(list.size(), options, key)) {
     const Score score =
-        score_of(degrees_of(list, list[i]), options, list[i].name.source);
+        score_of(degrees_of(list, list[i], options.rule), options,
+                 list[i].name.source);
     if (best != nullptr && !(score < least)) continue;
     best = &list[i];
     least = score;
