@@ -15,11 +15,6 @@
 /// A form of planes by which those that are the same point set are found.
 namespace halfspace::fast {
 
-/// Whether normals of wide grids are divided by their greatest common divisor:
-/// where products take as long as numbers are. Elsewhere that took as long as
-/// all else that import does.
-constexpr bool kReducesNormals = kSlowProducts;
-
 /// A plane whose normal's first component that is not zero is positive.
 template <int kBits>
 struct CanonicalPlane {
@@ -38,33 +33,6 @@ bool orient_normal(Vector3<Int>& n) {
   const Int mask = flipped ? -1 : 0;
   n = {(n.x ^ mask) - mask, (n.y ^ mask) - mask, (n.z ^ mask) - mask};
   return flipped;
-}
-
-/// Divides a normal by its greatest common divisor.
-inline void reduce_normal(Vector3<Int128>& n) {
-  if (is_short(n.x) && is_short(n.y) && is_short(n.z)) {
-    Vector3<std::int64_t> m = {static_cast<std::int64_t>(n.x),
-                               static_cast<std::int64_t>(n.y),
-                               static_cast<std::int64_t>(n.z)};
-    auto divisor = greatest_common_divisor(size_of(m.x), size_of(m.y));
-    if (divisor != 1) divisor = greatest_common_divisor(divisor, size_of(m.z));
-    if (divisor == 1) return;
-    const auto by = static_cast<std::int64_t>(divisor);
-    n = {m.x / by, m.y / by, m.z / by};
-    return;
-  }
-  auto divisor = greatest_common_divisor(size_of(n.x), size_of(n.y));
-  if (divisor != 1) divisor = greatest_common_divisor(divisor, size_of(n.z));
-  if (divisor == 1) return;
-  const auto by = static_cast<Int128>(divisor);
-  n = {n.x / by, n.y / by, n.z / by};
-}
-
-inline std::uint64_t low_word_of(Int128 value) {
-  return static_cast<std::uint64_t>(value);
-}
-inline std::uint64_t low_word_of(const Wide<3>& value) {
-  return value.words[0];
 }
 
 /// The number of the cell that holds a plane's offset in units of its normal's
@@ -159,23 +127,18 @@ void set_canonical(std::span<CanonicalPlane<kBits>> planes,
     const ExactPlane<kBits> exact = exact_at(i);
     auto n = exact.normal;
     plane.flipped = orient_normal(n);
-    if constexpr (kBits != 26 && kReducesNormals) reduce_normal(n);
     const auto offset =
         value_at(ExactPlane<kBits>{n, exact.origin}, GridPoint{});
     plane.offset = to_double(offset);
     if constexpr (kBits == 26) {
       plane.hash = hash_of_ray(n, offset, plane.offset);
-    } else if constexpr (kReducesNormals) {
-      plane.hash =
-          mixed(hash_of(low_word_of(n.x), low_word_of(n.y), low_word_of(n.z)) +
-                low_word_of(offset));
     } else {
       rays[i] = residues_of<kBits>({n, exact.origin}, offset);
     }
     plane.exact.normal = n;
     plane.exact.origin = exact.origin;
   }
-  if constexpr (kBits != 26 && !kReducesNormals) {
+  if constexpr (kBits != 26) {
     std::array<std::uint64_t, 32> inverses;
     for (std::size_t i = 0; i < planes.size(); ++i)
       inverses[i] = rays[i].inverse;
@@ -205,7 +168,6 @@ inline bool are_parallel(const Vector3<std::int64_t>& m,
          same(m.z, m.x, n.z, n.x);
 }
 inline bool are_parallel(const Vector3<Int128>& m, const Vector3<Int128>& n) {
-  if constexpr (kReducesNormals) return m == n;
   const auto same = [](Int128 a, Int128 b, Int128 c, Int128 d) {
     return multiply<4>(a, d) == multiply<4>(b, c);
   };

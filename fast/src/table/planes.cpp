@@ -1,15 +1,18 @@
 #include <algorithm>
 #include <array>
 
+#include "exact/gcd.hpp"
 #include "halfspace/assert.hpp"
 #include "table/exact_point.hpp"
 
 namespace halfspace::fast {
 
 Vector3<Int128> GeometryTable::reduced_normal(std::int32_t plane) const {
-  Vector3<Int128> n = normal(plane);
-  reduce_normal(n);
-  return n;
+  const Vector3<Int128> n = normal(plane);
+  const Uint128 divisor = greatest_common_divisor(
+      greatest_common_divisor(size_of(n.x), size_of(n.y)), size_of(n.z));
+  const auto by = static_cast<Int128>(divisor);
+  return {n.x / by, n.y / by, n.z / by};
 }
 
 void GeometryTable::reserve(std::size_t points, std::size_t planes) {
