@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 #include <span>
-#include <tuple>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -145,6 +145,7 @@ class AttributeCarrier {
                     const std::vector<io::Channel> io::Attributes::*which,
                     std::vector<CarriedChannel>& all);
   std::int32_t material_of(std::size_t leaf, std::int32_t material);
+  std::int32_t added(const io::Material& material);
   std::int32_t name_of(const io::Labels& labels, std::size_t face,
                        io::Labels& all,
                        std::map<std::string, std::int32_t>& places);
@@ -176,9 +177,9 @@ class AttributeCarrier {
   std::vector<std::optional<PlacedFaces>> leaves_;
   std::vector<CarriedChannel> corner_channels_;
   std::vector<CarriedChannel> face_channels_;
-  std::map<std::tuple<std::string, std::optional<Rgb>, double, std::string>,
-           std::int32_t>
-      materials_;
+  // By leaf its materials' places in the result, -1 where not yet known.
+  std::vector<std::vector<std::int32_t>> materials_of_leaf_;
+  std::map<std::string, std::int32_t> materials_;
   std::map<std::string, std::int32_t> objects_;
   std::map<std::string, std::int32_t> groups_;
   // Of faces of many corners, by leaf and face, those by their first
@@ -198,6 +199,7 @@ AttributeCarrier::AttributeCarrier(const AttributedLeaves& from,
       is_merged_(options.merge == MergeRule::kColor ||
                  options.merge == MergeRule::kPlane) {
   leaves_.resize(from.leaves.size());
+  materials_of_leaf_.resize(from.leaves.size());
   for (std::size_t i = 0; i < from.leaves.size(); ++i) {
     const AttributedLeaf& leaf = from.leaves[i];
     if (leaf.faces != nullptr) leaves_[i].emplace(*leaf.faces, leaf.matrix);
@@ -266,15 +268,32 @@ bool AttributeCarrier::has_bare_colors() const {
 std::int32_t AttributeCarrier::material_of(std::size_t leaf,
                                            std::int32_t material) {
   if (material < 0) return -1;
-  const io::Material& source =
-      leaves_[leaf]
-          ->faces()
-          .attributes.materials[static_cast<std::size_t>(material)];
+  const auto place = static_cast<std::size_t>(material);
+  const std::vector<io::Material>& all =
+      leaves_[leaf]->faces().attributes.materials;
+  std::vector<std::int32_t>& known = materials_of_leaf_[leaf];
+  known.resize(all.size(), -1);
+  if (known[place] < 0) known[place] = added(all[place]);
+  return known[place];
+}
+
+/// The place of the material in the result, which has it from here on.
+std::int32_t AttributeCarrier::added(const io::Material& material) {
+  // What is not in the key is looked at where keys are equal.
+  const Rgb color = material.color.value_or(Rgb{});
+  std::string key = material.name + '\n' + material.texture + '\n' +
+                    std::to_string(color.r) + ' ' + std::to_string(color.g) +
+                    ' ' + std::to_string(color.b) + ' ' +
+                    std::to_string(material.opacity);
   const auto next = static_cast<std::int32_t>(made_->materials.size());
-  const auto [at, is_new] = materials_.try_emplace(
-      {source.name, source.color, source.opacity, source.texture}, next);
-  if (is_new) made_->materials.push_back(source);
-  return at->second;
+  while (true) {
+    const auto [at, is_new] = materials_.try_emplace(key, next);
+    if (is_new) made_->materials.push_back(material);
+    if (is_new ||
+        made_->materials[static_cast<std::size_t>(at->second)] == material)
+      return at->second;
+    key += '\n';
+  }
 }
 
 std::int32_t AttributeCarrier::name_of(

@@ -36,20 +36,33 @@ using DoublePoint = std::array<double, 3>;
 /// The bytes of a file in each format; `points` are three decimals each.
 /// Attributes, which may be null, are those of the faces and their corners.
 /// `library` is the file that has the materials; empty: they are not named.
+/// `textures` are what the file calls the images, by material; empty: as the
+/// materials say.
 std::string obj_text(std::span<const std::string> points, const Faces& faces,
                      const Attributes* attributes = nullptr,
                      std::string_view library = {});
 std::string off_text(std::span<const std::string> points, const Faces& faces);
 std::string ply_text(std::span<const std::string> points, const Faces& faces,
-                     const Attributes* attributes = nullptr);
+                     const Attributes* attributes = nullptr,
+                     std::span<const std::string> textures = {});
 std::string ply_binary(std::span<const DoublePoint> points, const Faces& faces,
-                       const Attributes* attributes = nullptr);
+                       const Attributes* attributes = nullptr,
+                       std::span<const std::string> textures = {});
 
 /// All digits of a double: no more than 17 + 1074 of them.
 std::string all_digits(double value);
 
 /// The file of materials of an OBJ; empty if no face has one, or a colour.
-std::string mtl_text(const Attributes& attributes);
+std::string mtl_text(const Attributes& attributes,
+                     std::span<const std::string> textures = {});
+
+/// What a file calls the image of a material.
+inline const std::string& texture_of(const Attributes& attributes,
+                                     std::span<const std::string> textures,
+                                     std::size_t material) {
+  return textures.empty() ? attributes.materials[material].texture
+                          : textures[material];
+}
 
 /// Whether all corners of a vertex have the same numbers; then those of each
 /// vertex, kNoValue of those without corners.

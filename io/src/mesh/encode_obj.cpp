@@ -8,6 +8,7 @@
 
 #include "base/point_table.hpp"
 #include "mesh/encode.hpp"
+#include "mesh/images.hpp"
 
 namespace halfspace::io {
 namespace {
@@ -79,15 +80,20 @@ class ObjMaterials {
   bool empty() const {
     return made_.empty() && attributes_.face_materials.empty();
   }
-  std::string text() const {
+  std::string text(std::span<const std::string> textures) const {
     std::string text = "# written by halfspace\n";
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const Material& material = attributes_.materials[i];
       text += "\nnewmtl " + names_[i] + "\n";
       if (material.color) append_color(*material.color, text);
       if (material.opacity != 1) append("d", {material.opacity}, text);
-      if (!material.texture.empty())
-        text += "map_Kd " + obj_name(material.texture, "image") + "\n";
+      if constexpr (kHasImages) {
+        if (material.metallic) append("Pm", {*material.metallic}, text);
+        if (material.roughness) append("Pr", {*material.roughness}, text);
+      }
+      const std::string& texture = texture_of(attributes_, textures, i);
+      if (!texture.empty())
+        text += "map_Kd " + obj_name(texture, "image") + "\n";
     }
     for (const Rgb& color : made_) {
       text += "\nnewmtl " + color_name(color) + "\n";
@@ -268,9 +274,10 @@ std::string obj_text(std::span<const std::string> points, const Faces& faces,
   return text;
 }
 
-std::string mtl_text(const Attributes& attributes) {
+std::string mtl_text(const Attributes& attributes,
+                     std::span<const std::string> textures) {
   const ObjMaterials materials(attributes);
-  return materials.empty() ? std::string() : materials.text();
+  return materials.empty() ? std::string() : materials.text(textures);
 }
 
 }  // namespace halfspace::io

@@ -7,6 +7,7 @@
 #include "base/binary.hpp"
 #include "halfspace/io/mesh.hpp"
 #include "mesh/encode.hpp"
+#include "mesh/images.hpp"
 #include "mesh/ply_channels.hpp"
 
 namespace halfspace::io {
@@ -110,6 +111,7 @@ void add_names(const char* what, const Labels& labels, PlyColumns& columns) {
 }
 
 PlyColumns columns_of(const Attributes& attributes, const Faces& faces,
+                      std::span<const std::string> textures,
                       std::size_t vertex_count) {
   PlyColumns columns;
   // Columns show what is kept here: it must not move.
@@ -118,10 +120,15 @@ PlyColumns columns_of(const Attributes& attributes, const Faces& faces,
     for (std::size_t i = 0; i < attributes.materials.size(); ++i) {
       const Material& material = attributes.materials[i];
       columns.comments.push_back(ply_material_comment(i, material));
-      if (!material.texture.empty()) {
-        columns.comments.push_back("halfspace texture " + std::to_string(i) +
-                                   " " + material.texture);
-      }
+      if (kHasImages && (material.metallic || material.roughness))
+        columns.comments.push_back(ply_surface_comment(i, material));
+      const std::string& texture = texture_of(attributes, textures, i);
+      if (texture.empty()) continue;
+      columns.comments.push_back("halfspace texture " + std::to_string(i) +
+                                 " " + texture);
+      // The name that other programs look for.
+      if constexpr (kHasImages)
+        columns.comments.push_back("TextureFile " + texture);
     }
     columns.face.push_back(
         {"material", true, false, 1, 0, {}, attributes.face_materials});
@@ -311,9 +318,12 @@ void put_face(const Faces& faces, std::size_t face, const PlyColumns& columns,
 
 template <class Sink, class Points>
 std::string ply_of(const Points& points, const Faces& faces,
-                   const Attributes* attributes, std::string_view encoding) {
+                   const Attributes* attributes,
+                   std::span<const std::string> textures,
+                   std::string_view encoding) {
   const PlyColumns columns =
-      attributes ? columns_of(*attributes, faces, points.size()) : PlyColumns();
+      attributes ? columns_of(*attributes, faces, textures, points.size())
+                 : PlyColumns();
   std::string bytes = ply_header(points.size(), faces, columns, encoding);
   Sink sink(bytes);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -356,13 +366,16 @@ std::optional<std::vector<double>> by_vertex(const Channel& channel,
 }
 
 std::string ply_text(std::span<const std::string> points, const Faces& faces,
-                     const Attributes* attributes) {
-  return ply_of<TextSink>(points, faces, attributes, "ascii");
+                     const Attributes* attributes,
+                     std::span<const std::string> textures) {
+  return ply_of<TextSink>(points, faces, attributes, textures, "ascii");
 }
 
 std::string ply_binary(std::span<const DoublePoint> points, const Faces& faces,
-                       const Attributes* attributes) {
-  return ply_of<ByteSink>(points, faces, attributes, "binary_little_endian");
+                       const Attributes* attributes,
+                       std::span<const std::string> textures) {
+  return ply_of<ByteSink>(points, faces, attributes, textures,
+                          "binary_little_endian");
 }
 
 }  // namespace halfspace::io

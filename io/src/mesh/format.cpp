@@ -20,8 +20,10 @@ Result<std::string> encoded_stl(const MeshContent& content) {
 
 Result<std::string> encoded_ply(const MeshContent& content) {
   return content.texts.empty()
-             ? ply_binary(content.doubles, content.faces, content.attributes)
-             : ply_text(content.texts, content.faces, content.attributes);
+             ? ply_binary(content.doubles, content.faces, content.attributes,
+                          content.textures)
+             : ply_text(content.texts, content.faces, content.attributes,
+                        content.textures);
 }
 
 Result<std::string> encoded_off(const MeshContent& content) {
@@ -43,6 +45,16 @@ Result<Mesh> read_obj_in(std::string_view bytes,
   return mesh;
 }
 
+Result<Mesh> read_ply_in(std::string_view bytes,
+                         const std::filesystem::path* folder,
+                         const Stop& stop) {
+  Result<Mesh> mesh = read_ply(bytes, stop);
+  if constexpr (kHasImages) {
+    if (mesh) find_images(folder, *mesh);
+  }
+  return mesh;
+}
+
 using enum Coordinates;
 constexpr unsigned kObjRoom = kMaterialRoom | kObjectRoom | kGroupRoom |
                               kTextureRoom | kNormalRoom | kCornerColorRoom |
@@ -58,8 +70,8 @@ constexpr FormatEntry kFormats[] = {
      encoded_obj},
     {Format::kStl, "STL", ".stl", kFloats, true, 0, read_alone<read_stl>,
      encoded_stl},
-    {Format::kPly, "PLY", ".ply", kTextOrDoubles, false, kPlyRoom,
-     read_alone<read_ply>, encoded_ply},
+    {Format::kPly, "PLY", ".ply", kTextOrDoubles, false, kPlyRoom, read_ply_in,
+     encoded_ply},
     {Format::kOff, "OFF", ".off", kText, false, kFaceColorRoom,
      read_alone<read_off>, encoded_off},
     {Format::k3mf, "3MF", ".3mf", kFloats, true, k3mfRoom, read_alone<read_3mf>,

@@ -13,6 +13,7 @@
 #include "halfspace/io/stop.hpp"
 #include "halfspace/result.hpp"
 #include "mesh/encode.hpp"
+#include "mesh/images.hpp"
 
 namespace halfspace::io {
 
@@ -27,6 +28,10 @@ struct MeshContent {
   std::vector<std::uint32_t> triangle_faces;
   const Attributes* attributes = nullptr;  ///< of the faces; null: none
   std::string library;  ///< the OBJ's file of materials; empty: there is none
+  /// What the file calls the images of materials, by material; empty: as the
+  /// materials say.
+  std::vector<std::string> textures;
+  EmbeddedImages images;  ///< for formats that have them inside
 };
 
 /// Which attributes a format has room for, one bit each.

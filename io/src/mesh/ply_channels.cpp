@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "mesh/images.hpp"
 
 namespace halfspace::io {
 namespace {
@@ -91,6 +92,13 @@ std::optional<Material> material_in(const std::vector<std::string>& words) {
   return material;
 }
 
+/// A number from 0 to 1; nothing where it is none.
+std::optional<double> share_in(const std::string& word) {
+  const double value = value_or_none(word);
+  if (!(value >= 0 && value <= 1)) return std::nullopt;
+  return value;
+}
+
 std::vector<Material> materials_in(const std::vector<std::string>& comments) {
   std::vector<Material> materials;
   for (const std::string& comment : comments) {
@@ -98,6 +106,13 @@ std::vector<Material> materials_in(const std::vector<std::string>& comments) {
         !image.empty() && !materials.empty() &&
         image[0] == std::to_string(materials.size() - 1)) {
       materials.back().texture = rest_of(image, 1);
+    }
+    if (const auto surface = kHasImages ? words_about(comment, "surface")
+                                        : std::vector<std::string>();
+        surface.size() > 2 && !materials.empty() &&
+        surface[0] == std::to_string(materials.size() - 1)) {
+      materials.back().metallic = share_in(surface[1]);
+      materials.back().roughness = share_in(surface[2]);
     }
     const auto words = words_about(comment, "material");
     if (words.empty() || words[0] != std::to_string(materials.size())) continue;
@@ -281,6 +296,16 @@ std::string ply_material_comment(std::size_t index, const Material& material) {
   char opacity[32];
   std::snprintf(opacity, sizeof opacity, " %.6g ", material.opacity);
   return text + opacity + material.name;
+}
+
+std::string ply_surface_comment(std::size_t index, const Material& material) {
+  std::string text = "halfspace surface " + std::to_string(index);
+  for (const auto& share : {material.metallic, material.roughness}) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, " %.6g", share.value_or(0));
+    text += share ? digits : " none";
+  }
+  return text;
 }
 
 }  // namespace halfspace::io

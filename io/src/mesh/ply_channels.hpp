@@ -13,6 +13,9 @@ namespace halfspace::io {
 /// What a line `comment halfspace material ...` says of one: the colour or
 /// `none`, the opacity, and the name; and the reverse.
 std::string ply_material_comment(std::size_t index, const Material& material);
+/// The same of `comment halfspace surface ...`: how metallic and how rough it
+/// is, or `none`.
+std::string ply_surface_comment(std::size_t index, const Material& material);
 
 /// Collects the numbers of one element, vertices or faces, that are neither
 /// coordinates nor colours nor indices.

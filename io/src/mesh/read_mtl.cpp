@@ -4,6 +4,7 @@
 #include "base/plain_file.hpp"
 #include "base/text.hpp"
 #include "halfspace/io/file.hpp"
+#include "mesh/images.hpp"
 #include "mesh/readers.hpp"
 
 namespace halfspace::io {
@@ -67,6 +68,11 @@ class MtlReader {
       material_->opacity = keyword == "d" ? *share : 1 - *share;
     } else if (keyword == "map_Kd") {
       material_->texture = image_name(values);
+    } else if (kHasImages && (keyword == "Pm" || keyword == "Pr")) {
+      const auto share =
+          values.empty() ? std::nullopt : share_of(values.back());
+      if (!share) return complain(keyword);
+      (keyword == "Pm" ? material_->metallic : material_->roughness) = share;
     }
   }
 
@@ -137,6 +143,7 @@ void add_materials(const std::filesystem::path* folder, Mesh& mesh) {
     if (const auto trouble = MtlReader(*bytes, mesh).read())
       attributes.notes.push_back(path.string() + ": " + *trouble);
   }
+  if constexpr (kHasImages) find_images(folder, mesh);
 }
 
 }  // namespace halfspace::io

@@ -126,8 +126,12 @@ struct Writer {
                              const FormatEntry& format, bool beside) {
     std::string materials;
     if (content.attributes != nullptr) {
+      if constexpr (kHasImages) {
+        if (auto error = place_images(path, format.format, beside))
+          return *error;
+      }
       if (format.format == Format::kObj && beside)
-        materials = mtl_text(*content.attributes);
+        materials = mtl_text(*content.attributes, content.textures);
       if (!materials.empty())
         content.library = material_path(path).filename().string();
       report.lost = lost_words(*content.attributes, room_of(format));
@@ -144,8 +148,44 @@ struct Writer {
   }
 
  private:
+  /// Finds what the file calls the images of its materials, or reads them.
+  std::optional<Error> place_images(const std::filesystem::path& path,
+                                    Format format, bool beside) {
+    const bool is_inside = format == Format::k3mf || format == Format::kGlb ||
+                           format == Format::kGltf;
+    if (is_inside) {
+      content.images = embedded_images(*content.attributes, report.notes);
+    } else if (beside && (format == Format::kObj || format == Format::kPly)) {
+      auto names = images_beside(path, *content.attributes);
+      if (!names) return names.error();
+      content.textures = *std::move(names);
+    }
+    return std::nullopt;
+  }
+  /// Whether each face that has texture points has an image inside the file.
+  bool all_have_images() const {
+    const Attributes& attributes = *content.attributes;
+    const Channel* points = nullptr;
+    for (const Channel& channel : attributes.corners) {
+      if (channel.kind == ChannelKind::kTexture) points = &channel;
+    }
+    if (points == nullptr || attributes.face_materials.empty()) return false;
+    for (std::size_t face = 0; face < content.faces.count(); ++face) {
+      const std::int32_t material = attributes.face_materials[face];
+      const bool has_image =
+          material >= 0 &&
+          content.images.at(static_cast<std::size_t>(material)) >= 0;
+      const std::size_t first = content.faces.first_corner[face];
+      if (!has_image && !std::isnan(points->at(first)[0])) return false;
+    }
+    return true;
+  }
   /// What this very file has room for.
   unsigned room_of(const FormatEntry& format) const {
+    if constexpr (kHasImages) {
+      if (format.format == Format::k3mf && all_have_images())
+        return format.room | kTextureRoom;
+    }
     if (format.format != Format::kObj) return format.room;
     unsigned room = format.room;
     if (content.library.empty()) room &= ~(kMaterialRoom | kFaceColorRoom);

@@ -157,6 +157,57 @@ TEST(Gltf, WhatIsWrongHasAPlace) {
                    (file.path().parent_path() / "../b.bin").string());
 }
 
+/// The file with a material whose image is this.
+std::string textured(const std::string& image, const std::string& use) {
+  std::string file = embedded("");
+  file.insert(file.size() - 1, R"(, "materials": [{"name": "m",
+         "pbrMetallicRoughness": {"baseColorTexture": {"index": 0)" +
+                                   use + R"(}}}],
+         "textures": [{"source": 0}], "images": [)" +
+                                   image + "]");
+  return file;
+}
+
+TEST(Gltf, ImagesAreInItOrNoted) {
+  const std::string png = "\x89PNG\r\n\x1a\n and more";
+  const std::string uri = R"({"name": "wood", "uri": "data:image/png;base64,)" +
+                          base64_of(png) + R"("})";
+  const auto read = [](const std::string& image, const std::string& use = "") {
+    return read_mesh(textured(image, use), Format::kGltf);
+  };
+  const Result<Mesh> mesh = read(uri);
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  ASSERT_EQ(mesh->attributes.materials.size(), 1u);
+  const Material& material = mesh->attributes.materials[0];
+  EXPECT_EQ(material.texture, "wood");
+  ASSERT_TRUE(material.image);
+  EXPECT_EQ(material.image->bytes, png);
+  // Without a factor it is a metal.
+  EXPECT_EQ(material.metallic, 1.0);
+
+  const Result<Mesh> second = read(uri, R"(, "texCoord": 1)");
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_FALSE(second->attributes.materials[0].image);
+  EXPECT_EQ(second->attributes.notes,
+            std::vector<std::string>{"the image of 'm' has texture points of "
+                                     "its own, and is passed over"});
+  const Result<Mesh> other = read(R"({"uri": "data:;base64,YWJj"})");
+  ASSERT_TRUE(other) << other.error().message;
+  EXPECT_EQ(other->attributes.notes,
+            std::vector<std::string>{"the image of 'm' is neither a PNG nor a "
+                                     "JPEG, and is passed over"});
+  const Result<Mesh> outside = read(R"({"uri": "some%20wood.png"})");
+  ASSERT_TRUE(outside) << outside.error().message;
+  EXPECT_EQ(outside->attributes.materials[0].texture, "some wood.png");
+  EXPECT_FALSE(outside->attributes.materials[0].image);
+
+  expect_error(read(R"({"uri": "data:;base64,!"})"), ErrorCode::kSyntax,
+               "materials[0]: an image is no base64");
+  expect_error(read(R"({"bufferView": 7})"), ErrorCode::kBadIndex,
+               "materials[0]: there is no bufferViews[7], only 2");
+  expect_error(read("3"), ErrorCode::kSyntax, "images[0] is no object");
+}
+
 TEST(Gltf, WhatIsWrittenIsReadAgain) {
   const TemporaryFile file("a.gltf");
   const Result<Mesh> mesh = read_mesh(embedded(""), Format::kGltf);

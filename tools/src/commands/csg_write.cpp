@@ -164,6 +164,11 @@ void print_lost(const std::string& output,
   say("warning: {} has no room for {}; PLY has\n", output, list);
 }
 
+void print_notes(const std::string& output, const io::ExportReport& report) {
+  for (const std::string& note : report.notes)
+    say("warning: {}: {}\n", output, one_line(note));
+}
+
 namespace {
 
 /// What was passed over in files, and what the result's has no room for.
@@ -182,6 +187,7 @@ void print_attributes(const CsgContext& context, const io::ExportReport& report,
     }
   }
   print_lost(output, lost);
+  print_notes(output, report);
 }
 
 /// What is said where rounding did more than move vertices a little.

@@ -52,6 +52,9 @@ void print_notes(const std::string& name, const io::Attributes& attributes);
 void print_lost(const std::string& output,
                 const std::vector<std::string>& lost);
 
+/// Says what was not to be had for the output.
+void print_notes(const std::string& output, const io::ExportReport& report);
+
 /// What `--stats` says.
 nlohmann::json stats_of(const CsgContext& context,
                         const io::ExportReport& report);

@@ -121,6 +121,7 @@ Status write(const RepairArguments& arguments, const csg::RepairReport& report,
   if (outcome.rounding && outcome.rounding->lost_any())
     say("warning: {}\n", loss_sentence(outcome));
   print_lost(arguments.output, written->lost);
+  print_notes(arguments.output, *written);
   return Status::kFine;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,14 +18,33 @@ namespace halfspace::io {
 /// What stands for a number that is not there.
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
+/// An image that colours are from: a file of its own, or bytes that were in a
+/// mesh's file.
+struct Image {
+  std::filesystem::path file = {};  ///< empty: the bytes are here
+  std::string bytes = {};           ///< a PNG or a JPEG
+  friend bool operator==(const Image&, const Image&) = default;
+};
+
 /// A material: what the formats have in common.
 struct Material {
   std::string name;
   std::optional<Rgb> color = std::nullopt;  ///< diffuse, or base colour
   double opacity = 1;                       ///< 0 to 1
-  /// The file of the image that its colour is from, as the mesh's file says.
+  /// The image that its colour is from, as the mesh's file calls it.
   std::string texture = {};
-  friend bool operator==(const Material&, const Material&) = default;
+  /// That image; null where there is none, or where it was not found.
+  std::shared_ptr<const Image> image = nullptr;
+  /// From 0 to 1; nothing where the file does not say.
+  std::optional<double> metallic = std::nullopt;
+  std::optional<double> roughness = std::nullopt;
+  /// Images are equal where they are the same file or the same bytes.
+  friend bool operator==(const Material& a, const Material& b) {
+    return a.name == b.name && a.color == b.color && a.opacity == b.opacity &&
+           a.texture == b.texture && a.metallic == b.metallic &&
+           a.roughness == b.roughness &&
+           (a.image == b.image || (a.image && b.image && *a.image == *b.image));
+  }
 };
 
 /// A name for each face that has one.

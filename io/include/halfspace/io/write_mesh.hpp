@@ -42,6 +42,8 @@ struct ExportReport {
   std::size_t triangulated = 0;  ///< faces cut into triangles, for STL
   /// What the format has no room for, such as `groups`.
   std::vector<std::string> lost = {};
+  /// What was not to be had for it, such as an image, a sentence each.
+  std::vector<std::string> notes = {};
 };
 
 /// Where the materials of an OBJ go: a file of the same name beside it that
@@ -59,6 +61,10 @@ std::filesystem::path material_path(const std::filesystem::path& obj);
 /// one has, faces without one have the usual one. Attributes go where the
 /// format has room, an OBJ's materials, and colours of faces as such, into
 /// material_path(path); the report says what is lost.
+///
+/// Images go into a 3MF, a GLB or a glTF. An OBJ or a PLY names their files;
+/// those that have none are written beside it, under names that no other file
+/// has.
 ///
 /// Errors:   kBadIndex (a corner names no vertex, its index being that of the
 ///           corner; or a shape is not as above); kTooFewVertices (a face

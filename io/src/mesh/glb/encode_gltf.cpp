@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -48,6 +49,8 @@ class GlbWriter {
     return labels.of_face.empty() ? -1 : labels.of_face[face];
   }
   void add_materials();
+  std::size_t named_image(const std::string& name);
+  void add_images();
   GlbJson primitive(const PrimitiveKey& key,
                     const std::vector<std::size_t>& triangles);
   void append_row(std::size_t triangle, std::size_t k, std::string& row) const;
@@ -75,9 +78,31 @@ class GlbWriter {
   const Channel* face_colors_ = nullptr;
   bool has_colors_ = false;
   std::vector<VertexChannel> channels_;
+  std::map<std::string, std::size_t> named_;
   GlbJson file_;
   std::string bytes_;
 };
+
+/// A path as a URI: bytes that a URI gives no meaning to stay (RFC 3986).
+std::string uri_of(const std::string& path) {
+  constexpr char kDigits[] = "0123456789ABCDEF";
+  std::string uri;
+  for (const char c : path) {
+    const bool is_plain =
+        (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+        (c >= 'A' && c <= 'Z') ||
+        std::string_view("-._~/").find(c) != std::string_view::npos;
+    if (is_plain) {
+      uri += c;
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(c);
+    uri += '%';
+    uri += kDigits[byte >> 4];
+    uri += kDigits[byte & 15];
+  }
+  return uri;
+}
 
 /// Which channels go into a file: glTF has names for three; others are its
 /// own, of at most four numbers.
@@ -107,8 +132,8 @@ void GlbWriter::choose_channels() {
 
 void GlbWriter::add_materials() {
   if (attributes_.face_materials.empty()) return;
-  GlbJson images = GlbJson::array(), textures = GlbJson::array();
-  for (const Material& material : attributes_.materials) {
+  for (std::size_t i = 0; i < attributes_.materials.size(); ++i) {
+    const Material& material = attributes_.materials[i];
     GlbJson json;
     json["name"] = material.name;
     GlbJson& pbr = json["pbrMetallicRoughness"];
@@ -121,18 +146,43 @@ void GlbWriter::add_materials() {
     } else if (material.opacity != 1) {
       pbr["baseColorFactor"] = {1, 1, 1, static_cast<float>(material.opacity)};
     }
-    if (!material.texture.empty()) {
-      pbr["baseColorTexture"]["index"] = textures.size();
-      textures.push_back({{"source", images.size()}});
-      images.push_back({{"uri", material.texture}});
+    if (const std::int32_t image = content_.images.at(i); image >= 0) {
+      pbr["baseColorTexture"]["index"] = image;
+    } else if (!material.texture.empty()) {
+      pbr["baseColorTexture"]["index"] = named_image(material.texture);
     }
-    pbr["metallicFactor"] = 0;
+    pbr["metallicFactor"] = material.metallic.value_or(0);
+    if (material.roughness) pbr["roughnessFactor"] = *material.roughness;
     if (material.opacity < 1) json["alphaMode"] = "BLEND";
     file_["materials"].push_back(std::move(json));
   }
-  if (textures.empty()) return;
-  file_["textures"] = std::move(textures);
-  file_["images"] = std::move(images);
+}
+
+/// The place of an image that is not in the file. Texture i has image i.
+std::size_t GlbWriter::named_image(const std::string& name) {
+  const auto [at, is_new] =
+      named_.try_emplace(name, content_.images.images.size() + named_.size());
+  return at->second;
+}
+
+/// Adds the images, those that are in the file at the end of its bytes.
+void GlbWriter::add_images() {
+  GlbJson images = GlbJson::array();
+  for (const EmbeddedImage& image : content_.images.images) {
+    bytes_ += image.bytes;
+    const std::int64_t place = view(image.bytes.size(), std::nullopt, 0);
+    bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
+    images.push_back({{"name", image.name},
+                      {"mimeType", image.type},
+                      {"bufferView", place}});
+  }
+  std::vector<const std::string*> names(named_.size());
+  for (const auto& [name, place] : named_) names[place - images.size()] = &name;
+  for (const std::string* name : names)
+    images.push_back({{"uri", uri_of(*name)}});
+  for (std::size_t i = 0; i < images.size(); ++i)
+    file_["textures"].push_back({{"source", i}});
+  if (!images.empty()) file_["images"] = std::move(images);
 }
 
 void append_float(double value, std::string& row) {
@@ -311,6 +361,7 @@ void GlbWriter::write() {
   }
   if (!attributes_.origins.empty())
     file_["asset"]["extras"]["origins"] = attributes_.origins;
+  add_images();
 }
 
 /// The JSON with its one buffer.

@@ -28,6 +28,35 @@ std::size_t bytes_of_type(std::int64_t type) {
 
 }  // namespace
 
+Result<std::string_view> bytes_of_view(const GltfFile& file, std::int64_t id,
+                                       const std::string& place) {
+  const auto view = entry_at(file.json, "bufferViews", id, place);
+  if (!view) return view.error();
+  const std::string view_place =
+      item("bufferViews", static_cast<std::size_t>(id));
+  std::int64_t buffer = 0, offset = 0, length = 0;
+  if (auto error = read_wholes(**view, view_place,
+                               {{"buffer", &buffer},
+                                {"byteOffset", &offset},
+                                {"byteLength", &length}}))
+    return *error;
+  if (static_cast<std::uint64_t>(buffer) >= file.buffers.size()) {
+    return Error{ErrorCode::kBadIndex,
+                 view_place + ": there is no " +
+                     item("buffers", static_cast<std::size_t>(buffer)) +
+                     ", only " + std::to_string(file.buffers.size())};
+  }
+  const std::string_view bytes = file.buffers[static_cast<std::size_t>(buffer)];
+  const auto size = static_cast<std::int64_t>(bytes.size());
+  if (offset > size || length > size - offset) {
+    return Error{ErrorCode::kTruncated, view_place + " reaches to byte " +
+                                            std::to_string(offset + length) +
+                                            " of " + std::to_string(size)};
+  }
+  return bytes.substr(static_cast<std::size_t>(offset),
+                      static_cast<std::size_t>(length));
+}
+
 Result<Accessor> Accessor::of(const GltfFile& file, std::int64_t id,
                               const std::string& from) {
   const std::string place = item("accessors", static_cast<std::size_t>(id));
@@ -69,32 +98,16 @@ std::optional<Error> Accessor::find_bytes(const GltfFile& file,
     return error;
   if (view_id < 0)
     return Error{ErrorCode::kSyntax, place + " has no bufferView"};
-  const auto view = entry_at(file.json, "bufferViews", view_id, place);
-  if (!view) return view.error();
   const std::string view_place =
       item("bufferViews", static_cast<std::size_t>(view_id));
+  const auto bytes = bytes_of_view(file, view_id, place);
+  if (!bytes) return bytes.error();
   const std::size_t row = bytes_of_type(type_) * width_;
-  std::int64_t buffer = 0, offset = 0, length = 0;
   auto stride = static_cast<std::int64_t>(row);
-  if (auto error = read_wholes(**view, view_place,
-                               {{"buffer", &buffer},
-                                {"byteOffset", &offset},
-                                {"byteLength", &length},
-                                {"byteStride", &stride}}))
+  const auto view = entry_at(file.json, "bufferViews", view_id, place);
+  if (auto error = read_wholes(**view, view_place, {{"byteStride", &stride}}))
     return error;
-  if (static_cast<std::uint64_t>(buffer) >= file.buffers.size()) {
-    return Error{ErrorCode::kBadIndex,
-                 view_place + ": there is no " +
-                     item("buffers", static_cast<std::size_t>(buffer)) +
-                     ", only " + std::to_string(file.buffers.size())};
-  }
-  const std::string_view bytes = file.buffers[static_cast<std::size_t>(buffer)];
-  const auto size = static_cast<std::int64_t>(bytes.size());
-  if (offset > size || length > size - offset) {
-    return Error{ErrorCode::kTruncated, view_place + " reaches to byte " +
-                                            std::to_string(offset + length) +
-                                            " of " + std::to_string(size)};
-  }
+  const auto length = static_cast<std::int64_t>(bytes->size());
   const auto wide = static_cast<std::int64_t>(row);
   if (stride < wide || stride > 4096) {
     return Error{ErrorCode::kSyntax,
@@ -108,7 +121,7 @@ std::optional<Error> Accessor::find_bytes(const GltfFile& file,
   }
   stride_ = static_cast<std::size_t>(stride);
   count_ = static_cast<std::size_t>(count);
-  bytes_ = bytes.substr(static_cast<std::size_t>(offset));
+  bytes_ = *bytes;
   if (count > 0) bytes_.remove_prefix(static_cast<std::size_t>(first));
   return std::nullopt;
 }

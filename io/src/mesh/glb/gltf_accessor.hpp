@@ -10,6 +10,11 @@
 
 namespace halfspace::io {
 
+/// The bytes of bufferView number `id`; errors of the number itself name
+/// `place`. Errors: kBadIndex, kSyntax, kTruncated.
+Result<std::string_view> bytes_of_view(const GltfFile& file, std::int64_t id,
+                                       const std::string& place);
+
 /// The numbers of an accessor (glTF 2.0, sec. 3.6.2), in the file's bytes.
 class Accessor {
  public:

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/plain_file.hpp"
 #include "halfspace/message.hpp"
 #include "mesh/glb/glb.hpp"
+#include "mesh/images.hpp"
 
 namespace halfspace::io {
 namespace {
@@ -41,6 +43,17 @@ std::array<double, 3> turned(const Turn& turn, const double* normal) {
     for (double& value : result) value /= length;
   }
   return result;
+}
+
+/// A number from 0 to 1, if there is one of the name.
+Result<std::optional<double>> share_in(const Json& json, const char* name,
+                                       const std::string& place) {
+  const auto found = json.find(name);
+  if (found == json.end()) return std::optional<double>();
+  if (!found->is_number()) {
+    return Error{ErrorCode::kSyntax, place + "." + name + " is no number"};
+  }
+  return std::optional(std::clamp(found->get<double>(), 0.0, 1.0));
 }
 
 /// Adds what a vertex has to a channel: turned, and as other files have it.
@@ -93,6 +106,13 @@ std::optional<Error> GltfAttributes::read_material(const Json& json,
       shares[k] = share_of_linear(std::clamp((*factor)[k], 0.0, 1.0));
     material.color = rgb_of(shares);
     material.opacity = std::clamp((*factor)[3], 0.0, 1.0);
+    const auto metallic = share_in(*pbr, "metallicFactor", place);
+    if (!metallic) return metallic.error();
+    // What is no metal is what all others are, too.
+    if (*metallic != 0.0) material.metallic = metallic->value_or(1);
+    const auto roughness = share_in(*pbr, "roughnessFactor", place);
+    if (!roughness) return roughness.error();
+    material.roughness = *roughness;
     if (auto error = read_texture(*pbr, place, material)) return error;
   }
   mesh_.attributes.materials.push_back(std::move(material));
@@ -113,13 +133,70 @@ std::optional<Error> GltfAttributes::read_texture(const Json& pbr,
   if (*source < 0) return std::nullopt;
   const auto image = entry_at(file_.json, "images", *source, place);
   if (!image) return image.error();
-  material.texture = text_in(**image, "uri");
-  if (!material.texture.empty() && !material.texture.starts_with("data:"))
-    return std::nullopt;
+  if (auto error = read_image(**image, *source, place, material)) return error;
+  const auto points = whole(*use, "texCoord", 0, place);
+  if (!points) return points.error();
+  const bool is_moved = use->contains("extensions");
+  if (*points == 0 && !is_moved) return std::nullopt;
+  mesh_.attributes.notes.push_back(
+      "the image of " + in_quotes(material.name) +
+      (is_moved ? " is placed by an extension, which is passed over"
+                : " has texture points of its own, and is passed over"));
+  if (*points == 0) return std::nullopt;
   material.texture.clear();
-  mesh_.attributes.notes.push_back("the image of " + in_quotes(material.name) +
-                                   " is in the file itself, and is passed "
-                                   "over");
+  material.image = nullptr;
+  return std::nullopt;
+}
+
+/// The bytes of an image in the file, or its file beside it.
+std::optional<Error> GltfAttributes::read_image(const Json& image,
+                                                std::int64_t id,
+                                                const std::string& place,
+                                                Material& material) {
+  if (images_.contains(id)) {
+    material.texture = images_[id].first;
+    material.image = images_[id].second;
+    return std::nullopt;
+  }
+  const std::string uri = text_in(image, "uri");
+  if (uri.empty() && !image.contains("bufferView")) return std::nullopt;
+  if (!uri.empty() && !uri.starts_with("data:")) {
+    material.texture = name_of_uri(uri);
+    const std::filesystem::path name = material.texture;
+    if (file_.folder && name.is_relative() &&
+        uri.find("://") == std::string::npos) {
+      const std::filesystem::path path = *file_.folder / name;
+      if (is_plain_file(path)) {
+        material.image = std::make_shared<const Image>(Image{path, {}});
+        mesh_.attributes.files.push_back(path);
+      }
+    }
+  } else {
+    std::string bytes;
+    if (!uri.empty()) {
+      auto decoded = bytes_of_data_uri(uri);
+      if (!decoded)
+        return Error{ErrorCode::kSyntax, place + ": an image is no base64"};
+      bytes = *std::move(decoded);
+    } else {
+      const auto view = whole(image, "bufferView", 0, place);
+      if (!view) return view.error();
+      const auto found = bytes_of_view(file_, *view, place);
+      if (!found) return found.error();
+      bytes = *found;
+    }
+    if (image_type(bytes) == nullptr) {
+      mesh_.attributes.notes.push_back(
+          "the image of " + in_quotes(material.name) +
+          " is neither a PNG nor a JPEG, and is passed over");
+      return std::nullopt;
+    }
+    material.texture = text_in(image, "name");
+    if (material.texture.empty())
+      material.texture = "image " + std::to_string(id);
+    material.image = std::make_shared<const Image>(Image{{}, std::move(bytes)});
+  }
+  images_[id] = {material.texture, material.image};
   return std::nullopt;
 }
 

@@ -3,8 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "halfspace/io/mesh.hpp"
@@ -50,6 +53,8 @@ class GltfAttributes {
   std::optional<Error> read_material(const Json& json, std::size_t i);
   std::optional<Error> read_texture(const Json& pbr, const std::string& place,
                                     Material& material);
+  std::optional<Error> read_image(const Json& image, std::int64_t id,
+                                  const std::string& place, Material& material);
   void add_names(const GltfTriangles& triangles, std::int64_t material);
   std::optional<Error> add_channels(const GltfTriangles& triangles);
   Channel& channel_for(const std::string& semantic, std::size_t width);
@@ -57,6 +62,9 @@ class GltfAttributes {
 
   const GltfFile& file_;
   Mesh& mesh_;
+  /// By number the images that were read, and what they are called.
+  std::map<std::int64_t, std::pair<std::string, std::shared_ptr<const Image>>>
+      images_;
   LabelMaker objects_;
   LabelMaker groups_;
   std::vector<GrowingChannel> channels_;

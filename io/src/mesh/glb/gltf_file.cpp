@@ -73,22 +73,6 @@ int hex_digit(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/// A file's name from a URI, in which bytes may be given as %20 (RFC 3986).
-std::string name_of_uri(std::string_view uri) {
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const int high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
-    const int low = high < 0 ? -1 : hex_digit(uri[i + 2]);
-    if (uri[i] != '%' || low < 0) {
-      name += uri[i];
-      continue;
-    }
-    name += static_cast<char>(16 * high + low);
-    i += 2;
-  }
-  return name;
-}
-
 /// What a file's JSON says of its buffers, brought together.
 class BufferReader {
  public:
@@ -140,13 +124,8 @@ class BufferReader {
 
   Result<std::string_view> bytes_at(const std::string& uri,
                                     const std::string& place) {
-    constexpr std::string_view kEncoded = ";base64,";
     if (!uri.starts_with("data:")) return bytes_beside(uri, place);
-    const std::size_t at = uri.find(kEncoded);
-    std::optional<std::string> bytes;
-    if (at != std::string::npos)
-      bytes =
-          bytes_of_base64(std::string_view(uri).substr(at + kEncoded.size()));
+    std::optional<std::string> bytes = bytes_of_data_uri(uri);
     if (!bytes) return Error{ErrorCode::kSyntax, place + ".uri is no base64"};
     return std::string_view(file_.owned.emplace_back(*std::move(bytes)));
   }
@@ -180,6 +159,29 @@ class BufferReader {
 
 }  // namespace
 
+std::string name_of_uri(std::string_view uri) {
+  std::string name;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const int high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
+    const int low = high < 0 ? -1 : hex_digit(uri[i + 2]);
+    if (uri[i] != '%' || low < 0) {
+      name += uri[i];
+      continue;
+    }
+    name += static_cast<char>(16 * high + low);
+    i += 2;
+  }
+  return name;
+}
+
+std::optional<std::string> bytes_of_data_uri(std::string_view uri) {
+  constexpr std::string_view kEncoded = ";base64,";
+  const std::size_t at = uri.find(kEncoded);
+  if (!uri.starts_with("data:") || at == std::string_view::npos)
+    return std::nullopt;
+  return bytes_of_base64(uri.substr(at + kEncoded.size()));
+}
+
 Result<GltfFile> gltf_file(std::string_view bytes,
                            const std::filesystem::path* folder) {
   GlbChunks chunks;
@@ -195,7 +197,8 @@ Result<GltfFile> gltf_file(std::string_view bytes,
   }
   Result<Json> json = parsed_json(chunks.json, begin);
   if (!json) return json.error();
-  GltfFile file{*std::move(json), {}, {}, {}};
+  GltfFile file{*std::move(json), {}, {}, {}, {}};
+  if (folder != nullptr) file.folder = *folder;
   if (auto error = BufferReader(file, chunks.bytes, folder).read())
     return *error;
   return file;

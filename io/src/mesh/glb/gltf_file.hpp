@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,17 @@ struct GltfFile {
   std::vector<std::string_view> buffers;
   /// The bytes of those that are not in the file as they are.
   std::deque<std::string> owned;
-  /// The files beside it that were read.
+  /// The files beside it that were read, or that its images are.
   std::vector<std::filesystem::path> files;
+  /// The folder that these are in; nothing where they are not read.
+  std::optional<std::filesystem::path> folder;
 };
+
+/// A file's name from a URI, in which bytes may be given as %20 (RFC 3986).
+std::string name_of_uri(std::string_view uri);
+
+/// The bytes of a URI `data:...;base64,...`; nothing where it is none.
+std::optional<std::string> bytes_of_data_uri(std::string_view uri);
 
 /// The file that `bytes` are: a GLB, or the JSON of a .gltf, whose buffers are
 /// in base64 or in files of `folder`; these are not read where it is null.

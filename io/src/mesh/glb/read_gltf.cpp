@@ -354,7 +354,8 @@ Result<Mesh> GltfReader::read() {
   if (auto error = read_nodes()) return *error;
   attributes_.finish();
   Attributes& attributes = builder_.mesh.attributes;
-  attributes.files = file_.files;
+  attributes.files.insert(attributes.files.begin(), file_.files.begin(),
+                          file_.files.end());
   if (passed_over_ > 0) {
     attributes.notes.push_back(std::to_string(passed_over_) +
                                " primitives of points or lines are passed "

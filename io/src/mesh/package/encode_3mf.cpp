@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <utility>
@@ -46,7 +48,22 @@ std::string color_digits(const Rgb& color, double opacity) {
   return text;
 }
 
-constexpr int kMaterialsId = 1, kColorsId = 2, kObjectId = 3;
+/// Ids of resources: the images' are behind those, then the materials' of them.
+constexpr int kMaterialsId = 1, kColorsId = 2, kObjectId = 3, kSurfacesId = 4,
+              kFirstImageId = 5;
+
+constexpr const char* kImageFolder = "/3D/Textures/";
+
+std::string digits_of(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
+/// ` name="VALUE"`.
+std::string attribute(const char* name, std::int64_t value) {
+  return std::string(" ") + name + "=\"" + std::to_string(value) + "\"";
+}
 
 /// The properties of a triangle: the id of a group, and places in it.
 struct Triangle3mf {
@@ -63,6 +80,7 @@ class Writer3mf {
 
  private:
   void choose_properties();
+  bool choose_texture(std::size_t i, Triangle3mf& made);
   void complete_properties();
   /// How many materials are written.
   std::size_t base_count() const {
@@ -70,6 +88,14 @@ class Writer3mf {
                                               : attributes_.materials.size();
   }
   std::size_t place_of(const std::string& color);
+  /// The id of a material's texture points.
+  int texture_id(std::size_t material) const {
+    return kFirstImageId + static_cast<int>(content_.images.images.size()) +
+           static_cast<int>(material);
+  }
+  bool has_surfaces() const;
+  void add_materials(std::string& text) const;
+  void add_textures(std::string& text) const;
   void add_resources(std::string& text) const;
   void add_mesh(std::string& text) const;
   void add_triangle(std::size_t i, std::string& text) const;
@@ -84,6 +110,10 @@ class Writer3mf {
   const Channel* polygon_ = nullptr;
   std::vector<std::string> colors_;
   std::map<std::string, std::size_t> color_places_;
+  /// By material its texture points, and the place of each.
+  std::vector<std::vector<std::array<double, 2>>> texture_points_;
+  std::vector<std::map<std::array<double, 2>, std::size_t>> texture_places_;
+  const Channel* texture_ = nullptr;
   std::vector<Triangle3mf> triangles_;
   bool needs_none_ = false;
 };
@@ -94,14 +124,42 @@ std::size_t Writer3mf::place_of(const std::string& color) {
   return at->second;
 }
 
-/// A triangle has its face's material, or else the colours of its corners, or
-/// that of its face.
+/// Gives a triangle the texture points of its corners, where its material has
+/// an image in the file and they all have some.
+bool Writer3mf::choose_texture(std::size_t i, Triangle3mf& made) {
+  if (texture_ == nullptr) return false;
+  const auto material = static_cast<std::size_t>(
+      attributes_.face_materials[content_.triangle_faces[i]]);
+  if (content_.images.at(material) < 0) return false;
+  std::array<std::array<double, 2>, 3> points;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = texture_->at(content_.triangle_corners[i][k]);
+    if (!std::isfinite(at[0]) || !std::isfinite(at[1])) return false;
+    points[k] = {at[0] + 0.0, at[1] + 0.0};
+  }
+  made.group = texture_id(material);
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto& all = texture_points_[material];
+    const auto [place, is_new] =
+        texture_places_[material].try_emplace(points[k], all.size());
+    if (is_new) all.push_back(points[k]);
+    made.at[k] = place->second;
+  }
+  return true;
+}
+
+/// A triangle has its face's image, or else its material, or else the colours
+/// of its corners, or that of its face.
 void Writer3mf::choose_properties() {
   const Channel* of_corners = nullptr;
   const Channel* of_faces = nullptr;
   for (const Channel& channel : attributes_.corners) {
     if (channel.kind == ChannelKind::kColor) of_corners = &channel;
+    if (channel.kind == ChannelKind::kTexture && channel.width == 2)
+      texture_ = &channel;
   }
+  texture_points_.resize(attributes_.materials.size());
+  texture_places_.resize(attributes_.materials.size());
   for (const Channel& channel : attributes_.faces) {
     if (channel.kind == ChannelKind::kColor) of_faces = &channel;
   }
@@ -118,6 +176,7 @@ void Writer3mf::choose_properties() {
     Triangle3mf& made = triangles_.emplace_back();
     if (!attributes_.face_materials.empty() &&
         attributes_.face_materials[face] >= 0) {
+      if (choose_texture(i, made)) continue;
       made.group = kMaterialsId;
       made.at.fill(static_cast<std::size_t>(attributes_.face_materials[face]));
       continue;
@@ -152,9 +211,57 @@ void Writer3mf::complete_properties() {
   }
 }
 
-void Writer3mf::add_resources(std::string& text) const {
+bool Writer3mf::has_surfaces() const {
+  return base_count() > 0 &&
+         std::any_of(attributes_.materials.begin(), attributes_.materials.end(),
+                     [](const Material& material) {
+                       return material.metallic || material.roughness;
+                     });
+}
+
+/// The images, and the texture points of each material that has one.
+void Writer3mf::add_textures(std::string& text) const {
+  const auto& images = content_.images.images;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    text += "  <m:texture2d" +
+            attribute("id", kFirstImageId + static_cast<int>(i)) + " path=\"" +
+            kImageFolder + images[i].name + "\" contenttype=\"" +
+            images[i].type + "\"/>\n";
+  }
+  for (std::size_t i = 0; i < texture_points_.size(); ++i) {
+    if (texture_points_[i].empty()) continue;
+    text += "  <m:texture2dgroup" + attribute("id", texture_id(i)) +
+            attribute("texid", kFirstImageId + content_.images.at(i)) +
+            attribute("h:pid", kMaterialsId) +
+            attribute("h:pindex", static_cast<std::int64_t>(i)) + ">\n";
+    for (const auto& [u, v] : texture_points_[i]) {
+      text += "<m:tex2coord u=\"" + digits_of(u) + "\" v=\"" + digits_of(v) +
+              "\"/>\n";
+    }
+    text += "  </m:texture2dgroup>\n";
+  }
+}
+
+void Writer3mf::add_materials(std::string& text) const {
   if (base_count() > 0 || needs_none_) {
-    text += "  <basematerials id=\"1\">\n";
+    const bool surfaces = has_surfaces();
+    if (surfaces) {
+      text += "  <m:pbmetallicdisplayproperties" +
+              attribute("id", kSurfacesId) + ">\n";
+      for (std::size_t i = 0; i < base_count() + (needs_none_ ? 1 : 0); ++i) {
+        const Material none{"none"};
+        const Material& material =
+            i < base_count() ? attributes_.materials[i] : none;
+        text += "   <m:pbmetallic name=\"" + xml_text(material.name) +
+                "\" metallicness=\"" +
+                digits_of(material.metallic.value_or(0)) + "\" roughness=\"" +
+                digits_of(material.roughness.value_or(1)) + "\"/>\n";
+      }
+      text += "  </m:pbmetallicdisplayproperties>\n";
+    }
+    text += "  <basematerials" + attribute("id", kMaterialsId) +
+            (surfaces ? attribute("displaypropertiesid", kSurfacesId) : "") +
+            ">\n";
     for (std::size_t i = 0; i < base_count(); ++i) {
       const Material& material = attributes_.materials[i];
       text += "   <base name=\"" + xml_text(material.name) +
@@ -168,6 +275,11 @@ void Writer3mf::add_resources(std::string& text) const {
     }
     text += "  </basematerials>\n";
   }
+}
+
+void Writer3mf::add_resources(std::string& text) const {
+  add_materials(text);
+  add_textures(text);
   if (colors_.empty()) return;
   text += "  <m:colorgroup id=\"2\">\n";
   for (const std::string& color : colors_)
@@ -289,22 +401,48 @@ std::string Writer3mf::model() {
 
 Result<std::string> three_mf_bytes(const MeshContent& content) {
   if (auto error = beyond_floats(content.doubles)) return *error;
-  const std::string types =
+  std::string types =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"http://"
       "schemas.openxmlformats.org/package/2006/content-types\"><Default "
       "Extension=\"rels\" ContentType=\"application/"
       "vnd.openxmlformats-package.relationships+xml\"/><Default "
       "Extension=\"model\" ContentType=\"application/"
-      "vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n";
+      "vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>";
+  const auto& images = content.images.images;
+  for (const char* type : {"png", "jpeg"}) {
+    if (std::any_of(images.begin(), images.end(), [&](const auto& image) {
+          return image.name.ends_with(std::string(".") + type);
+        })) {
+      types += std::string("<Default Extension=\"") + type +
+               "\" ContentType=\"image/" + type + "\"/>";
+    }
+  }
+  types += "</Types>\n";
   const std::string relations =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships xmlns=\"http:"
       "//schemas.openxmlformats.org/package/2006/relationships\"><Relationship "
       "Target=\"/3D/3dmodel.model\" Id=\"rel0\" Type=\"http://"
       "schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
       "</Relationships>\n";
-  return package_of({{"[Content_Types].xml", types},
-                     {"_rels/.rels", relations},
-                     {"3D/3dmodel.model", Writer3mf(content).model()}});
+  std::vector<std::pair<std::string, std::string>> entries = {
+      {"[Content_Types].xml", types},
+      {"_rels/.rels", relations},
+      {"3D/3dmodel.model", Writer3mf(content).model()}};
+  if (images.empty()) return package_of(entries);
+  std::string own =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships xmlns=\"http:"
+      "//schemas.openxmlformats.org/package/2006/relationships\">";
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    own += "<Relationship Target=\"" + (kImageFolder + images[i].name) +
+           "\" Id=\"image" + std::to_string(i) +
+           "\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/"
+           "3dtexture\"/>";
+    entries.emplace_back((kImageFolder + images[i].name).substr(1),
+                         images[i].bytes);
+  }
+  entries.emplace_back("3D/_rels/3dmodel.model.rels",
+                       own + "</Relationships>\n");
+  return package_of(entries);
 }
 
 }  // namespace halfspace::io

@@ -118,6 +118,7 @@ class Model3mfParser {
   Model3mfObject* object_ = nullptr;
   Model3mfGroup* group_ = nullptr;
   Model3mfSet* set_ = nullptr;
+  std::vector<Model3mfSurface>* surfaces_ = nullptr;
   std::int64_t object_group_ = -1;
   std::uint32_t object_property_ = 0;
   bool in_build_ = false;
@@ -264,6 +265,7 @@ void Model3mfParser::start_core(const Element& element) {
     in_build_ = true;
   } else if (name == "basematerials") {
     group_ = &model_.groups[whole(element, "id", -1)];
+    group_->surfaces_id = whole(element, "displaypropertiesid", -1);
   } else if (name == "base" && group_ != nullptr) {
     Material material{text(element, "name")};
     const std::string value = text(element, "displaycolor");
@@ -288,6 +290,10 @@ void Model3mfParser::start_material(const Element& element) {
   if (name == "colorgroup" || name == "texture2dgroup") {
     group_ = &model_.groups[whole(element, "id", -1)];
     group_->texture_id = whole(element, "texid", -1);
+    const std::string space = std::string(kOriginSpace) + kSpaceEnd;
+    group_->material_group = whole(element, space + "pid", -1);
+    group_->material =
+        static_cast<std::size_t>(whole(element, space + "pindex", 0));
   } else if (name == "color" && group_ != nullptr) {
     group_->colors.push_back(color_of_digits(text(element, "color")));
   } else if (name == "tex2coord" && group_ != nullptr) {
@@ -295,6 +301,14 @@ void Model3mfParser::start_material(const Element& element) {
         {value_or_none(text(element, "u")), value_or_none(text(element, "v"))});
   } else if (name == "texture2d") {
     model_.textures[whole(element, "id", -1)] = text(element, "path");
+  } else if (name == "pbmetallicdisplayproperties") {
+    surfaces_ = &model_.surfaces[whole(element, "id", -1)];
+  } else if (name == "pbmetallic" && surfaces_ != nullptr) {
+    const auto share = [&](const char* key, double other) {
+      const double value = value_or_none(text(element, key));
+      return value >= 0 && value <= 1 ? value : other;
+    };
+    surfaces_->push_back({share("metallicness", 0), share("roughness", 1)});
   }
 }
 
@@ -337,6 +351,7 @@ void Model3mfParser::end(std::string_view name) {
   if (name == "basematerials" || name == "colorgroup" ||
       name == "texture2dgroup")
     group_ = nullptr;
+  if (name == "pbmetallicdisplayproperties") surfaces_ = nullptr;
   if (name == "build") in_build_ = false;
   if (name == "metadata" && in_origin_) {
     model_.origins[*in_origin_] = text_;

@@ -15,7 +15,8 @@
 namespace halfspace::io {
 
 /// The namespaces of a 3MF model: of the core, of properties of materials, of
-/// sets of triangles, of productions, and of where triangles come from.
+/// sets of triangles, of productions, and our own: where triangles come from,
+/// and which material has texture points.
 inline constexpr const char* kModelSpace =
     "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 inline constexpr const char* kMaterialSpace =
@@ -63,6 +64,17 @@ struct Model3mfGroup {
   std::vector<std::array<double, 4>> colors;
   std::vector<std::array<double, 2>> texture;
   std::int64_t texture_id = -1;
+  /// The material that has the texture: a group's id, and a place in it.
+  std::int64_t material_group = -1;
+  std::size_t material = 0;
+  /// The surfaces of the materials: a list's id.
+  std::int64_t surfaces_id = -1;
+};
+
+/// How metallic and how rough a surface is, from 0 to 1.
+struct Model3mfSurface {
+  double metallic = 0;
+  double roughness = 1;
 };
 
 /// A model part of a 3MF package, as it stands.
@@ -71,6 +83,7 @@ struct Model3mf {
   std::map<std::int64_t, Model3mfObject> objects;
   std::map<std::int64_t, Model3mfGroup> groups;
   std::map<std::int64_t, std::string> textures;  ///< paths in the package
+  std::map<std::int64_t, std::vector<Model3mfSurface>> surfaces;
   std::vector<Model3mfUse> items;
   std::map<std::size_t, std::string> origins;
 };

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "halfspace/message.hpp"
+#include "mesh/images.hpp"
 #include "mesh/label_maker.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "mesh/package/model_3mf.hpp"
@@ -15,6 +18,8 @@ namespace {
 /// again makes, are no more than these.
 constexpr int kMost3mfDepth = 32;
 constexpr std::size_t kMost3mfVertices = std::size_t{1} << 23;
+/// Images that unpack to more are passed over.
+constexpr std::uint64_t kMost3mfImageBytes = std::uint64_t{1} << 28;
 
 /// The part of a package that holds the model: what its relationships name,
 /// which is the usual one or the only one that ends so.
@@ -63,6 +68,11 @@ class Builder3mf {
             part + ", line " + std::to_string(line) + ": " + what, line};
   }
   std::optional<Error> load(const std::string& part);
+  static Material material_at(const Model3mf& model, const Model3mfGroup& group,
+                              std::size_t i);
+  Material textured_material(const Model3mf& model, std::int64_t id,
+                             const Model3mfGroup& group);
+  std::shared_ptr<const Image> image_at(const std::string& path);
   std::optional<Error> add(const std::string& part, const Model3mfUse& use,
                            const ExactMap& outer, int depth);
   std::optional<Error> add_mesh(const std::string& part,
@@ -76,6 +86,9 @@ class Builder3mf {
   const PackageReader& package_;
   std::map<std::string, Model3mf> parts_;
   std::map<std::pair<std::string, std::int64_t>, std::size_t> first_material_;
+  /// By path in the package; null where there is none.
+  std::map<std::string, std::shared_ptr<const Image>> images_;
+  std::uint64_t image_bytes_ = 0;  // of all of them
   MeshBuilder builder_;
   LabelMaker objects_, groups_;
   std::vector<std::int32_t> face_materials_, set_objects_, set_groups_;
@@ -93,20 +106,68 @@ std::optional<Error> Builder3mf::load(const std::string& part) {
   std::vector<Material>& materials = builder_.mesh.attributes.materials;
   for (auto& [id, group] : loaded.groups) {
     first_material_[{part, id}] = materials.size();
-    materials.insert(materials.end(), group.materials.begin(),
-                     group.materials.end());
+    for (std::size_t i = 0; i < group.materials.size(); ++i)
+      materials.push_back(material_at(loaded, group, i));
     if (group.texture.empty()) continue;
-    const auto image = loaded.textures.find(group.texture_id);
-    Material textured;
-    textured.name = "texture " + std::to_string(id);
-    if (image != loaded.textures.end()) {
-      builder_.mesh.attributes.notes.push_back(
-          "the image " + in_quotes(image->second) +
-          " is in the package, and is passed over");
-    }
-    materials.push_back(std::move(textured));
+    materials.push_back(textured_material(loaded, id, group));
   }
   return std::nullopt;
+}
+
+/// A material of a group of them, and how metallic and how rough it is.
+Material Builder3mf::material_at(const Model3mf& model,
+                                 const Model3mfGroup& group, std::size_t i) {
+  Material material = group.materials[i];
+  const auto found = model.surfaces.find(group.surfaces_id);
+  if (found == model.surfaces.end() || i >= found->second.size())
+    return material;
+  // What others take where nothing is said is not said.
+  const Model3mfSurface& surface = found->second[i];
+  if (surface.metallic != 0) material.metallic = surface.metallic;
+  if (surface.roughness != 1) material.roughness = surface.roughness;
+  return material;
+}
+
+/// The material of texture points, with its image.
+Material Builder3mf::textured_material(const Model3mf& model, std::int64_t id,
+                                       const Model3mfGroup& group) {
+  Material material;
+  material.name = "texture " + std::to_string(id);
+  const auto base = model.groups.find(group.material_group);
+  if (base != model.groups.end() &&
+      group.material < base->second.materials.size()) {
+    material = material_at(model, base->second, group.material);
+  }
+  const auto path = model.textures.find(group.texture_id);
+  if (path == model.textures.end()) return material;
+  const std::string& name = path->second;
+  material.image = image_at(name);
+  if (material.image)
+    material.texture = name.substr(name.find_last_of('/') + 1);
+  return material;
+}
+
+/// The image of the package, read once; null, with a note, where there is none.
+std::shared_ptr<const Image> Builder3mf::image_at(const std::string& path) {
+  const auto [at, is_new] = images_.try_emplace(path, nullptr);
+  if (!is_new) return at->second;
+  std::string bytes;
+  const auto take = [&bytes](std::string_view some, bool) {
+    bytes += some;
+    return true;
+  };
+  const Result<Done> done =
+      package_.read(path.starts_with('/') ? path.substr(1) : path,
+                    kMost3mfImageBytes - image_bytes_, take);
+  if (done && image_type(bytes) != nullptr) {
+    image_bytes_ += bytes.size();
+    at->second = std::make_shared<const Image>(Image{{}, std::move(bytes)});
+    return at->second;
+  }
+  builder_.mesh.attributes.notes.push_back(
+      "the image " + in_quotes(path) + " is passed over: " +
+      (done ? "it is neither a PNG nor a JPEG" : done.error().message));
+  return nullptr;
 }
 
 std::optional<Error> Builder3mf::add(const std::string& part,
