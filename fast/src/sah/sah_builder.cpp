@@ -141,7 +141,7 @@ Box SahBuilder::box_of(const ObjectRegion& region) const {
 void SahBuilder::keep_cell(const Task& task, std::int32_t region) {
   for (const Primitive& primitive : list_of(task))
     state_.cells->note_polygon(region, primitive.source);
-  job_.cell = region;
+  job_.cells.push_back({region, 0});
   add_done(task.share);
   take_free_planes();
 }

@@ -11,6 +11,12 @@
 
 namespace halfspace::fast {
 
+/// A leaf without fragments, by its node in a piece.
+struct KeptLeaf {
+  std::int32_t region;
+  NodeId node;
+};
+
 /// A list to be divided, with all that its primitives refer to, and the result.
 struct BuildJob {
   std::vector<Primitive> primitives;
@@ -32,9 +38,9 @@ struct BuildJob {
   /// first.
   BspTree piece;
   FilterStats stats;
+  /// Its leaves that are kept free.
+  std::vector<KeptLeaf> cells;
   /// If the piece is a root alone: the jobs of its subtrees.
-  /// If the piece is a leaf that is kept free: its region; or -1.
-  std::int32_t cell = -1;
   BuildJob* positive = nullptr;
   BuildJob* negative = nullptr;
 };

@@ -1,14 +1,18 @@
-#include "halfspace/fast/display_tree.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <random>
 #include <utility>
+#include <vector>
 
+#include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/moving.hpp"
+#include "sah/cell_tree.hpp"
 #include "scenes.hpp"
+#include "tree/scene_planes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -223,6 +227,103 @@ TEST(DisplayTree, TellsHowFarItIs) {
   EXPECT_LE(told.back(), 1);
   options.progress = nullptr;
   expect_same(tree, build_display_tree(scene, options));
+}
+
+/// Boxes in rows, more than one thread's job has, and triangles that reach into
+/// them.
+std::vector<MovingObject> boxes_in_rows() {
+  constexpr std::int64_t kStep = 1 << 22;
+  std::vector<MovingObject> objects;
+  for (std::int64_t k = 0; k < 7 * 7 * 5; ++k) {
+    const GridPoint low = {(k % 7 - 3) * kStep, (k / 7 % 7 - 3) * kStep,
+                           (k / 49 - 2) * kStep};
+    constexpr std::int64_t kSide = kStep / 2;
+    objects.push_back(
+        {1, {low, {low.x + kSide, low.y + kSide, low.z + kSide}}});
+  }
+  return objects;
+}
+
+TEST(DisplayTree, ManyRegionsAreLeavesOnTheirSidesOfAllSplitters) {
+  const std::vector<MovingObject> objects = boxes_in_rows();
+  const Scene scene = strewn(4000, 1 << 20, 26);
+  DisplayTreeOptions options;
+  const auto built = [&](int threads) {
+    options.threads = threads;
+    KeptCells cells(objects, true);
+    FilterStats stats;
+    return build_cell_tree(scene, cells, options, stats);
+  };
+  const KeptTree kept = built(1);
+  const BspTree& tree = kept.tree;
+  const KeptTree by_three = built(3);
+  expect_same(tree, by_three.tree);
+  EXPECT_EQ(kept.node_of_object, by_three.node_of_object);
+  std::vector<NodeId> parents(tree.nodes.size(), kNoNode);
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    for (const NodeId child :
+         {tree.nodes[n].positive, tree.nodes[n].negative}) {
+      if (child == kNoNode) continue;
+      // Nodes come before their subtrees, and have one parent.
+      ASSERT_GT(child, static_cast<NodeId>(n));
+      ASSERT_EQ(parents[static_cast<std::size_t>(child)], kNoNode);
+      parents[static_cast<std::size_t>(child)] = static_cast<NodeId>(n);
+    }
+  }
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    NodeId id = kept.node_of_object[k];
+    ASSERT_NE(id, kNoNode);
+    const Node& leaf = tree.nodes[static_cast<std::size_t>(id)];
+    EXPECT_EQ(leaf.splitter, kNoPlane);
+    EXPECT_EQ(leaf.first_fragment, kNoFragment);
+    const auto& [low, high, hull, slanted] = objects[k].region;
+    int splitters = 0;
+    while (parents[static_cast<std::size_t>(id)] != kNoNode) {
+      const NodeId parent = parents[static_cast<std::size_t>(id)];
+      const Node& node = tree.nodes[static_cast<std::size_t>(parent)];
+      const bool is_positive = node.positive == id;
+      const Plane& p = node.plane;
+      for (const GridPoint& corner : {low, high}) {
+        const double side = p.a * static_cast<double>(corner.x) +
+                            p.b * static_cast<double>(corner.y) +
+                            p.c * static_cast<double>(corner.z) + p.d;
+        EXPECT_TRUE(is_positive ? side >= 0 : side <= 0) << k;
+      }
+      ++splitters;
+      id = parent;
+    }
+    EXPECT_EQ(id, 0);
+    EXPECT_GE(splitters, 6);
+  }
+}
+
+TEST(DisplayTree, CutsAtRegionsLieInThePlanesThatTheyName) {
+  const std::vector<MovingObject> objects = boxes_in_rows();
+  const Scene scene = strewn(4000, 1 << 20, 26);
+  KeptCells cells(objects, true);
+  FilterStats stats;
+  const BspTree tree = build_cell_tree(scene, cells, {}, stats).tree;
+  const auto polygons = static_cast<PlaneId>(scene.polygon_count());
+  const auto vertices = static_cast<std::int32_t>(scene.data().vertices.size());
+  int cuts = 0;
+  for (const TreeFragment& fragment : tree.fragments) {
+    for (std::uint32_t k = 0; k < fragment.corner_count; ++k) {
+      const Corner& corner = tree.corners[fragment.first_corner + k];
+      if (is_source(corner.edge) || splitter_of(corner.edge) < polygons)
+        continue;
+      const FreePlane plane = tree.free_planes[static_cast<std::size_t>(
+          splitter_of(corner.edge) - polygons)];
+      ASSERT_LT(plane.axis, 3);
+      if (corner.vertex < vertices) continue;
+      const Vertex& v =
+          tree.cut_vertices[static_cast<std::size_t>(corner.vertex - vertices)];
+      const std::array<double, 3> at = {v.x, v.y, v.z};
+      EXPECT_NEAR(at[static_cast<std::size_t>(plane.axis)],
+                  static_cast<double>(plane.coordinate), 1e-3);
+      ++cuts;
+    }
+  }
+  EXPECT_GT(cuts, 1000);
 }
 
 TEST(DisplayTree, StopsWhenToldTo) {
