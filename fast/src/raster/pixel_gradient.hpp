@@ -1,5 +1,9 @@
 #pragma once
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,23 +17,10 @@
 /// The sums of colours over samples of a pixel, in closed form.
 namespace halfspace::fast {
 
-/// Of some samples of a pixel, which see one polygon: their count, and the sums
-/// of their places, in halves of samples from the pixel's centre, of the
-/// squares of these and of their products.
-struct Moments {
-  std::int32_t n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-};
-
 /// Channels added up over samples, and by how much each sum may be off.
 struct ChannelSums {
   std::array<double, 3> sum = {};
   double doubt = 0;
-
-  void add(std::int32_t count, const Rgb& color) {
-    sum[0] += count * color.r;
-    sum[1] += count * color.g;
-    sum[2] += count * color.b;
-  }
 };
 
 /// A gradient about the centre of a pixel, where s = N / D of affine N and D.
@@ -133,10 +124,25 @@ template <std::int32_t kSamples>
 std::uint64_t samples_of(const PolygonId* items, std::int64_t stride,
                          PolygonId polygon) {
   std::uint64_t bits = 0;
+#if defined(__SSE2__)
+  constexpr std::int32_t kTogether = kSamples < 4 ? 1 : 4;
+  const __m128i own = _mm_set1_epi32(polygon);
+#else
+  constexpr std::int32_t kTogether = 1;
+#endif
   for (std::int32_t b = 0; b < kSamples; ++b) {
     const PolygonId* line = items + b * stride;
-    for (std::int32_t a = 0; a < kSamples; ++a) {
-      bits |= std::uint64_t{line[a] == polygon ? 1u : 0u} << (b * kSamples + a);
+    for (std::int32_t a = 0; a < kSamples; a += kTogether) {
+      std::uint64_t here = line[a] == polygon ? 1 : 0;
+#if defined(__SSE2__)
+      if constexpr (kTogether == 4) {
+        const auto* four = reinterpret_cast<const __m128i*>(line + a);
+        const __m128i equal = _mm_cmpeq_epi32(_mm_loadu_si128(four), own);
+        here = static_cast<std::uint64_t>(
+            _mm_movemask_ps(_mm_castsi128_ps(equal)));
+      }
+#endif
+      bits |= here << (b * kSamples + a);
     }
   }
   return bits;

@@ -19,6 +19,14 @@ namespace {
 /// cache of 2 MiB.
 constexpr std::int32_t kStripSamples = 1 << 18;
 
+/// Whether means of flat colours are made of colours, not of items: not in a
+/// module for the web, of whose size that is a kilobyte.
+#if defined(__wasm__)
+constexpr bool kMeansOfColors = false;
+#else
+constexpr bool kMeansOfColors = true;
+#endif
+
 class SampledImage {
  public:
   SampledImage(const Scene& scene, const BspTree& tree, const Camera& camera,
@@ -35,30 +43,36 @@ class SampledImage {
         reader_(scene, tree),
         view_(make_view(camera, extent_of(tree, scene.grid_bits()), samples)),
         samples_(samples) {
-    if (image.caps && !image.clips.empty()) find_caps();
+    const bool has_caps = image.caps && !image.clips.empty();
+    if (has_caps) find_caps();
+    by_colors_ = kMeansOfColors && samples > 1 && !has_caps && options.colors &&
+                 !options.items && is_flat();
   }
 
   /// Fills lines from `top` up to `bottom` of the rectangle.
   void fill(std::int32_t top, std::int32_t bottom, Rendering& strip) {
     RenderOptions own = options_;
     own.threads = 1;
-    own.items = true;
-    own.colors = false;
+    own.items = !by_colors_;
+    own.colors = by_colors_;
     own.rectangle = Rectangle{rectangle_.left * samples_, top * samples_,
                               rectangle_.right * samples_, bottom * samples_};
     Pass pass;
     pass.samples = samples_;
     pass.caps = image_.caps ? &caps_ : nullptr;
     run(scene_, tree_, camera_, image_, own, pass, strip);
-    const std::int64_t stride = strip.items.width_px;
+    const std::int64_t stride = own.rectangle->right - own.rectangle->left;
     const std::int32_t line = top - rectangle_.top;
     if (options_.items) {
       std::copy(strip.items.pixels.begin(), strip.items.pixels.end(),
                 result_.items.pixels.begin() + line * samples_ * stride);
     }
     FilterStats stats = strip.decisions;
-    if (options_.colors) {
-      SampleMeans means(reader_, view_, camera_.data(), image_);
+    if (by_colors_) {
+      fill_by_colors(top, bottom, strip.colors);
+    } else if (options_.colors) {
+      SampleMeans means(reader_, view_, camera_.data(), image_,
+                        best_kernel(options_.simd));
       for (std::int32_t j = top; j < bottom; ++j) {
         const PolygonId* items =
             strip.items.pixels.data() + (j - top) * samples_ * stride;
@@ -75,6 +89,26 @@ class SampledImage {
   }
 
  private:
+  void fill_by_colors(std::int32_t top, std::int32_t bottom,
+                      const ColorImage& strip) {
+    if constexpr (kMeansOfColors) {
+      const std::int64_t stride = strip.width_px;
+      ColorMeans means(samples_, best_kernel(options_.simd));
+      for (std::int32_t j = top; j < bottom; ++j) {
+        means.row(strip.pixels.data() + (j - top) * samples_ * stride, stride,
+                  &result_.colors.at(0, j - rectangle_.top));
+      }
+    }
+  }
+  /// Whether the colour of each polygon is one, a whole number.
+  bool is_flat() const {
+    if (image_.shading == Shading::kFlat) return true;
+    if (scene_.data().corner_colors.empty()) return true;
+    const auto count = static_cast<PolygonId>(scene_.polygon_count());
+    PolygonId polygon = 0;
+    while (polygon < count && !has_gradient(scene_, polygon)) ++polygon;
+    return polygon == count;
+  }
   /// Once for all strips: what crosses a clip plane crosses many of them.
   void find_caps() {
     const ClipSet clips(image_.clips, true, scene_.grid_bits());
@@ -97,6 +131,7 @@ class SampledImage {
   View view_;
   std::int32_t samples_;
   CapChanges caps_;
+  bool by_colors_ = false;
   Mutex mutex_;
 };
 

@@ -39,9 +39,11 @@ int channel_of(const Rgb& color, std::size_t channel) {
 }  // namespace
 
 SampleMeans::SampleMeans(const TreeReader& reader, const View& view,
-                         const CameraData& camera, const ImageOptions& image)
+                         const CameraData& camera, const ImageOptions& image,
+                         const TileKernel& kernel)
     : reader_(reader),
       image_(image),
+      kernel_(kernel),
       samples_(view.samples),
       gouraud_(image.shading == Shading::kGouraud &&
                !reader.scene().data().corner_colors.empty()),
@@ -49,7 +51,12 @@ SampleMeans::SampleMeans(const TreeReader& reader, const View& view,
       shader_(reader.scene(), camera, view),
       first_cap_(static_cast<PolygonId>(reader.scene().polygon_count())),
       last_color_(image.background) {
-  if (gouraud_) shaded_.resize(kShaded);
+  if (!gouraud_) return;
+  shaded_.resize(kShaded);
+  exact_polygons_.fill(kBackground);
+  exact_shaders_.reserve(exact_polygons_.size());
+  while (exact_shaders_.size() < exact_polygons_.size())
+    exact_shaders_.push_back(shader_);
 }
 
 bool SampleMeans::is_smooth(PolygonId polygon) {
@@ -129,7 +136,17 @@ void SampleMeans::fill_row(const PolygonId* items, std::int64_t stride,
       continue;
     }
     std::optional<Rgb> quick;
-    if constexpr (kClosedForms) {
+    if constexpr (kClosedForms && kSamples > 1) {
+      if (is_one && kernel_.full_means != nullptr) {
+        const std::int32_t done =
+            fill_run<kSamples>(items, stride, right - i, x, y, colors);
+        if (done > 0) {
+          i += done - 1;
+          colors += done - 1;
+          items += (done - 1) * kSamples;
+          continue;
+        }
+      }
       quick = is_one ? full_mean<kSamples>(shaded(items[0]).gradient, x, y)
                      : mixed_mean<kSamples>(items, stride, x, y);
     }
@@ -176,11 +193,32 @@ std::optional<Rgb> SampleMeans::full_mean(const Gradient& gradient,
 }
 
 template <std::int32_t kSamples>
+std::int32_t SampleMeans::fill_run(const PolygonId* items, std::int64_t stride,
+                                   std::int32_t most, std::int32_t i,
+                                   std::int32_t j, Rgb* colors) {
+  std::int32_t length = 1;
+  while (length < most && items[length * kSamples] == items[0] &&
+         are_equal<kSamples>(items + length * kSamples, stride)) {
+    ++length;
+  }
+  const std::int32_t done = kernel_.full_means(
+      shaded(items[0]).gradient, kSamples, i, j, length, &colors->r);
+  stats_.filtered += 3 * static_cast<std::uint64_t>(done);
+  return done;
+}
+
+template <std::int32_t kSamples>
 std::optional<Rgb> SampleMeans::mixed_mean(const PolygonId* items,
                                            std::int64_t stride, std::int32_t i,
                                            std::int32_t j) {
-  ChannelSums sums;
   constexpr std::int32_t kCount = kSamples * kSamples;
+  std::size_t part_count = 0;
+  std::array<std::int32_t, 4> whole = {};
+  const auto add_whole = [&](std::int32_t n, const Rgb& color) {
+    whole[0] += n * color.r;
+    whole[1] += n * color.g;
+    whole[2] += n * color.b;
+  };
   std::uint64_t left = ~std::uint64_t{0} >> (64 - kCount);
   while (left != 0) {
     const std::int32_t first = std::countr_zero(left);
@@ -190,22 +228,44 @@ std::optional<Rgb> SampleMeans::mixed_mean(const PolygonId* items,
     if (is_cap(item)) {
       for (std::uint64_t bits = own; bits != 0; bits &= bits - 1) {
         const std::int32_t k = std::countr_zero(bits);
-        sums.add(1, flat_color(item, i + k % kSamples, j + k / kSamples));
+        add_whole(1, flat_color(item, i + k % kSamples, j + k / kSamples));
       }
       continue;
     }
     if (item != kBackground) {
       if (const Shaded& seen = shaded(item); seen.is_smooth) {
-        PixelGradient<kSamples>(seen.gradient, i, j)
-            .add(moments_of<kSamples>(own), sums);
+        // Two that would have one place are rare.
+        for (std::size_t p = 0; p < part_count; ++p) {
+          if (parts_[p].gradient == &seen.gradient) return std::nullopt;
+        }
+        parts_[part_count++] = {&seen.gradient, moments_of<kSamples>(own)};
         continue;
       }
     }
-    sums.add(std::popcount(own), flat_color(item, i, j));
+    add_whole(std::popcount(own), flat_color(item, i, j));
   }
-  const auto mean = rounded_mean<kSamples * kSamples>(sums);
+  const auto mean = mean_of<kSamples>({parts_.data(), part_count}, whole, i, j);
   if (mean) stats_.filtered += 3;
   return mean;
+}
+
+template <std::int32_t kSamples>
+std::optional<Rgb> SampleMeans::mean_of(
+    std::span<const MeanPart> parts, const std::array<std::int32_t, 4>& whole,
+    std::int32_t i, std::int32_t j) const {
+  if (kernel_.mixed_mean != nullptr) {
+    Rgb mean;
+    const auto count = static_cast<std::int32_t>(parts.size());
+    const bool decided = kernel_.mixed_mean(parts.data(), count, whole.data(),
+                                            kSamples, i, j, &mean.r);
+    return decided ? std::optional(mean) : std::nullopt;
+  }
+  ChannelSums sums = {{static_cast<double>(whole[0]),
+                       static_cast<double>(whole[1]),
+                       static_cast<double>(whole[2])}};
+  for (const MeanPart& part : parts)
+    PixelGradient<kSamples>(*part.gradient, i, j).add(part.moments, sums);
+  return rounded_mean<kSamples * kSamples>(sums);
 }
 
 /// A channel of a sample is off by at most doubt / total (Gradient). Of up to
@@ -271,18 +331,49 @@ Rgb SampleMeans::smooth_mean(const PolygonId* items, std::int64_t stride,
   return {mean[0], mean[1], mean[2]};
 }
 
+/// The samples of one item come one after another: its shader is prepared once.
+template <class Visit>
+void SampleMeans::for_samples(const PolygonId* items, std::int64_t stride,
+                              const Visit& visit) const {
+  std::uint64_t left = ~std::uint64_t{0} >> (64 - samples_ * samples_);
+  while (left != 0) {
+    const std::int32_t first = std::countr_zero(left);
+    const PolygonId item = items[first / samples_ * stride + first % samples_];
+    for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
+      const std::int32_t k = std::countr_zero(rest);
+      const std::int32_t a = k % samples_;
+      const std::int32_t b = k / samples_;
+      if (items[b * stride + a] != item) continue;
+      left &= ~(std::uint64_t{1} << k);
+      visit(item, a, b);
+    }
+  }
+}
+
+/// The polygons of a pixel are asked for again, for each channel.
+GouraudShader& SampleMeans::exact_shader_of(PolygonId polygon) {
+  const auto found =
+      std::find(exact_polygons_.begin(), exact_polygons_.end(), polygon);
+  if (found != exact_polygons_.end())
+    return exact_shaders_[static_cast<std::size_t>(found -
+                                                   exact_polygons_.begin())];
+  const std::size_t at = next_exact_++ % exact_polygons_.size();
+  exact_polygons_[at] = polygon;
+  exact_shaders_[at].start(polygon,
+                           eye_side_(reader_.planes().plane(polygon), polygon));
+  return exact_shaders_[at];
+}
+
 double SampleMeans::close_sum(std::size_t channel, const PolygonId* items,
                               std::int64_t stride, std::int32_t i,
                               std::int32_t j) {
   double sum = 0;
-  for (std::int32_t b = 0; b < samples_; ++b) {
-    for (std::int32_t a = 0; a < samples_; ++a) {
-      const PolygonId item = items[b * stride + a];
-      sum += is_smooth(item)
-                 ? shader_of(item).close_value(channel, i + a, j + b)
-                 : channel_of(flat_color(item, i + a, j + b), channel);
-    }
-  }
+  for_samples(
+      items, stride, [&](PolygonId item, std::int32_t a, std::int32_t b) {
+        sum += is_smooth(item)
+                   ? exact_shader_of(item).close_value(channel, i + a, j + b)
+                   : channel_of(flat_color(item, i + a, j + b), channel);
+      });
   return sum;
 }
 
@@ -300,17 +391,54 @@ std::uint8_t SampleMeans::exact_mean(std::size_t channel,
     return static_cast<std::uint8_t>(level);
   ++stats_.zero;
   BigRational sum = 0;
-  for (std::int32_t b = 0; b < samples_; ++b) {
-    for (std::int32_t a = 0; a < samples_; ++a) {
-      const PolygonId item = items[b * stride + a];
-      if (is_smooth(item)) {
-        sum += shader_of(item).exact_value(channel, i + a, j + b);
-        continue;
-      }
-      sum += channel_of(flat_color(item, i + a, j + b), channel);
+  for_samples(
+      items, stride, [&](PolygonId item, std::int32_t a, std::int32_t b) {
+        if (is_smooth(item)) {
+          sum += exact_shader_of(item).exact_value(channel, i + a, j + b);
+        } else {
+          sum += channel_of(flat_color(item, i + a, j + b), channel);
+        }
+      });
+  return rounded_channel(sum / (samples_ * samples_));
+}
+
+void ColorMeans::row(const Rgb* colors, std::int64_t stride, Rgb* means) {
+  static_assert(sizeof(Rgb) == 3);
+  const std::uint8_t* channels = &colors->r;
+  const auto length = 3 * static_cast<std::size_t>(stride);
+  sums_.resize(length);
+  if (kernel_.color_means != nullptr) {
+    return kernel_.color_means(channels, length, samples_, sums_.data(),
+                               &means->r);
+  }
+  switch (samples_) {
+    case 2:
+      return fill_row<2>(channels, length, &means->r);
+    case 4:
+      return fill_row<4>(channels, length, &means->r);
+    default:
+      return fill_row<8>(channels, length, &means->r);
+  }
+}
+
+/// 64 channels fill 14 of 16 bits.
+template <std::int32_t kSamples>
+void ColorMeans::fill_row(const std::uint8_t* channels, std::size_t stride,
+                          std::uint8_t* means) {
+  std::uint16_t* sums = sums_.data();
+  for (std::size_t k = 0; k < stride; ++k) {
+    unsigned sum = 0;
+    for (std::size_t b = 0; b < kSamples; ++b) sum += channels[b * stride + k];
+    sums[k] = static_cast<std::uint16_t>(sum);
+  }
+  constexpr unsigned kCount = kSamples * kSamples;
+  for (std::size_t k = 0; k < stride; k += 3 * kSamples, means += 3) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      unsigned sum = kCount / 2;
+      for (std::size_t a = 0; a < kSamples; ++a) sum += sums[k + 3 * a + c];
+      means[c] = static_cast<std::uint8_t>(sum / kCount);
     }
   }
-  return rounded_channel(sum / (samples_ * samples_));
 }
 
 }  // namespace halfspace::fast

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "halfspace/cap_parts.hpp"
 #include "halfspace/image.hpp"
+#include "halfspace/polygon.hpp"
 #include "raster/gouraud.hpp"
+#include "raster/kernel/tile_kernel.hpp"
 #include "tree/eye_classifier.hpp"
 
 namespace halfspace::fast {
@@ -16,7 +20,8 @@ class SampleMeans {
  public:
   /// `view` is that of the samples.
   SampleMeans(const TreeReader& reader, const View& view,
-              const CameraData& camera, const ImageOptions& image);
+              const CameraData& camera, const ImageOptions& image,
+              const TileKernel& kernel);
 
   /// A row of pixels, from column `left` up to `right` of row `j`; the items of
   /// their samples begin at `items`, a line every `stride`.
@@ -44,8 +49,9 @@ class SampleMeans {
   Rgb flat_color(PolygonId polygon, std::int32_t i, std::int32_t j) const;
   /// Of a polygon that may have a gradient.
   const Shaded& shaded(PolygonId polygon);
-  /// Of one that has, to be asked for what is exact.
+  /// Of one that has: for its gradient, and to be asked for what is exact.
   GouraudShader& shader_of(PolygonId polygon);
+  GouraudShader& exact_shader_of(PolygonId polygon);
   template <std::int32_t kSamples>
   void fill_row(const PolygonId* items, std::int64_t stride, std::int32_t left,
                 std::int32_t right, std::int32_t j, Rgb* colors);
@@ -58,12 +64,26 @@ class SampleMeans {
   template <std::int32_t kSamples>
   std::optional<Rgb> full_mean(const Gradient& gradient, std::int32_t i,
                                std::int32_t j);
+  /// Writes the colours of pixels that see one smooth polygon, of `most` at
+  /// most, and returns how many there are.
+  template <std::int32_t kSamples>
+  std::int32_t fill_run(const PolygonId* items, std::int64_t stride,
+                        std::int32_t most, std::int32_t i, std::int32_t j,
+                        Rgb* colors);
   template <std::int32_t kSamples>
   std::optional<Rgb> mixed_mean(const PolygonId* items, std::int64_t stride,
                                 std::int32_t i, std::int32_t j);
+  /// Of some parts and of the sums of other channels.
+  template <std::int32_t kSamples>
+  std::optional<Rgb> mean_of(std::span<const MeanPart> parts,
+                             const std::array<std::int32_t, 4>& whole,
+                             std::int32_t i, std::int32_t j) const;
   template <std::int32_t kSamples>
   Rgb smooth_mean(const PolygonId* items, std::int64_t stride, std::int32_t i,
                   std::int32_t j);
+  template <class Visit>
+  void for_samples(const PolygonId* items, std::int64_t stride,
+                   const Visit& visit) const;
   double close_sum(std::size_t channel, const PolygonId* items,
                    std::int64_t stride, std::int32_t i, std::int32_t j);
   std::uint8_t exact_mean(std::size_t channel, const PolygonId* items,
@@ -71,16 +91,43 @@ class SampleMeans {
 
   const TreeReader& reader_;
   const ImageOptions& image_;
+  const TileKernel& kernel_;
   std::int32_t samples_;
   bool gouraud_;
   FilterStats stats_;
   EyeClassifier eye_side_;
   std::vector<Shaded> shaded_;
+  std::array<MeanPart, 64> parts_;  ///< of a pixel
   GouraudShader shader_;
   PolygonId shader_polygon_ = kBackground;
+  std::array<PolygonId, 8> exact_polygons_;  ///< those that were asked last
+  std::vector<GouraudShader> exact_shaders_;
+  std::size_t next_exact_ = 0;
   PolygonId first_cap_;
   PolygonId last_ = kBackground;  ///< of one colour, which is:
   Rgb last_color_;
+};
+
+/// The colours of pixels, as means of those of their samples where all of these
+/// are whole numbers (S5.7).
+class ColorMeans {
+ public:
+  /// Requires: samples is 2, 4 or 8.
+  ColorMeans(std::int32_t samples, const TileKernel& kernel)
+      : samples_(samples), kernel_(kernel) {}
+
+  /// A row of pixels: their samples begin at `colors`, a line every `stride`,
+  /// which is the number of them in a line.
+  void row(const Rgb* colors, std::int64_t stride, Rgb* means);
+
+ private:
+  template <std::int32_t kSamples>
+  void fill_row(const std::uint8_t* channels, std::size_t stride,
+                std::uint8_t* means);
+
+  std::int32_t samples_;
+  const TileKernel& kernel_;
+  std::vector<std::uint16_t> sums_;  ///< of each column of samples
 };
 
 }  // namespace halfspace::fast

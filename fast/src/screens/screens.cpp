@@ -208,7 +208,7 @@ Rendering render_on(const Scene& scene, const BspTree& tree,
   });
   if (work != nullptr) *work = took;
   result.colors = ColorImage(data.width_px, data.height_px, image.background);
-  SampleMeans colors(reader, view, data, image);
+  SampleMeans colors(reader, view, data, image, best_kernel(SimdLevel::kBest));
   for (std::int32_t j = 0; j < data.height_px; ++j) {
     const PolygonId* items = &result.items.at(0, j);
     for (std::int32_t i = 0; i < data.width_px; ++i)

@@ -324,6 +324,71 @@ TEST(FastRender, SmoothColorsAreTheSameByAllInstructions) {
     EXPECT_TRUE(both.colors == plain.colors);
     EXPECT_TRUE(both.items == plain.items);
   }
+  // Means of samples, of colours without items and of items with them.
+  const auto draw_means = [&](SimdLevel simd, std::int32_t samples,
+                              bool items) {
+    RenderOptions options;
+    options.threads = 1;
+    options.simd = simd;
+    options.items = items;
+    options.rectangle = Rectangle{301, 303, 431, 420};
+    return render_samples(scene, tree, *camera, look, samples, options);
+  };
+  for (const Shading shading : {Shading::kFlat, Shading::kGouraud}) {
+    look.shading = shading;
+    for (const std::int32_t samples : {2, 4, 8}) {
+      const Rendering means = draw_means(SimdLevel::kPortable, samples, true);
+      for (const SimdLevel simd :
+           {SimdLevel::kPortable, SimdLevel::kAvx2, SimdLevel::kAvx512}) {
+        EXPECT_TRUE(draw_means(simd, samples, false).colors == means.colors);
+        const Rendering both = draw_means(simd, samples, true);
+        EXPECT_TRUE(both.colors == means.colors);
+        EXPECT_TRUE(both.items == means.items);
+      }
+    }
+  }
+}
+
+/// Polygons are remembered by the last bits of their ids: two that meet in a
+/// pixel have the same ones here.
+TEST(FastRender, PolygonsWithLikeIdsMeetInPixels) {
+  constexpr std::int64_t kWide = 1 << 20;
+  const auto draw = [](int between) {
+    SceneData data;
+    const auto add = [&](const std::array<GridPoint, 3>& corners, Rgb last) {
+      add_polygon(data, {corners[0], corners[1], corners[2]});
+      data.corner_colors.insert(data.corner_colors.end(),
+                                {{250, 0, 10}, {0, 200, 30}, last});
+    };
+    add({{{-kWide, -kWide, 0}, {kWide, -kWide, 0}, {-kWide, kWide, 9}}},
+        {7, 9, 255});
+    for (int k = 0; k < between; ++k)
+      add({{{0, 0, 1000}, {1, 0, 1000}, {0, 1, 1000}}}, {1, 2, 3});
+    add({{{kWide, -kWide, 0}, {kWide, kWide, 5}, {-kWide, kWide, 9}}},
+        {255, 0, 255});
+    const Scene scene = made(std::move(data));
+    CameraData seen;
+    seen.eye = {0, 0, -4 * 256 * kWide / 100};
+    seen.s0 = {-32 * 256 * 500, -32 * 256 * 500, seen.eye.z + 256 * kWide / 99};
+    seen.sx = {256 * 500, 0, 0};
+    seen.sy = {0, 256 * 500, 0};
+    seen.width_px = seen.height_px = 64;
+    ImageOptions look;
+    look.shading = Shading::kGouraud;
+    return render_samples(scene, build_display_tree(scene),
+                          *make_camera(seen, 26), look, 4, {});
+  };
+  const Rendering two = draw(0);
+  std::size_t mixed = 0;
+  for (std::int32_t j = 0; j < 64; ++j) {
+    for (std::int32_t i = 0; i < 64; ++i) {
+      const PolygonId first = two.items.at(4 * i, 4 * j);
+      const PolygonId last = two.items.at(4 * i + 3, 4 * j + 3);
+      mixed += first == 0 && last == 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(mixed, 20u);
+  EXPECT_TRUE(draw(1023).colors == two.colors);
 }
 
 /// All of an image of two tiles by two, by one fragment, and what is behind it.

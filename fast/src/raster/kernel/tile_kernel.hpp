@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "camera/edge_function.hpp"
@@ -103,6 +104,28 @@ struct TileKernel {
   /// Paints every unlit pixel, and writes what is not written yet. Returns how
   /// many there were.
   std::int64_t (*fill_rest)(TileView& screen, const PixelSource& source);
+
+  // Means of 2 x 2, 4 x 4 or 8 x 8 samples (S5.7); null: there are no such
+  // loops, and ColorMeans and SampleMeans have their own.
+
+  /// Means of whole colours, 3 channels each: a row of pixels, whose lines of
+  /// samples begin every `stride` channels. `sums` is as long as such a line.
+  void (*color_means)(const std::uint8_t* channels, std::size_t stride,
+                      std::int32_t samples, std::uint16_t* sums,
+                      std::uint8_t* means) = nullptr;
+  /// Means of `count` pixels that see one smooth polygon, the first of which
+  /// begins at sample (i, j). Returns how many of them, from the first on, are
+  /// decided and written.
+  std::int32_t (*full_means)(const Gradient& gradient, std::int32_t samples,
+                             std::int32_t i, std::int32_t j, std::int32_t count,
+                             std::uint8_t* means) = nullptr;
+  /// The mean of a pixel that begins at sample (i, j): of the parts and of
+  /// other samples, of which `whole` (4 words, the last 0) are the sums of
+  /// channels. False: not decided, and nothing written.
+  bool (*mixed_mean)(const MeanPart* parts, std::int32_t part_count,
+                     const std::int32_t* whole, std::int32_t samples,
+                     std::int32_t i, std::int32_t j,
+                     std::uint8_t* mean) = nullptr;
 };
 
 /// The table of a kernel's functions.

@@ -41,6 +41,19 @@ struct Gradient {
   double doubt = 0;
 };
 
+/// Of some samples of a pixel, which see one polygon: their count, and the sums
+/// of their places, in halves of samples from the pixel's centre, of the
+/// squares of these and of their products.
+struct Moments {
+  std::int32_t n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+};
+
+/// The samples of a pixel that see one smooth polygon.
+struct MeanPart {
+  const Gradient* gradient = nullptr;
+  Moments moments;
+};
+
 /// No mask, no source.
 constexpr std::int32_t kNone = -1;
 
