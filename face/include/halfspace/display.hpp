@@ -76,7 +76,8 @@ struct HALFSPACE_API Picture {
   ColorImage colors;
   ItemImage polygons;  ///< kBackground where there is none
 
-  /// Writes the colours as PNG. Error: kUnwritable.
+  /// Writes the colours as PNG, large ones in all threads that the machine has.
+  /// Error: kUnwritable.
   Result<Done> save(const std::filesystem::path& path) const;
 };
 

@@ -21,7 +21,8 @@ struct HALFSPACE_API MovingPicture {
   ItemImage objects;   ///< 0: the world's; kBackground where there is none
   ItemImage polygons;  ///< of the mesh; kBackground where there is none
 
-  /// Writes the colours as PNG. Error: kUnwritable.
+  /// Writes the colours as PNG, large ones in all threads that the machine has.
+  /// Error: kUnwritable.
   Result<Done> save(const std::filesystem::path& path) const;
 };
 

@@ -132,7 +132,7 @@ Result<JoinedSize> join_png(const Paths& parts,
   if (const auto error = overwriting(parts, output)) return *error;
   const Result<JoinedSize> size = size_of_pictures(parts);
   if (!size) return size.error();
-  PngWriter writer(output, size->width_px, size->height_px, std::nullopt);
+  PngWriter writer(output, size->width_px, size->height_px, std::nullopt, 0);
   std::vector<std::uint8_t> row(static_cast<std::size_t>(size->width_px) * 3);
   bool good = true;
   for (const std::filesystem::path& path : parts) {

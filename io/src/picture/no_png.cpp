@@ -13,12 +13,12 @@ Error no_png_here(const std::filesystem::path& path) {
 }  // namespace
 
 Result<Done> write_png(const std::filesystem::path& path, const ColorImage&,
-                       const std::optional<PartOfPicture>&) {
+                       const std::optional<PartOfPicture>&, int) {
   return no_png_here(path);
 }
 
 Result<Done> write_png_cut_out(const std::filesystem::path& path,
-                               const ColorImage&, const ItemImage&) {
+                               const ColorImage&, const ItemImage&, int) {
   return no_png_here(path);
 }
 

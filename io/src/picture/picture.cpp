@@ -8,9 +8,9 @@ namespace halfspace::io {
 
 Result<Done> write_png(const std::filesystem::path& path,
                        const ColorImage& image,
-                       const std::optional<PartOfPicture>& part) {
+                       const std::optional<PartOfPicture>& part, int threads) {
   static_assert(sizeof(Rgb) == 3, "rows of pixels are rows of bytes");
-  PngWriter writer(path, image.width_px, image.height_px, part);
+  PngWriter writer(path, image.width_px, image.height_px, part, threads);
   for (std::int32_t j = 0; j < image.height_px; ++j) {
     if (!writer.write_row(&image.at(0, j).r)) break;
   }
@@ -19,8 +19,8 @@ Result<Done> write_png(const std::filesystem::path& path,
 
 Result<Done> write_png_cut_out(const std::filesystem::path& path,
                                const ColorImage& image,
-                               const ItemImage& items) {
-  PngWriter writer(path, image.width_px, image.height_px, {}, true);
+                               const ItemImage& items, int threads) {
+  PngWriter writer(path, image.width_px, image.height_px, {}, threads, true);
   std::vector<std::uint8_t> row;
   for (std::int32_t j = 0; j < image.height_px; ++j) {
     row.clear();

@@ -14,14 +14,22 @@ namespace {
 /// The name of the note that says which rows a picture holds.
 char kPartName[] = "Halfspace rows";
 
+/// The names of chunks. What the library would write of them itself, it would
+/// pack in one thread.
+constexpr png_byte kRows[] = "IDAT";
+constexpr png_byte kEnd[] = "IEND";
+
 void ignore(png_structp, png_const_charp) {}
 
 }  // namespace
 
 PngWriter::PngWriter(const std::filesystem::path& path, std::int32_t width_px,
                      std::int32_t height_px,
-                     const std::optional<PartOfPicture>& part, bool has_alpha)
-    : file_(path) {
+                     const std::optional<PartOfPicture>& part, int threads,
+                     bool has_alpha)
+    : file_(path),
+      rows_(static_cast<std::size_t>(width_px) * (has_alpha ? 4 : 3),
+            has_alpha ? 4 : 3, height_px, threads) {
   if (part) {
     part_ = std::to_string(part->first_row) + " of " +
             std::to_string(part->whole_height_px);
@@ -73,15 +81,30 @@ void PngWriter::begin(std::int32_t width_px, std::int32_t height_px,
 
 bool PngWriter::write_row(const std::uint8_t* channels) {
   if (info_ == nullptr || !trouble_.empty()) return false;
+  rows_.add(channels);
+  if (!rows_.full()) return true;
+  if (!rows_.pack()) {
+    trouble_ = "there is not enough memory";
+    return false;
+  }
+  return write_chunks();
+}
+
+bool PngWriter::write_chunks() {
   if (setjmp(png_jmpbuf(png_)) != 0) return false;
-  png_write_row(png_, channels);
+  for (const std::vector<std::uint8_t>& chunk : rows_.chunks())
+    png_write_chunk(png_, kRows, chunk.data(), chunk.size());
   return true;
 }
 
 void PngWriter::end() {
   if (info_ == nullptr || !trouble_.empty()) return;
+  if (!rows_.complete()) {
+    trouble_ = "rows are missing";
+    return;
+  }
   if (setjmp(png_jmpbuf(png_)) != 0) return;
-  png_write_end(png_, info_);
+  png_write_chunk(png_, kEnd, nullptr, 0);
 }
 
 Result<Done> PngWriter::finish() {

@@ -11,6 +11,7 @@
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/picture.hpp"
 #include "halfspace/result.hpp"
+#include "picture/packed_rows.hpp"
 
 namespace halfspace::io {
 
@@ -21,10 +22,10 @@ namespace halfspace::io {
 /// joined are the picture made in one piece.
 class PngWriter {
  public:
-  /// `part` is noted in the file.
+  /// `part` is noted in the file; `threads` as in PackedRows.
   PngWriter(const std::filesystem::path& path, std::int32_t width_px,
             std::int32_t height_px, const std::optional<PartOfPicture>& part,
-            bool has_alpha = false);
+            int threads, bool has_alpha = false);
   ~PngWriter();
   PngWriter(const PngWriter&) = delete;
   PngWriter& operator=(const PngWriter&) = delete;
@@ -37,12 +38,14 @@ class PngWriter {
 
  private:
   void begin(std::int32_t width_px, std::int32_t height_px, int color_type);
+  bool write_chunks();
   void end();
   static void fail(png_structp png, png_const_charp why);
   static void write(png_structp png, png_bytep bytes, std::size_t count);
   static void flush(png_structp png);
 
   NewFile file_;
+  PackedRows rows_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   std::string part_;

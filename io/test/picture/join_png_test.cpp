@@ -253,14 +253,14 @@ TEST_F(PngParts, LeaveNothingWhereTheWholeCannotBeWritten) {
 
 TEST_F(PngParts, AreRemovedIfNeverFinished) {
   {
-    PngWriter writer(path(), 3, 2, std::nullopt);
+    PngWriter writer(path(), 3, 2, std::nullopt, 1);
     const std::uint8_t row[9] = {};
     EXPECT_TRUE(writer.write_row(row));
     EXPECT_TRUE(std::filesystem::exists(part_name(path())));
   }
   EXPECT_FALSE(std::filesystem::exists(path()));
   {
-    PngWriter writer(path(), 3, 2, std::nullopt);
+    PngWriter writer(path(), 3, 2, std::nullopt, 1);
     const std::uint8_t row[9] = {};
     EXPECT_TRUE(writer.write_row(row));
     // A row is missing.
@@ -275,7 +275,7 @@ TEST_F(PngParts, AreRemovedIfNeverFinished) {
 TEST_F(PngParts, SayWhatWentWrongFirst) {
   const Result<Done> done = [&] {
     const samples::SmallFiles small(10);
-    PngWriter writer(path(), 3, 2, std::nullopt);
+    PngWriter writer(path(), 3, 2, std::nullopt, 1);
     const std::uint8_t row[9] = {};
     EXPECT_TRUE(writer.write_row(row));
     return writer.finish();  // a row is missing, and there is no room
@@ -284,7 +284,7 @@ TEST_F(PngParts, SayWhatWentWrongFirst) {
   EXPECT_EQ(done.error().message.find("File too large"), std::string::npos);
   const ColorImage much = picture(3000, 1);
   const samples::SmallFiles small(10);
-  PngWriter writer(path(), 3000, 1000, std::nullopt);
+  PngWriter writer(path(), 3000, 1000, std::nullopt, 1);
   int written = 0;
   while (written < 1000 && writer.write_row(&much.at(0, 0).r)) ++written;
   EXPECT_LT(written, 1000);

@@ -3,10 +3,27 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "mesh/samples.hpp"
 
 namespace halfspace::io {
 namespace {
+
+/// The pixels of a file, read by the library's own reader.
+std::vector<std::uint8_t> pixels_of(const std::filesystem::path& path,
+                                    png_uint_32 format) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return {};
+  png.format = format;
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr) == 0)
+    return {};
+  return bytes;
+}
 
 TEST(WritePng, HoldsThePixels) {
   ColorImage image(3, 2, {0, 0, 0});
@@ -16,15 +33,57 @@ TEST(WritePng, HoldsThePixels) {
   }
   const samples::TemporaryFile file("a.png");
   ASSERT_TRUE(write_png(file.path(), image));
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  ASSERT_NE(png_image_begin_read_from_file(&png, file.path().c_str()), 0);
-  EXPECT_EQ(png.width, 3u);
-  EXPECT_EQ(png.height, 2u);
-  png.format = PNG_FORMAT_RGB;
-  std::vector<Rgb> pixels(6);
-  ASSERT_NE(png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr), 0);
-  EXPECT_EQ(pixels, image.pixels);
+  const auto pixels = pixels_of(file.path(), PNG_FORMAT_RGB);
+  ASSERT_EQ(pixels.size(), 18u);
+  EXPECT_TRUE(
+      std::equal(pixels.begin(), pixels.end(), &image.pixels.data()->r));
+}
+
+/// Pixels of which some rows are noise and some are repeated.
+ColorImage large_image(std::int32_t width_px, std::int32_t height_px) {
+  ColorImage image(width_px, height_px, {9, 8, 7});
+  std::uint32_t number = 1;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    number = number * 1664525 + 1013904223;
+    if (i / static_cast<std::size_t>(width_px) % 3 == 0)
+      image.pixels[i].g = static_cast<std::uint8_t>(number >> 24);
+  }
+  return image;
+}
+
+TEST(WritePng, HasTheSameBytesWithAnyThreads) {
+  // Bands of 1 MiB: 9 rows of the first, less than a band and just one in the
+  // next two, single rows longer than a band in the last.
+  constexpr std::array<std::array<std::int32_t, 2>, 4> kSizes = {
+      {{38000, 40}, {700, 3}, {38000, 9}, {400000, 5}}};
+  for (const auto& [width_px, height_px] : kSizes) {
+    const ColorImage image = large_image(width_px, height_px);
+    const samples::TemporaryFile one("one.png"), many("many.png");
+    ASSERT_TRUE(write_png(one.path(), image, {}, 1));
+    const auto bytes = samples::raw_bytes(one.path());
+    for (const int threads : {2, 16, 0}) {
+      ASSERT_TRUE(write_png(many.path(), image, {}, threads));
+      EXPECT_EQ(samples::raw_bytes(many.path()), bytes) << threads;
+    }
+    const auto pixels = pixels_of(many.path(), PNG_FORMAT_RGB);
+    ASSERT_EQ(pixels.size(), 3 * image.pixels.size());
+    EXPECT_TRUE(
+        std::equal(pixels.begin(), pixels.end(), &image.pixels.data()->r));
+  }
+}
+
+TEST(WritePng, KeepsTheAlphaOfLargePictures) {
+  const ColorImage image = large_image(3000, 400);
+  ItemImage items(3000, 400, kBackground);
+  for (std::size_t i = 0; i < items.pixels.size(); i += 7) items.pixels[i] = 1;
+  const samples::TemporaryFile file("alpha.png");
+  ASSERT_TRUE(write_png_cut_out(file.path(), image, items, 2));
+  const auto pixels = pixels_of(file.path(), PNG_FORMAT_RGBA);
+  ASSERT_EQ(pixels.size(), 4 * image.pixels.size());
+  for (std::size_t i = 0; i < items.pixels.size(); ++i) {
+    ASSERT_EQ(pixels[4 * i + 1], image.pixels[i].g) << i;
+    ASSERT_EQ(pixels[4 * i + 3], i % 7 == 0 ? 255 : 0) << i;
+  }
 }
 
 TEST(WritePng, SaysWhyItCannot) {

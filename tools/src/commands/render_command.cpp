@@ -90,7 +90,8 @@ Status run_still(Engine& engine, const Subject& subject,
       make_frame(engine, subject, chosen->camera, arguments);
   if (!frame) return fail(frame.error().message);
   const Status written =
-      write_frame(*frame, {arguments.picture_file, arguments.ids_file});
+      write_frame(*frame, {arguments.picture_file, arguments.ids_file,
+                           working_threads(arguments.build)});
   if (written != Status::kFine) return written;
   Shadow shadow(arguments);
   const Status checked = shadow.check(loaded, chosen->camera, *frame);
@@ -121,7 +122,8 @@ Outputs outputs_of(const RenderArguments& arguments, std::int64_t number) {
         name ? NumberedName::parse(*name) : std::optional<NumberedName>();
     return pattern ? std::optional(pattern->with(number)) : std::nullopt;
   };
-  return {numbered(arguments.picture_file), numbered(arguments.ids_file)};
+  return {numbered(arguments.picture_file), numbered(arguments.ids_file),
+          working_threads(arguments.build)};
 }
 
 /// What is wrong with the files that `pictures` writes, and those beside them.

@@ -71,7 +71,7 @@ void add_build_options(CLI::App& app, BuildArguments& arguments,
       ->group(group);
   add_number(app, "--threads", "N", arguments.threads, 1u, kMostCounted,
              "Threads to use; if not said, one for an image, and for a display "
-             "tree as many as there are. The result is the same; ref uses one")
+             "tree and to pack a picture as many as there are. The result is the same; ref uses one")
       ->group("Measurement");
   app.add_option("--stats", arguments.stats_file,
                  "Write sizes and processor times as JSON; - is standard "
@@ -97,6 +97,10 @@ int thread_count(const BuildArguments& arguments) {
   return static_cast<int>(arguments.threads.value_or(1));
 }
 
+int working_threads(const BuildArguments& arguments) {
+  return static_cast<int>(arguments.threads.value_or(0));
+}
+
 std::optional<BuildMeasure> build_measured(Engine& engine, Library library,
                                            const Scene& scene,
                                            const BuildArguments& arguments,
@@ -104,7 +108,7 @@ std::optional<BuildMeasure> build_measured(Engine& engine, Library library,
   TreeRequest request;
   if (asks_for_rule(arguments)) request.rule = build_options(arguments);
   request.leaves = leaves;
-  request.threads = static_cast<int>(arguments.threads.value_or(0));
+  request.threads = working_threads(arguments);
   LongWork work("tree");
   request.progress = [&work](double done) { return work.report(done); };
   BuildMeasure measure;

@@ -214,7 +214,8 @@ Outputs names_of(const RenderArguments& arguments,
     const auto pattern = NumberedName::parse(*name);
     return pattern ? std::optional(pattern->with(*number)) : std::nullopt;
   };
-  return {numbered(arguments.picture_file), numbered(arguments.ids_file)};
+  return {numbered(arguments.picture_file), numbered(arguments.ids_file),
+          working_threads(arguments.build)};
 }
 
 Status draw_frames(ObjectFilm& film, const CameraPath* path, Range frames,

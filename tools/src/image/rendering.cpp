@@ -353,9 +353,9 @@ Status write_frame(const Frame& frame, const Outputs& outputs) {
     const Result<Done> written =
         frame.cut_out
             ? io::write_png_cut_out(*outputs.picture_file, frame.picture.colors,
-                                    frame.picture.items)
+                                    frame.picture.items, outputs.threads)
             : io::write_png(*outputs.picture_file, frame.picture.colors,
-                            frame.part);
+                            frame.part, outputs.threads);
     if (!written) return fail(*outputs.picture_file, written.error());
   }
   if (outputs.ids_file) {

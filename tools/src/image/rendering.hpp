@@ -97,6 +97,7 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
 struct Outputs {
   std::optional<std::string> picture_file;
   std::optional<std::string> ids_file;
+  int threads = 0;  ///< of write_png()
 };
 
 Status write_frame(const Frame& frame, const Outputs& outputs);

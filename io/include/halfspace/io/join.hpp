@@ -15,7 +15,8 @@ struct JoinedSize {
 };
 
 /// Writes the pictures in `parts`, one below the other in that order, as one:
-/// the bytes that write_png() makes of the whole. One row is held in memory.
+/// the bytes that write_png() makes of the whole, as few rows in memory as that
+/// has.
 ///
 /// Requires: parts is not empty.
 /// Errors: kUnreadable, kUnknownFormat, kSyntax (of a part); kOutOfRange (parts

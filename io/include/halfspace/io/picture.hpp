@@ -17,17 +17,22 @@ struct PartOfPicture {
 
 /// Writes a picture as PNG, 8 bits a channel. A note in the file says which
 /// `part` of a whole it is, if it is one.
+///
+/// In up to so many threads, 0 meaning as many as the machine has; the bytes do
+/// not depend on them.
 /// Errors: kUnwritable; then a file that was begun is removed.
 Result<Done> write_png(const std::filesystem::path& path,
                        const ColorImage& image,
-                       const std::optional<PartOfPicture>& part = {});
+                       const std::optional<PartOfPicture>& part = {},
+                       int threads = 0);
 
 /// The same with an alpha channel: pixels that show the background are seen
 /// through, all others hide what is behind.
 /// Requires: images of one size.
 /// Errors: kUnwritable.
 Result<Done> write_png_cut_out(const std::filesystem::path& path,
-                               const ColorImage& image, const ItemImage& items);
+                               const ColorImage& image, const ItemImage& items,
+                               int threads = 0);
 
 /// Writes an item image as a NumPy array: `<i4`, C order, shape (height,
 /// width), -1 where there is background (S5.1).
