@@ -14,6 +14,7 @@
 #include "halfspace/splitmix.hpp"
 #include "laws/changed_views.hpp"
 #include "laws/frames/cap_looks.hpp"
+#include "laws/frames/clipped_views.hpp"
 #include "laws/law.hpp"
 
 /// Laws of clip planes and caps (S10).
@@ -27,68 +28,6 @@ constexpr int kClippedViews = 300;
 
 constexpr ScreenKind kScreens[] = {ScreenKind::kList, ScreenKind::kBsp1,
                                    ScreenKind::kQuad, ScreenKind::kBsp2};
-
-std::optional<Int128> to_int128(const Integer& value) {
-  if (abs(value) >> 126 != 0) return std::nullopt;
-  const Integer size = abs(value);
-  const auto high = static_cast<std::uint64_t>(size >> 64);
-  const auto low = static_cast<std::uint64_t>(size & ~std::uint64_t{0});
-  const Int128 result = (Int128{high} << 64) + low;
-  return value < 0 ? -result : result;
-}
-
-/// A plane that polygons lie in, or touch, or that is any: by a number.
-std::optional<ClipPlane> plane_of(const Scene& scene, std::uint64_t number) {
-  const auto count = static_cast<std::uint64_t>(scene.polygon_count());
-  const auto id = static_cast<PolygonId>(mix(number) % count);
-  const GridPoint& p = scene.point(scene.corners(id)[mix(number + 1) % 3]);
-  const Int128 sign = number % 2 == 0 ? 1 : -1;
-  switch (mix(number + 2) % 4) {
-    case 0: {
-      const definition::Plane own = definition::plane_of(scene, id);
-      const auto a = to_int128(own.a), b = to_int128(own.b),
-                 c = to_int128(own.c), d = to_int128(own.d);
-      if (!a || !b || !c || !d) return std::nullopt;
-      return ClipPlane{sign * *a, sign * *b, sign * *c, sign * *d};
-    }
-    case 1:
-      return ClipPlane{sign, 0, 0, -sign * p.x};
-    case 2:
-      return ClipPlane{0, 2 * sign, 0, -sign * (2 * Int128{p.y} + 1)};
-    default:
-      return ClipPlane{
-          sign, -2 * sign, 3 * sign,
-          -sign * (Int128{p.x} - 2 * Int128{p.y} + 3 * Int128{p.z})};
-  }
-}
-
-std::vector<ClipPlane> clips_of(const SceneFile& view, std::uint64_t seed) {
-  std::vector<ClipPlane> planes;
-  if (view.scene.polygon_count() == 0) return planes;
-  const auto count = 1 + mix(seed) % 3;
-  for (std::uint64_t k = 0; k < count; ++k) {
-    if (const auto plane = plane_of(view.scene, mix(seed + k)))
-      planes.push_back(*plane);
-  }
-  const auto made = make_clips(planes, view.scene.grid_bits());
-  return made ? *made : std::vector<ClipPlane>();
-}
-
-std::uint64_t seed_of(const SceneFile& view) {
-  std::uint64_t seed = view.scene.data().vertices.size();
-  for (const GridPoint& p : view.scene.data().vertices) {
-    seed = mix(seed + static_cast<std::uint64_t>(p.x + 3 * p.y + 7 * p.z));
-  }
-  return seed;
-}
-
-/// The view with clip planes, or as it is where a saved one has them.
-SceneFile clipped(const SceneFile& view) {
-  SceneFile result = view;
-  if (result.options.clips.empty())
-    result.options.clips = clips_of(view, seed_of(view));
-  return result;
-}
 
 definition::Plane to_plane(const ClipPlane& clip) {
   const auto big = [](Int128 value) {
@@ -185,11 +124,6 @@ struct RefSections {
     }
     return images;
   }
-  static Image samples(const SceneFile& view, std::int32_t count) {
-    return Ref::image_of(
-        ref::render_samples(view.scene, ref::build(view.scene, {}),
-                            *view.camera, view.options, count));
-  }
   static PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) {
     return ref::pick(view.scene, *view.camera, view.options, i, j);
   }
@@ -232,10 +166,6 @@ struct FastSections {
     }
     return images;
   }
-  static Image samples(const SceneFile& view, std::int32_t count) {
-    return image_of(fast::render_samples(view.scene, tree_of(view.scene, 3),
-                                         *view.camera, view.options, count));
-  }
   static PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) {
     return fast::pick(view.scene, tree_of(view.scene, 2), *view.camera,
                       view.options, i, j);
@@ -269,11 +199,6 @@ TYPED_TEST(S10Sections, L1TheImageIsThatOfTheSceneCutBeforehand) {
       },
       kClippedViews);
   EXPECT_GT(changed, 15u);
-}
-
-/// Closed scenes: boxes within boxes, cubes that touch, and soups.
-generate::Views closed_views() {
-  return rc::gen::oneOf(generate::nested_solids(), generate::touching_solids());
 }
 
 /// Calls the property for views of closed scenes with clip planes and caps.
@@ -477,171 +402,6 @@ TYPED_TEST(S10Sections, L4CapsAreWhereTheSolidGoesOn) {
   });
   EXPECT_GT(shown, 200u);
   EXPECT_GT(not_shown, 200u);
-}
-
-/// The view, so many times as large, and its clip planes with it.
-std::optional<SceneFile> magnified_section(const SceneFile& view,
-                                           std::int32_t samples) {
-  auto large = magnified(view, samples);
-  if (!large) return std::nullopt;
-  for (ClipPlane& clip : large->options.clips) {
-    if (clip.d > (Int128{1} << 120) || -clip.d > (Int128{1} << 120))
-      return std::nullopt;
-    clip.d *= samples;
-  }
-  const auto made = make_clips(large->options.clips, large->scene.grid_bits());
-  if (!made || made->size() != view.options.clips.size()) return std::nullopt;
-  large->options.clips = *made;
-  return large;
-}
-
-/// The mean of the samples of pixel (i, j) of a flat image that is so many
-/// times as large; stripes of caps are as many times as wide (S10.4).
-Rgb mean_of_samples(const SceneFile& view, const Image& large,
-                    std::int32_t samples, std::int32_t i, std::int32_t j) {
-  const auto count = static_cast<PolygonId>(view.scene.polygon_count());
-  int sum[3] = {};
-  for (std::int32_t s = 0; s < samples * samples; ++s) {
-    const std::int32_t x = i * samples + s % samples;
-    const std::int32_t y = j * samples + s / samples;
-    const PolygonId item = large.items.at(x, y);
-    const Rgb color =
-        item < count
-            ? large.colors.at(x, y)
-            : stripe_color(view.options, static_cast<std::size_t>(item - count),
-                           x, y, samples);
-    sum[0] += color.r;
-    sum[1] += color.g;
-    sum[2] += color.b;
-  }
-  const int all = samples * samples;
-  const auto mean = [&](int channel) {
-    return static_cast<std::uint8_t>((2 * channel + all) / (2 * all));
-  };
-  return {mean(sum[0]), mean(sum[1]), mean(sum[2])};
-}
-
-/// Compares an image of samples with the larger one; the samples that differ
-/// from the first of their pixel.
-template <class Impl>
-std::size_t expect_means(const SceneFile& section) {
-  SceneFile view = section;
-  view.options.shading = Shading::kFlat;
-  if (view.options.clips.empty()) return 0;
-  const std::int32_t samples = 2 << (seed_of(view) % 3);
-  const auto larger = magnified_section(view, samples);
-  if (!larger) return 0;
-  const Image large =
-      oracle::zbuffer(larger->scene, *larger->camera, larger->options);
-  const Image image = Impl::samples(view, samples);
-  HALFSPACE_LAW(image.items == large.items);
-  std::size_t mixed = 0;
-  for (std::int32_t j = 0; j < image.colors.height_px; ++j) {
-    for (std::int32_t i = 0; i < image.colors.width_px; ++i) {
-      HALFSPACE_LAW(image.colors.at(i, j) ==
-                    mean_of_samples(view, large, samples, i, j));
-      mixed +=
-          image.items.at(i * samples, j * samples) !=
-                  image.items.at((i + 1) * samples - 1, (j + 1) * samples - 1)
-              ? 1u
-              : 0u;
-    }
-  }
-  return mixed;
-}
-
-constexpr int kSampledViews = 150;
-
-TYPED_TEST(S10Sections, L5SamplesOfSectionsAreALargerImages) {
-  std::size_t mixed = 0;
-  law::for_all_views(
-      [&](const SceneFile& whole) {
-        SceneFile view = clipped(whole);
-        view.options.caps = std::nullopt;
-        mixed += expect_means<TypeParam>(view);
-      },
-      kSampledViews);
-  EXPECT_GT(mixed, 150u);
-}
-
-TYPED_TEST(S10Sections, L5SamplesOfCapsAreALargerImages) {
-  std::size_t mixed = 0;
-  law::for_all(closed_views(), kSampledViews, [&](const SceneFile& whole) {
-    if (!bad_edges(whole.scene).empty()) return;
-    SceneFile view = clipped(whole);
-    view.options.caps = CapStyle{{9, 8, 7}, Rgb{201, 102, 3}};
-    if (seed_of(view) % 2 == 0) tell_parts_apart(view);
-    mixed += expect_means<TypeParam>(view);
-  });
-  EXPECT_GT(mixed, 100u);
-}
-
-/// The view with the polygons of one part alone.
-SceneFile only_part(const SceneFile& view,
-                    const std::vector<std::uint32_t>& part_of,
-                    std::uint32_t part) {
-  const Scene& scene = view.scene;
-  SceneData data;
-  data.unit = scene.unit();
-  data.grid_bits = scene.grid_bits();
-  data.vertices = scene.data().vertices;
-  for (const PolygonId id : ids_of(scene)) {
-    if (part_of[static_cast<std::size_t>(id)] != part) continue;
-    const auto corners = scene.corners(id);
-    data.corners.insert(data.corners.end(), corners.begin(), corners.end());
-    data.first_corner.push_back(
-        static_cast<std::uint32_t>(data.corners.size()));
-    data.colors.push_back(scene.color(id));
-  }
-  return with_scene(view, *make_scene(std::move(data)));
-}
-
-TYPED_TEST(S10Sections, L8PartsAreToldApartByTheCapsOfEachAlone) {
-  std::size_t of_one = 0;
-  std::size_t of_several = 0;
-  law::check(160, [&] {
-    const auto number =
-        *rc::gen::resize(100, rc::gen::inRange<std::uint64_t>(0, 1u << 20));
-    const SceneFile view =
-        cut_boxes(number, 2 + static_cast<int>(number % 3), 10, 8);
-    const ItemImage without = TypeParam::render(view);
-    SceneFile apart = view;
-    tell_parts_apart(apart);
-    const auto& part_of = apart.options.parts->part_of;
-    const auto parts = static_cast<std::uint32_t>(apart.options.parts->count());
-    std::vector<ItemImage> alone;
-    std::vector<PolygonId> alone_count;
-    for (std::uint32_t part = 0; part < parts; ++part) {
-      const SceneFile one = only_part(view, part_of, part);
-      alone.push_back(TypeParam::render(one));
-      alone_count.push_back(static_cast<PolygonId>(one.scene.polygon_count()));
-    }
-    const Image image = TypeParam::samples(apart, 1);
-    const auto count = static_cast<PolygonId>(view.scene.polygon_count());
-    for (std::int32_t j = 0; j < without.height_px; ++j) {
-      for (std::int32_t i = 0; i < without.width_px; ++i) {
-        const PolygonId item = image.items.at(i, j);
-        if (without.at(i, j) < count) {
-          HALFSPACE_LAW(item == without.at(i, j));
-          continue;
-        }
-        std::vector<std::uint32_t> inside;
-        for (std::uint32_t part = 0; part < parts; ++part) {
-          if (alone[part].at(i, j) >= alone_count[part]) inside.push_back(part);
-        }
-        HALFSPACE_LAW(!inside.empty());
-        const std::uint32_t part = inside.size() == 1 ? inside[0] : parts;
-        HALFSPACE_LAW(item == count + static_cast<PolygonId>(16 * part));
-        HALFSPACE_LAW(image.colors.at(i, j) ==
-                      stripe_color(apart.options,
-                                   static_cast<std::size_t>(item - count), i, j,
-                                   1));
-        ++(inside.size() == 1 ? of_one : of_several);
-      }
-    }
-  });
-  EXPECT_GT(of_one, 300u);
-  EXPECT_GT(of_several, 100u);
 }
 
 }  // namespace

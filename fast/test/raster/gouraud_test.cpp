@@ -120,38 +120,46 @@ void expect_told(const TileKernel& kernel, const Gradient& gradient,
   }
 }
 
-TEST(ShadeBounds, ColorsAskWhereTheirDoubtMatters) {
+/// Draws gradients that make(random, round) makes by each kernel, and calls
+/// check(told, doubtful) for each.
+template <class Make, class Check>
+void expect_told_by_kernels(int rounds, const Make& make, const Check& check) {
   for (const TileKernel* kernel :
        {&kPortableKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()}) {
     Random random;
     std::size_t told = 0;
     std::size_t doubtful = 0;
-    for (int round = 0; round < 300; ++round) {
-      const double size = std::ldexp(1.0, 3 * round);
-      Gradient gradient = random.gradient(size);
-      gradient.doubt = random.from_to(0, 0.01) * size;
-      expect_told(*kernel, gradient, told, doubtful);
-      if (HasFatalFailure()) return;
+    for (int round = 0; round < rounds; ++round) {
+      expect_told(*kernel, make(random, round), told, doubtful);
+      if (::testing::Test::HasFatalFailure()) return;
     }
-    EXPECT_GT(told, 300'000u);
-    EXPECT_GT(doubtful, 1000u);
+    check(told, doubtful);
   }
+}
+
+TEST(ShadeBounds, ColorsAskWhereTheirDoubtMatters) {
+  expect_told_by_kernels(
+      300,
+      [](Random& random, int round) {
+        const double size = std::ldexp(1.0, 3 * round);
+        Gradient gradient = random.gradient(size);
+        gradient.doubt = random.from_to(0, 0.01) * size;
+        return gradient;
+      },
+      [](std::size_t told, std::size_t doubtful) {
+        EXPECT_GT(told, 300'000u);
+        EXPECT_GT(doubtful, 1000u);
+      });
 }
 
 /// What floats are off alone.
 TEST(ShadeBounds, ColorsAskWhereRoundingMatters) {
-  for (const TileKernel* kernel :
-       {&kPortableKernel, &best_kernel(SimdLevel::kAvx2), &best_kernel()}) {
-    Random random;
-    std::size_t told = 0;
-    std::size_t doubtful = 0;
-    for (int round = 0; round < 1500; ++round) {
-      expect_told(*kernel, random.gradient(1), told, doubtful);
-      if (HasFatalFailure()) return;
-    }
-    EXPECT_GT(told, 2'000'000u);
-    EXPECT_EQ(doubtful, 0u);
-  }
+  expect_told_by_kernels(
+      1500, [](Random& random, int) { return random.gradient(1); },
+      [](std::size_t told, std::size_t doubtful) {
+        EXPECT_GT(told, 2'000'000u);
+        EXPECT_EQ(doubtful, 0u);
+      });
 }
 
 using Long = long double;
