@@ -6,6 +6,7 @@
 
 #include "cli/options.hpp"
 #include "halfspace/csg/exact.hpp"
+#include "halfspace/io/read_mesh.hpp"
 #include "halfspace/viewer/model.hpp"
 
 namespace halfspace::tools {
@@ -17,9 +18,23 @@ Result<io::LoadedScene> load(const std::string& path,
       return viewer::load_view(path, viewer::Sections::kOfSolids);
     return csg::load_scene(path, options);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::kOutOfRange,
-                 path + ": there is not enough memory to read it"};
+    return no_room_for({path});
   }
+}
+
+Result<io::Mesh> read_mesh_file(const std::string& path) {
+  try {
+    return io::read_mesh(path);
+  } catch (const std::bad_alloc&) {
+    return no_room_for({path});
+  }
+}
+
+Error no_room_for(const std::vector<std::string>& paths) {
+  return {ErrorCode::kOutOfRange,
+          fmt::format("{}: there is not enough memory to read {}",
+                      fmt::join(paths, ", "),
+                      paths.size() == 1 ? "it" : "them")};
 }
 
 std::string to_string(const io::ImportReport& report) {

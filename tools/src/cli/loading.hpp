@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "halfspace/io/load_scene.hpp"
+#include "halfspace/io/mesh.hpp"
 
 namespace CLI {
 class App;
@@ -16,6 +18,13 @@ namespace halfspace::tools {
 /// Errors: kOutOfRange (not enough memory), and those of load_scene().
 Result<io::LoadedScene> load(const std::string& path,
                              const io::ImportOptions& options);
+
+/// io::read_mesh(), of which a lack of memory is an error, too.
+/// Errors: kOutOfRange (not enough memory), and those of read_mesh().
+Result<io::Mesh> read_mesh_file(const std::string& path);
+
+/// The error of files that do not fit into memory.
+Error no_room_for(const std::vector<std::string>& paths);
 
 /// What import did, in words.
 std::string to_string(const io::ImportReport& report);

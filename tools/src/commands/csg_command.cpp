@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/loading.hpp"
@@ -275,8 +276,11 @@ Result<csg::Operands> Job::load(const csg::Script& script,
   try {
     return csg::Operands::load(script, plan, options);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::kOutOfRange,
-                 "there is not enough memory to read the solids"};
+    std::vector<std::string> paths;
+    for (const csg::File& file : script.files) {
+      if (!file.mesh) paths.push_back(file.path);
+    }
+    return no_room_for(paths);
   }
 }
 

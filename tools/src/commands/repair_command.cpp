@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/loading.hpp"
 #include "cli/long_work.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
@@ -19,7 +20,6 @@
 #include "halfspace/csg/repair.hpp"
 #include "halfspace/io/format.hpp"
 #include "halfspace/io/load_scene.hpp"
-#include "halfspace/io/read_mesh.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -148,7 +148,7 @@ Status run_repair(const RepairArguments& arguments) {
       complaint(std::array{NamedFile{"FILE", arguments.input}},
                 std::array{NamedFile{"-o", arguments.output}});
   if (!wrong.empty()) return fail(wrong);
-  Result<io::Mesh> mesh = io::read_mesh(arguments.input);
+  Result<io::Mesh> mesh = read_mesh_file(arguments.input);
   if (!mesh) return fail(mesh.error().message);
   const std::string wrong_beside = file_complaint(arguments, mesh->attributes);
   if (!wrong_beside.empty()) return fail(wrong_beside);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "halfspace/io/read_mesh.hpp"
+#include "cli/loading.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -44,7 +44,7 @@ Result<FigureScene> load_meshes(const std::vector<std::string>& paths,
       return Error{ErrorCode::kUnknownFormat,
                    paths[k] + ": a .scene is drawn alone; give meshes only"};
     }
-    const Result<io::Mesh> mesh = io::read_mesh(paths[k]);
+    const Result<io::Mesh> mesh = read_mesh_file(paths[k]);
     if (!mesh) return io::error_about(paths[k], mesh.error());
     append(all, *mesh);
     file_of_face.resize(all.face_count(), static_cast<std::int32_t>(k));
