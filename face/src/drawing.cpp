@@ -37,15 +37,14 @@ Result<LineDrawing> Display::draw(const View& view, double crease_deg) const {
     return Error{ErrorCode::kOutOfRange,
                  "the crease angle is not from 0 to 180 degrees"};
   }
-  if (!view.clips.empty()) {
-    return Error{ErrorCode::kOutOfRange,
-                 "edges are not cut by clip planes; cut solids by "
-                 "Solid::split()"};
-  }
   const Result<Camera> camera = detail::camera_of(state_->scene, view);
   if (!camera) return camera.error();
+  const Result<ImageOptions> section = state_->options_of(view);
+  if (!section) return section.error();
   DrawingOptions options;
   options.cull = view.cull;
+  options.clips = section->clips;
+  options.caps = section->caps.has_value();
   options.crease_cosine = static_cast<std::int32_t>(std::lround(
       std::ldexp(std::cos(crease_deg * std::numbers::pi / 180), kCosineBits)));
   const auto drawing = fast::draw(state_->scene, *camera, options);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "covering.hpp"
+#include "frames/cap_corners.hpp"
 #include "frames/caps.hpp"
 #include "halfspace/ref/clip.hpp"
 #include "vector.hpp"
@@ -25,6 +26,8 @@ struct Edge {
   Point to;
   EdgeClass edge_class = EdgeClass::kCrease;
   std::vector<std::size_t> polygons = {};  ///< those at it
+  /// The two clip planes of an edge at which caps meet (S9.8).
+  std::optional<std::pair<std::size_t, std::size_t>> caps = {};
 };
 
 bool is_on_line(const Point& p, const Point& a, const Point& b) {
@@ -103,8 +106,8 @@ class Drawer {
       const Plane plane = plane_of(polygon.vertices);
       const Side eye = side_of_eye(plane, camera);
       const bool is_culled = options.cull && eye == Side::kNegative;
-      if (!is_culled || (caps_ && sign(caps_->plane(0).at_eye) < 0))
-        cut_polygons_.push_back(polygon);
+      all_polygons_.push_back(polygon);
+      are_culled_.push_back(is_culled);
       if (is_culled) continue;
       polygons_.push_back(polygon);
       planes_.push_back(plane);
@@ -123,6 +126,7 @@ class Drawer {
       find_intersections();
       std::erase_if(edges_, [&](const Edge& e) { return is_in_clip(e); });
       find_sections();
+      if (caps_) find_corners();
     }
     for (const GivenLine& line : options_.lines) {
       edges_.push_back(
@@ -268,16 +272,57 @@ class Drawer {
         });
   }
   void find_sections() {
-    for (const Fragment& polygon : cut_polygons_) {
-      for (const ClipPlane& clip : options_.clips) {
-        const Plane plane = function_of(clip);
-        const auto is_kept = [&](const Point& p) {
-          return sign(value_at(plane, p)) > 0;
-        };
-        const auto common = common_of(polygon, plane);
-        if (common && std::any_of(polygon.vertices.begin(),
-                                  polygon.vertices.end(), is_kept))
+    for (std::size_t p = 0; p < all_polygons_.size(); ++p) {
+      for (std::size_t k = 0; k < options_.clips.size(); ++k) {
+        if (are_culled_[p] && !is_before_cap(k)) continue;
+        const auto common =
+            common_of(all_polygons_[p], function_of(options_.clips[k]));
+        if (common && leaves_section(all_polygons_[p], k, *common))
           edges_.push_back({common->low, common->high, EdgeClass::kSection});
+      }
+    }
+  }
+  bool is_before_cap(std::size_t k) const {
+    return caps_ && sign(caps_->plane(k).at_eye) < 0;
+  }
+  /// Whether what is left of a polygon, by plane k and all that hold the
+  /// segment, has that segment.
+  bool leaves_section(const Fragment& polygon, std::size_t k,
+                      const Common& common) const {
+    const auto value = [&](std::size_t plane, const Point& p) {
+      return sign(value_at(function_of(options_.clips[plane]), p));
+    };
+    const auto& vertices = polygon.vertices;
+    const auto any_kept = [&](std::size_t other) {
+      return std::any_of(vertices.begin(), vertices.end(), [&](const Point& p) {
+        return value(k, p) > 0 && value(other, p) > 0;
+      });
+    };
+    for (std::size_t other = 0; other < options_.clips.size(); ++other) {
+      if (other != k && (value(other, common.low) != 0 ||
+                         value(other, common.high) != 0))
+        continue;
+      const bool lies_there =
+          std::all_of(vertices.begin(), vertices.end(),
+                      [&](const Point& p) { return value(other, p) == 0; });
+      if (other != k && lies_there && !caps_) continue;
+      if (!any_kept(other)) return false;
+    }
+    return true;
+  }
+
+  /// S9.8: the lines in which two clip planes meet, within a box that has the
+  /// scene inside.
+  void find_corners() {
+    for (std::size_t k = 0; k < options_.clips.size(); ++k) {
+      for (std::size_t l = k + 1; l < options_.clips.size(); ++l) {
+        if (options_.cull && !is_before_cap(k) && !is_before_cap(l)) continue;
+        const auto line = corner_line(all_polygons_, options_.clips[k],
+                                      options_.clips[l]);
+        if (!line) continue;
+        Edge edge = {line->first, line->second, EdgeClass::kSection};
+        edge.caps = {k, l};
+        edges_.push_back(std::move(edge));
       }
     }
   }
@@ -356,6 +401,14 @@ class Drawer {
     const auto cut = [&](const Rational& f, const Rational& g) {
       if (sign(f) * sign(g) < 0) cuts.push_back(f / (f - g));
     };
+    const Rational w = value_at(projection_.w, from);
+    const Rational v = value_at(projection_.w, to);
+    if (edge.caps) {
+      for (const Fragment& polygon : all_polygons_) {
+        const Plane plane = plane_of(polygon.vertices);
+        cut(value_at(plane, from) / w, value_at(plane, to) / v);
+      }
+    }
     if (caps_) {
       for (const Affine& form : caps_->forms())
         cut(at(form, image.from), at(form, image.to));
@@ -370,15 +423,22 @@ class Drawer {
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     // Step 3: count what is in front of each part; join parts with one count.
-    const Rational w = value_at(projection_.w, from);
-    const Rational v = value_at(projection_.w, to);
     const auto share_of = [&](const Rational& s) {
       return low + (high - low) * (s * w / (s * w + (Rational(1) - s) * v));
     };
-    std::optional<std::int32_t> last;
+    constexpr std::int32_t kNone = -1;
+    std::int32_t last = kNone;
     for (std::size_t k = 1; k < cuts.size(); ++k) {
-      const std::int32_t layers =
-          layers_at(image, Rational(1) / Rational(2) * (cuts[k - 1] + cuts[k]));
+      const Rational middle =
+          Rational(1) / Rational(2) * (cuts[k - 1] + cuts[k]);
+      if (edge.caps &&
+          !do_caps_meet(all_polygons_, options_.clips, edge.caps->first,
+                        edge.caps->second,
+                        between(edge.from, edge.to, share_of(middle)))) {
+        last = kNone;
+        continue;
+      }
+      const std::int32_t layers = layers_at(image, middle);
       if (last == layers) {
         drawing_.intervals.back().to_share = share_of(cuts[k]);
         drawing_.intervals.back().to = along(image, cuts[k]);
@@ -442,10 +502,11 @@ class Drawer {
       left += covers(dy, -dx) ? 1 : 0;
       right += covers(-dy, dx) ? 1 : 0;
     }
-    if (caps_ && is_cap_nearer(p, nearness)) {
+    for (std::size_t k = 0; caps_ && k < caps_->count(); ++k) {
+      if (!is_cap_nearer(k, p, nearness)) continue;
       const auto shows = [&](const Rational& x, const Rational& y) {
         return caps_->shows(
-            0, [&](const Affine& f) { return sign_beside(f, p, x, y); });
+            k, [&](const Affine& f) { return sign_beside(f, p, x, y); });
       };
       left += shows(dy, -dx) ? 1 : 0;
       right += shows(-dy, dx) ? 1 : 0;
@@ -453,10 +514,11 @@ class Drawer {
     return std::min(left, right);
   }
 
-  /// Whether the plane of the cap is nearer than that at an image point; an eye
+  /// Whether the plane of a cap is nearer than that at an image point; an eye
   /// in the plane sees no cap.
-  bool is_cap_nearer(const ImagePoint& p, const Rational& nearness) const {
-    const SeenPlane& plane = caps_->plane(0);
+  bool is_cap_nearer(std::size_t k, const ImagePoint& p,
+                     const Rational& nearness) const {
+    const SeenPlane& plane = caps_->plane(k);
     return sign(plane.at_eye) != 0 &&
            Rational(-1) / plane.at_eye * at(plane.at_image, p) > nearness;
   }
@@ -532,7 +594,8 @@ class Drawer {
   std::optional<Caps> caps_;
   Projection projection_;
   std::vector<Fragment> polygons_;
-  std::vector<Fragment> cut_polygons_;  ///< those that sections are seen of
+  std::vector<Fragment> all_polygons_;  ///< those that are culled, too
+  std::vector<bool> are_culled_;
   std::vector<Plane> planes_;
   std::vector<std::optional<Covering>> coverings_;
   std::vector<int> eyes_;  ///< the sides of the planes that hold the eye

@@ -166,8 +166,9 @@ expect 0 ' strokes' draw cubes.off --clip 1,0,0,0 -o cut.svg --lines edges \
   --hidden dashed --cap hatch --titles --ortho --view right
 grep -q 'id="section"' cut.svg || wrong "the cut has no edges"
 grep -q '<title>cut of polygon' cut.svg || wrong "the cut names no polygon"
-expect 2 'caps of several planes' draw cubes.off --clip 1,0,0,0 \
-  --clip 0,1,0,0 --cap hatch -o none.svg --lines edges
+expect 0 ' strokes' draw cubes.off --clip 1,0,0,0 --clip 0,1,0,0 \
+  --clip 0,0,-1,0 -o cut.svg --lines edges --hidden dashed --cap hatch --titles
+grep -q '<title>where caps meet' cut.svg || wrong "no caps meet"
 expect 2 'not glass' draw cubes.off --clip 1,0,0,0 --alpha 9 -o none.svg
 expect 2 'needs --clip' draw cubes.off --cap hatch -o none.svg
 # Axes and notes are seen where nothing is before them.

@@ -247,9 +247,10 @@ class HALFSPACE_API Display {
   /// kOpen (caps for what is not closed).
   Result<Picture> render(const View& view = {}) const;
   /// The edges that the view shows (S9): silhouettes, borders, intersections,
-  /// and creases where faces turn by more than an angle. Exact. Cost: n log n,
-  /// and the edges' crossings in the image.
-  /// Errors: also kOutOfRange, where there are too many, and for clip planes.
+  /// and creases where faces turn by more than an angle; of a section what clip
+  /// planes leave of them, and the outlines of what they cut (S9.8). Exact.
+  /// Cost: n log n, and the edges' crossings in the image.
+  /// Errors: also kOutOfRange, where there are too many.
   Result<LineDrawing> draw(const View& view = {}, double crease_deg = 20) const;
   /// The picture as regions (S7.4, S10.5), clip planes and caps too: what is
   /// seen at any point of the image, not only at pixels' centres. Exact;

@@ -6,20 +6,6 @@
 #include "drawing/hiding.hpp"
 
 namespace halfspace::fast {
-namespace {
-
-/// Whether a point is before another one by x, then y, then z.
-bool is_before(const SpacePoint& p, const SpacePoint& q) {
-  const auto order = [&](const Wide<4>& a, const Wide<4>& b) {
-    return sign(multiply<7>(a, q.w) - multiply<7>(b, p.w));
-  };
-  const int x = order(p.x, q.x);
-  const int y = order(p.y, q.y);
-  return (x != 0 ? x : y != 0 ? y : order(p.z, q.z)) < 0;
-}
-
-}  // namespace
-
 ClipForms::ClipForms(const Sight& sight, const std::vector<ClipPlane>& planes,
                      bool caps)
     : sight_(sight), has_caps_(caps) {
@@ -27,7 +13,9 @@ ClipForms::ClipForms(const Sight& sight, const std::vector<ClipPlane>& planes,
     forms_.push_back({FormInt(plane.a), FormInt(plane.b), FormInt(plane.c),
                       FormInt(plane.d)});
   }
-  has_cap_in_front_ = caps && sight.eye_side(forms_[0]) < 0;
+  for (std::size_t k = 0; caps && k < forms_.size(); ++k) {
+    if (sight.eye_side(forms_[k]) < 0) caps_in_front_ |= 1u << k;
+  }
   if (planes.empty()) return;
   const Scene& scene = sight.scene();
   bits_.resize(scene.polygon_count());
@@ -35,24 +23,30 @@ ClipForms::ClipForms(const Sight& sight, const std::vector<ClipPlane>& planes,
     for (std::size_t k = 0; k < planes.size(); ++k) {
       bool any_positive = false;
       bool any_negative = false;
+      bool any_on = false;
       for (const VertexId v : scene.corners(static_cast<PolygonId>(p))) {
         const int side = sign(value_at(forms_[k], sight.point_of(v)));
         any_positive |= side > 0;
         any_negative |= side < 0;
+        any_on |= side == 0;
       }
       const auto bit = static_cast<std::uint8_t>(1u << k);
       if (any_positive && any_negative) bits_[p].cut |= bit;
       if (!any_positive) bits_[p].removed |= bit;
       if (!any_positive && !any_negative) bits_[p].inside |= bit;
+      if (!any_negative && !any_on) bits_[p].kept |= bit;
     }
   }
 }
 
+bool ClipForms::holds(std::int32_t k, const Line& line) const {
+  return sign(value_at(form(k), line.from)) == 0 &&
+         sign(value_at(form(k), line.to)) == 0;
+}
+
 bool ClipForms::takes_away(const Line& line) const {
   for (std::int32_t k = 0; k < count(); ++k) {
-    if (sign(value_at(form(k), line.from)) != 0 ||
-        sign(value_at(form(k), line.to)) != 0)
-      continue;
+    if (!holds(k, line)) continue;
     const auto lies_there = [&](PolygonId polygon) {
       return (bits(polygon).inside >> k & 1) != 0;
     };
@@ -67,10 +61,10 @@ std::vector<Line> ClipForms::sections(const SceneEdges& edges,
                                       const std::vector<bool>& present) const {
   std::vector<Line> lines;
   for (std::size_t p = 0; p < bits_.size(); ++p) {
-    if (!present[p] && !has_cap_in_front_) continue;
     const auto id = static_cast<PolygonId>(p);
     for (std::int32_t k = 0; k < count(); ++k) {
-      if (!is_removed_by(id, k)) add_section(id, k, edges, lines);
+      if (!is_removed_by(id, k) && (present[p] || has_cap_in_front(k)))
+        add_section(id, k, edges, lines);
     }
   }
   return lines;
@@ -105,7 +99,25 @@ void ClipForms::add_section(PolygonId polygon, std::int32_t k,
   line.to = points[1];
   line.polygons = {polygon};
   line.clip = k;
-  lines.push_back(std::move(line));
+  if (is_there(line)) lines.push_back(std::move(line));
+}
+
+bool ClipForms::is_there(const Line& section) const {
+  const PolygonId polygon = section.polygons[0];
+  const auto corners = sight_.scene().corners(polygon);
+  for (std::int32_t k = 0; k < count(); ++k) {
+    if (k == section.clip || !holds(k, section)) continue;
+    const auto is_kept = [&](VertexId v) {
+      const SpacePoint p = sight_.point_of(v);
+      return sign(value_at(form(k), p)) > 0 &&
+             sign(value_at(form(section.clip), p)) > 0;
+    };
+    const bool lies_there = (bits(polygon).inside >> k & 1) != 0;
+    if (lies_there ? has_caps_
+                   : std::none_of(corners.begin(), corners.end(), is_kept))
+      return false;
+  }
+  return true;
 }
 
 }  // namespace halfspace::fast

@@ -17,6 +17,14 @@ class ClipForms {
   ClipForms(const Sight& sight, const std::vector<ClipPlane>& planes,
             bool caps);
 
+  /// A polygon that the line of two clip planes crosses, moved by nothing into
+  /// what they keep, and how the winding number changes from the line's first
+  /// end on.
+  struct Crossing {
+    PolygonId polygon = -1;
+    int turns = 0;
+  };
+
   std::int32_t count() const {
     return static_cast<std::int32_t>(forms_.size());
   }
@@ -24,7 +32,14 @@ class ClipForms {
     return forms_[static_cast<std::size_t>(k)];
   }
   /// Whether there is a cap that what is kept may be behind.
-  bool has_cap_in_front() const { return has_cap_in_front_; }
+  bool has_cap_in_front() const { return caps_in_front_ != 0; }
+  bool has_cap_in_front(std::int32_t k) const {
+    return (caps_in_front_ >> k & 1) != 0;
+  }
+  /// Whether a polygon may be behind such a cap.
+  bool is_behind_cap(PolygonId polygon) const {
+    return has_cap_in_front() && (caps_in_front_ & ~bits(polygon).removed) != 0;
+  }
 
   /// Whether a plane passes through the inside of a polygon.
   bool is_cut_by(PolygonId polygon, std::int32_t k) const {
@@ -48,23 +63,35 @@ class ClipForms {
   std::vector<Line> sections(const SceneEdges& edges,
                              const std::vector<bool>& present) const;
 
+  /// The lines along which caps meet, from end to end of the box round the
+  /// scene, made one grid step larger on all sides.
+  std::vector<Line> corners(bool cull) const;
+  /// The polygons that such a line crosses.
+  std::vector<Crossing> crossings(const Line& line) const;
+
  private:
   struct Bits {
     std::uint8_t cut = 0;
     std::uint8_t removed = 0;
     std::uint8_t inside = 0;  ///< lies in the plane
+    std::uint8_t kept = 0;    ///< all corners are on the positive side
   };
   const Bits& bits(PolygonId polygon) const {
     return bits_[static_cast<std::size_t>(polygon)];
   }
   void add_section(PolygonId polygon, std::int32_t k, const SceneEdges& edges,
                    std::vector<Line>& lines) const;
+  bool is_there(const Line& section) const;
+  /// Whether a plane holds both ends of a line.
+  bool holds(std::int32_t k, const Line& line) const;
+  /// Whether another plane that holds the line takes all beside it away.
+  bool is_cut_off(const Line& corner) const;
 
   const Sight& sight_;
   std::vector<Form> forms_;
   std::vector<Bits> bits_;
   bool has_caps_ = false;
-  bool has_cap_in_front_ = false;
+  std::uint32_t caps_in_front_ = 0;  ///< by bit
 };
 
 }  // namespace halfspace::fast

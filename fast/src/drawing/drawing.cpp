@@ -114,6 +114,14 @@ class Drawer {
       drawing_.edges.push_back(edge);
       lines_.push_back(std::move(line));
     }
+    for (Line& line : clips.corners(options_.cull)) {
+      DrawingEdge edge;
+      edge.edge_class = EdgeClass::kSection;
+      edge.polygon = -1;
+      edge.other = -1;
+      drawing_.edges.push_back(edge);
+      lines_.push_back(std::move(line));
+    }
   }
 
   /// Given vertices come after the scene's own.
@@ -158,7 +166,9 @@ class Drawer {
         interval.layers = part.layers;
         interval.from_share = points.share(line, part.from);
         interval.to_share = points.share(line, part.to);
-        const bool goes_on = !pieces_.empty() && pieces_.back().line == l;
+        // Where caps meet, parts may lie apart.
+        const bool goes_on = !pieces_.empty() && pieces_.back().line == l &&
+                             pieces_.back().to.is_same(part.from);
         interval.from = goes_on ? drawing_.intervals.back().to
                                 : points.point(line, part.from);
         interval.to = points.point(line, part.to);
@@ -185,7 +195,6 @@ Result<Drawing> draw(const Scene& scene, const Camera& camera,
   HALFSPACE_ASSERT(options.cuts.empty() ||
                    options.cuts.size() == scene.polygon_count());
   HALFSPACE_ASSERT(options.clips.empty() || options.points.empty());
-  HALFSPACE_ASSERT(!options.caps || options.clips.size() == 1);
   if (options.lines.empty() && options.points.empty())
     return Drawer(scene, camera, options, limits).run();
   const Scene extended = with_given(scene, options);

@@ -31,8 +31,7 @@ Hiding::Hiding(Sight& sight, const SceneEdges& edges,
     const auto id = static_cast<std::int32_t>(p);
     if (eye_signs_[p] == 0) continue;
     if (is_hider[p] && clips_.leaves(id)) hiders.push_back(id);
-    if (clips_.has_cap_in_front() && !clips_.is_removed_by(id, 0))
-      turners.push_back(id);
+    if (clips_.is_behind_cap(id)) turners.push_back(id);
   }
   const auto box = [this](std::int32_t p) { return box_of(PolygonId{p}); };
   tree_.emplace(box, hiders);
@@ -100,6 +99,8 @@ Form Hiding::form_of(const Cut& cut) const {
       return sight_.cut_form(cut.polygon, clips_.form(cut.number));
     case CutKind::kClipNear:
       return sight_.near_form_of(clips_.form(cut.number));
+    case CutKind::kClipMeet:
+      return cap_limit(cut.number / kClips, cut.number % kClips);
     default:
       return sight_.limit_form(cut.number);
   }
@@ -125,8 +126,8 @@ bool Hiding::is_point(const Line& line) {
   };
   if (differ(p.across, q.across) || differ(p.down, q.down)) return false;
   const auto parallel = [&](const Form& f, const Form& g) {
-    return multiply_short<20>(value_at(f, p), value_at(g, q)) ==
-           multiply_short<20>(value_at(f, q), value_at(g, p));
+    return multiply_short<22>(value_at(f, p), value_at(g, q)) ==
+           multiply_short<22>(value_at(f, q), value_at(g, p));
   };
   ++sight_.stats().exact;
   // In perspective both are one ray from the eye: (x, y, w) in proportion.
@@ -166,14 +167,13 @@ int Hiding::compare(const Line& line, const Cut& f, const Cut& g) {
     };
     return (rank(f) > rank(g)) - (rank(f) < rank(g));
   }
-  if (f.kind == g.kind && f.polygon == g.polygon && f.number == g.number)
-    return 0;
+  if (f.is_same(g)) return 0;
   if (are_same_side(f, g)) return 0;
   ++sight_.stats().exact;
   const ExactCut p = exact_cut(line, f);
   const ExactCut q = exact_cut(line, g);
-  return sign(multiply_short<20>(p.from, q.to) -
-              multiply_short<20>(q.from, p.to));
+  return sign(multiply_short<22>(p.from, q.to) -
+              multiply_short<22>(q.from, p.to));
 }
 
 Hiding::ExactCut Hiding::exact_cut(const Line& line, const Cut& cut) {
@@ -231,6 +231,10 @@ bool Hiding::in_view(const Line& line, Cut& low, Cut& high) {
 }
 
 Form Hiding::plane_of(const Line& line) const {
+  if (line.other_clip >= 0) {
+    return sight_.meet_form_of(clips_.form(line.clip),
+                               clips_.form(line.other_clip));
+  }
   if (line.clip >= 0)
     return sight_.cut_form(line.polygons[0], clips_.form(line.clip));
   return line.is_intersection
@@ -355,8 +359,15 @@ void Hiding::hide(const Line& line, const Cut& low, const Cut& high,
   const int left = (covered & kLeft) != 0 ? 1 : 0;
   const int right = (covered & kRight) != 0 ? 1 : 0;
   if (left + right == 0) return;
-  events_.push_back({from, left, right});
-  events_.push_back({to, -left, -right});
+  Event event;
+  event.cut = from;
+  event.left = static_cast<std::int8_t>(left);
+  event.right = static_cast<std::int8_t>(right);
+  events_.push_back(event);
+  event.cut = to;
+  event.left = static_cast<std::int8_t>(-left);
+  event.right = static_cast<std::int8_t>(-right);
+  events_.push_back(event);
 }
 
 std::vector<Layered> Hiding::parts_of(const Line& line) {
@@ -374,14 +385,18 @@ std::vector<Layered> Hiding::parts_of(const Line& line) {
         line.polygons.end())
       hide(line, low, high, polygon);
   });
-  if (clips_.has_cap_in_front()) find_cap(line, low, high, box);
+  for (std::int32_t k = 0; k < clips_.count(); ++k) {
+    if (clips_.has_cap_in_front(k)) find_cap(line, low, high, k, box);
+  }
+  if (line.other_clip >= 0) find_corner(line, low, high);
   std::sort(events_.begin(), events_.end(),
             [&](const Event& f, const Event& g) {
               const int order = compare(line, f.cut, g.cut);
               return order != 0 ? order < 0 : f.cut.polygon < g.cut.polygon;
             });
   Count count;
-  parts.push_back({low, high, 0});
+  const std::int32_t clips = clips_.has_cap_in_front() ? clips_.count() : 0;
+  parts.push_back({low, high, count.layers(line, clips)});
   for (std::size_t k = 0; k < events_.size();) {
     const Cut& cut = events_[k].cut;
     std::size_t end = k;
@@ -389,7 +404,7 @@ std::vector<Layered> Hiding::parts_of(const Line& line) {
       count.add(events_[end]);
       ++end;
     }
-    const std::int32_t layers = count.layers();
+    const std::int32_t layers = count.layers(line, clips);
     Layered& last = parts.back();
     if (layers != last.layers) {
       if (compare(line, cut, last.from) == 0) {
@@ -401,6 +416,7 @@ std::vector<Layered> Hiding::parts_of(const Line& line) {
     }
     k = end;
   }
+  std::erase_if(parts, [](const Layered& p) { return p.layers == kAbsent; });
   return parts;
 }
 

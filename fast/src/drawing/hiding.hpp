@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -22,11 +23,14 @@ struct Line {
   /// The clip plane that the one polygon has the segment in common with; -1:
   /// none.
   std::int32_t clip = -1;
+  /// The second clip plane of an edge at which caps meet (S9.8), `clip` being
+  /// the first; -1: it is no such edge.
+  std::int32_t other_clip = -1;
 };
 
 /// What cuts an edge: an end of it, a limit of the view, or a polygon's side
 /// (its number), plane or near limit, a clip plane, where that cuts a polygon,
-/// or its near limit.
+/// its near limit, or where it cuts the cap of another one.
 enum class CutKind : std::int8_t {
   kFrom,
   kTo,
@@ -36,7 +40,8 @@ enum class CutKind : std::int8_t {
   kNear,
   kClip,
   kClipped,
-  kClipNear
+  kClipNear,
+  kClipMeet
 };
 
 /// A place on an edge where a form is 0: the share of the edge, in space, up to
@@ -45,8 +50,15 @@ struct Cut {
   double share = 0;
   double error = 0;
   CutKind kind = CutKind::kFrom;
-  std::int32_t number = 0;  ///< of the limit or the side
+  /// Of the limit, the side or the clip plane; of two planes kMostClipPlanes
+  /// times that with the cap and the other one.
+  std::int32_t number = 0;
   PolygonId polygon = -1;
+
+  bool is_same(const Cut& other) const {
+    return kind == other.kind && number == other.number &&
+           polygon == other.polygon;
+  }
 };
 
 /// A part of an edge with one number of layers in front.
@@ -92,22 +104,33 @@ class Hiding {
   /// A change of the number of polygons in front, on the two sides of an edge.
   struct Event {
     Cut cut;
-    std::int32_t left = 0;
-    std::int32_t right = 0;
-    // Of the winding number where the eye's rays pass the plane of the cap, and
-    // of whether that is beyond the near limit.
-    std::int32_t left_turns = 0;
-    std::int32_t right_turns = 0;
-    std::int32_t beyond = 0;
+    std::int8_t left = 0;
+    std::int8_t right = 0;
+    // Of the winding number where the eye's rays pass the plane of a cap, and
+    // of whether the cap may be there, beyond the near limit and within the
+    // other clip planes.
+    std::int8_t cap = 0;
+    std::int8_t left_turns = 0;
+    std::int8_t right_turns = 0;
+    std::int8_t left_open = 0;
+    std::int8_t right_open = 0;
+    /// Of the winding number along an edge at which caps meet.
+    std::int8_t solid = 0;
   };
   /// What the events up to some place on an edge add up to.
   struct Count {
-    std::int32_t left = 0, right = 0;
-    std::int32_t left_turns = 0, right_turns = 0;
-    std::int32_t beyond = 0;
+    struct Cap {
+      std::int32_t left_turns = 0, right_turns = 0;
+      std::int32_t left_open = 0, right_open = 0;
+    };
+    std::int32_t left = 0, right = 0, solid = 0;
+    std::array<Cap, kMostClipPlanes> caps = {};
     void add(const Event& event);
-    std::int32_t layers() const;
+    /// The layers; of an edge at which caps meet kAbsent where they do not.
+    std::int32_t layers(const Line& line, std::int32_t clips) const;
   };
+  static constexpr std::int32_t kAbsent = -1;
+  static constexpr auto kClips = static_cast<std::int32_t>(kMostClipPlanes);
   /// The signs of a form at both ends of an edge, and its values in doubles.
   struct Ends {
     int from = 0;
@@ -148,11 +171,22 @@ class Hiding {
                       Cut& from, Cut& to, int& covered);
   /// What clip planes leave of an edge (S9.8).
   bool narrow_to_kept(const Line& line, Cut& low, Cut& high);
-  /// The winding number that a polygon adds where rays pass the cap's plane.
+  /// Positive at points whose sight rays meet the plane of a cap, for an eye on
+  /// its negative side, on the positive side of another clip plane.
+  Form cap_limit(std::int32_t cap, std::int32_t other) const {
+    return -sight_.meet_form_of(clips_.form(cap), clips_.form(other));
+  }
+  /// Narrows a range to where the other clip planes leave the cap of one, for
+  /// an eye on its negative side, and `covered` as narrow_to_sides() does.
+  bool narrow_to_cap(const Line& line, std::int32_t cap, Cut& from, Cut& to,
+                     int& covered);
+  /// The winding number that a polygon adds where rays pass a cap's plane.
   void turn(const Line& line, const Cut& low, const Cut& high,
-            PolygonId polygon);
+            std::int32_t cap, PolygonId polygon);
   void find_cap(const Line& line, const Cut& low, const Cut& high,
-                const Box& box);
+                std::int32_t cap, const Box& box);
+  /// Where caps meet along the line of two clip planes (S9.8).
+  void find_corner(const Line& line, const Cut& low, const Cut& high);
   /// Whether two cuts are by sides between the same two points.
   bool are_same_side(const Cut& f, const Cut& g) const;
   /// The sign at a point of a polygon's side seen from the eye, positive
@@ -172,7 +206,7 @@ class Hiding {
   std::vector<std::int8_t> eye_signs_;
   const ClipForms& clips_;
   std::optional<BoxTree> tree_;
-  std::optional<BoxTree> cap_tree_;  ///< of all that the cap is made of
+  std::optional<BoxTree> cap_tree_;  ///< of all that caps in front are made of
   // Scratch.
   std::vector<Event> events_;
   /// What exact_cut() has worked out for the edge of parts_of(), by cut.

@@ -7,9 +7,9 @@ namespace halfspace::fast {
 /// from |g| + to |f|, for homogeneous points.
 ExactImagePoint ImagePoints::exact(const Line& line, const Cut& cut) const {
   const auto at_end = [&](const SpacePoint& p) {
-    return ExactImagePoint{Wide<20>(value_at(sight_.x_form(), p)),
-                           Wide<20>(value_at(sight_.y_form(), p)),
-                           Wide<20>(value_at(sight_.w_form(), p))};
+    return ExactImagePoint{CutProduct(value_at(sight_.x_form(), p)),
+                           CutProduct(value_at(sight_.y_form(), p)),
+                           CutProduct(value_at(sight_.w_form(), p))};
   };
   if (cut.kind == CutKind::kFrom) return at_end(line.from);
   if (cut.kind == CutKind::kTo) return at_end(line.to);
@@ -17,8 +17,8 @@ ExactImagePoint ImagePoints::exact(const Line& line, const Cut& cut) const {
   const FormValue f = size_of(value_at(form, line.from));
   const FormValue g = size_of(value_at(form, line.to));
   const auto mean = [&](const Form& of) {
-    return multiply_short<20>(value_at(of, line.from), g) +
-           multiply_short<20>(value_at(of, line.to), f);
+    return multiply_short<22>(value_at(of, line.from), g) +
+           multiply_short<22>(value_at(of, line.to), f);
   };
   return {mean(sight_.x_form()), mean(sight_.y_form()), mean(sight_.w_form())};
 }
@@ -33,10 +33,10 @@ double ImagePoints::share(const Line& line, const Cut& cut) const {
   if (cut.kind == CutKind::kFrom) return 0;
   if (cut.kind == CutKind::kTo) return 1;
   const Form form = hiding_.form_of(cut);
-  const Wide<20> f =
-      multiply_short<20>(size_of(value_at(form, line.from)), line.to.w);
-  const Wide<20> g =
-      multiply_short<20>(size_of(value_at(form, line.to)), line.from.w);
+  const CutProduct f =
+      multiply_short<22>(size_of(value_at(form, line.from)), line.to.w);
+  const CutProduct g =
+      multiply_short<22>(size_of(value_at(form, line.to)), line.from.w);
   bool rounded = false;
   return quotient(f, f + g, rounded);
 }

@@ -6,9 +6,9 @@
 namespace halfspace::fast {
 
 /// A place in the image, exactly: (x, y) / w, w positive. Bits: a value of the
-/// camera's x has 7n + 40, 411, and is multiplied with that of a cut, 590.
+/// camera's x has 8n + 44, 476, and is multiplied with that of a cut, 656.
 struct ExactImagePoint {
-  Wide<20> x, y, w;
+  CutProduct x, y, w;
 };
 
 /// Where cuts of edges are seen.

@@ -45,8 +45,17 @@ Form difference(const Form& f, const Form& g) {
 }  // namespace
 
 FormValue value_at(const Form& form, const SpacePoint& p) {
-  return multiply_short<10>(form.a, p.x) + multiply_short<10>(form.b, p.y) +
-         multiply_short<10>(form.c, p.z) + multiply_short<10>(form.d, p.w);
+  return multiply_short<11>(form.a, p.x) + multiply_short<11>(form.b, p.y) +
+         multiply_short<11>(form.c, p.z) + multiply_short<11>(form.d, p.w);
+}
+
+bool is_before(const SpacePoint& p, const SpacePoint& q) {
+  const auto order = [&](const Wide<5>& a, const Wide<5>& b) {
+    return sign(multiply_short<9>(a, q.w) - multiply_short<9>(b, p.w));
+  };
+  const int x = order(p.x, q.x);
+  const int y = order(p.y, q.y);
+  return (x != 0 ? x : y != 0 ? y : order(p.z, q.z)) < 0;
 }
 
 Sight::Sight(const Scene& scene, const Camera& camera)
@@ -112,16 +121,16 @@ SpacePoint Sight::point_of(VertexId vertex) const {
   return p;
 }
 
-SpacePoint Sight::point_of(const Wide<4>& x, const Wide<4>& y, const Wide<4>& z,
-                           const Wide<3>& w) const {
+SpacePoint Sight::point_of(const Wide<5>& x, const Wide<5>& y, const Wide<5>& z,
+                           const Wide<4>& w) const {
   SpacePoint p;
   p.x = x;
   p.y = y;
   p.z = z;
   p.w = w;
-  const auto nearest = [&w](const Wide<4>& value) {
+  const auto nearest = [&w](const Wide<5>& value) {
     bool rounded = false;
-    return quotient(value, Wide<4>(w), rounded);
+    return quotient(value, Wide<5>(w), rounded);
   };
   p.near = {nearest(x), nearest(y), nearest(z), 0};
   p.near.error =
@@ -141,11 +150,10 @@ SpacePoint Sight::crossing(VertexId u, VertexId v, const Form& plane) const {
     f = -f;
     g = -g;
   }
-  const auto part = [&](const Wide<4>& a, const Wide<4>& b) {
-    return multiply<4>(b, f) - multiply<4>(a, g);
+  const auto part = [&](const Wide<5>& a, const Wide<5>& b) {
+    return multiply_short<5>(b, f) - multiply_short<5>(a, g);
   };
-  return point_of(part(p.x, q.x), part(p.y, q.y), part(p.z, q.z),
-                  Wide<3>(f - g));
+  return point_of(part(p.x, q.x), part(p.y, q.y), part(p.z, q.z), f - g);
 }
 
 int Sight::eye_sign(PolygonId polygon) {
@@ -237,10 +245,10 @@ Form Sight::side_form(VertexId a, VertexId b) const {
 }
 
 FormValue Sight::at_eye(const Form& form) const {
-  const FormValue along = multiply_short<10>(form.a, Wide<2>(camera_.eye.x)) +
-                          multiply_short<10>(form.b, Wide<2>(camera_.eye.y)) +
-                          multiply_short<10>(form.c, Wide<2>(camera_.eye.z));
-  return camera_.perspective ? along + multiply<10>(form.d, kStep) : along;
+  const FormValue along = multiply_short<11>(form.a, Wide<2>(camera_.eye.x)) +
+                          multiply_short<11>(form.b, Wide<2>(camera_.eye.y)) +
+                          multiply_short<11>(form.c, Wide<2>(camera_.eye.z));
+  return camera_.perspective ? along + multiply<11>(form.d, kStep) : along;
 }
 
 /// P(e) f - f(e) P is 0 at the eye, for a form f.
@@ -248,7 +256,7 @@ Form Sight::through_eye(const Form& plane, const Form& form) const {
   const FormValue p = at_eye(plane);
   const FormValue f = at_eye(form);
   const auto part = [&](const FormInt& a, const FormInt& b) {
-    return FormInt(multiply_short<10>(p, a) - multiply_short<10>(f, b));
+    return FormInt(multiply_short<11>(p, a) - multiply_short<11>(f, b));
   };
   return {part(form.a, plane.a), part(form.b, plane.b), part(form.c, plane.c),
           part(form.d, plane.d)};

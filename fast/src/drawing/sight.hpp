@@ -15,13 +15,14 @@
 
 namespace halfspace::fast {
 
-/// Numbers of a drawing. An end of an edge is (x, y, z) / w; where two planes
-/// cross an edge of one of them x, y and z have 4n + 4 bits and w 3n + 4: 220
-/// and 166 at most. The longest function of a point is the near limit of a
-/// polygon: slopes of 6n + 52 bits and an offset of 7n + 44, 376 and 422 at
-/// most, so that its value there has 590.
+/// Numbers of a drawing. An end of an edge is (x, y, z) / w; on the line of two
+/// clip planes x, y and z have 5n + 8 bits and w 4n + 3: 278 and 219 at most.
+/// The longest function of a point is the near limit of a polygon: slopes of
+/// 6n + 52 bits and an offset of 7n + 44, 376 and 422 at most, so that its value
+/// there has 656.
 using FormInt = Wide<7>;
-using FormValue = Wide<10>;
+using FormValue = Wide<11>;
+using CutProduct = Wide<22>;  ///< of two such values
 
 /// A linear function of homogeneous points.
 struct Form {
@@ -32,8 +33,8 @@ struct Form {
 /// A point of space, exactly and in doubles.
 struct SpacePoint {
   VertexId vertex = -1;  ///< the lowest vertex of the scene there, if one
-  Wide<4> x, y, z;
-  Wide<3> w = Wide<3>(1);  ///< positive
+  Wide<5> x, y, z;
+  Wide<4> w = Wide<4>(1);  ///< positive
   Vertex near;             ///< the point in doubles
   // Its camera coordinates (View), and how far off they are.
   double across = 0;
@@ -44,6 +45,9 @@ struct SpacePoint {
 };
 
 FormValue value_at(const Form& form, const SpacePoint& p);
+
+/// Whether a point is before another one by x, then y, then z.
+bool is_before(const SpacePoint& p, const SpacePoint& q);
 
 /// The camera of a drawing: what is seen of points, planes and edges.
 class Sight {
@@ -57,8 +61,8 @@ class Sight {
 
   SpacePoint point_of(VertexId vertex) const;
   /// A point by its homogeneous coordinates, w positive.
-  SpacePoint point_of(const Wide<4>& x, const Wide<4>& y, const Wide<4>& z,
-                      const Wide<3>& w) const;
+  SpacePoint point_of(const Wide<5>& x, const Wide<5>& y, const Wide<5>& z,
+                      const Wide<4>& w) const;
   /// Where a plane crosses the side between two corners, one on either side.
   SpacePoint crossing(VertexId u, VertexId v, const Form& plane) const;
 
@@ -86,6 +90,10 @@ class Sight {
   /// they do so on the positive side, if the eye is on the polygon's.
   Form cut_form(PolygonId polygon, const Form& other) const {
     return through_eye(plane_form(polygon), other);
+  }
+  /// The plane through the eye and the line in which two planes meet.
+  Form meet_form_of(const Form& f, const Form& g) const {
+    return through_eye(f, g);
   }
   /// The sign of a plane at the eye.
   int eye_side(const Form& plane) const { return sign(at_eye(plane)); }

@@ -130,9 +130,9 @@ class Joining {
     const std::size_t second = exact_end(g, g_from);
     const ExactImagePoint& p = exact_[first];
     const ExactImagePoint& q = exact_[second];
-    const Wide<20>& a = by_x_ ? p.x : p.y;
-    const Wide<20>& b = by_x_ ? q.x : q.y;
-    return sign(multiply_short<40>(a, q.w) - multiply_short<40>(b, p.w));
+    const CutProduct& a = by_x_ ? p.x : p.y;
+    const CutProduct& b = by_x_ ? q.x : q.y;
+    return sign(multiply_short<44>(a, q.w) - multiply_short<44>(b, p.w));
   }
 
   /// The number of an end in `exact_`, worked out when it is first asked for.

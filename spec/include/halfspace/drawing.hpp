@@ -44,7 +44,7 @@ struct DrawingOptions {
   std::vector<GridPoint> points;
   /// Clip planes as make_clips() makes them (S9.8).
   std::vector<ClipPlane> clips;
-  bool caps = false;  ///< whether the one clip plane has a cap
+  bool caps = false;  ///< whether clip planes have caps
 };
 
 }  // namespace halfspace

@@ -205,11 +205,6 @@ std::string complaint_of(const DrawArguments& arguments) {
       return "--clip cuts regions and edges, not glass, axes or notes; cut the "
              "model by csg with half()";
     }
-    if (arguments.lines == "edges" && arguments.clip.caps &&
-        arguments.clip.planes.size() + (arguments.clip.yon ? 1 : 0) > 1) {
-      return "--cap: where caps of several planes meet, no edge is drawn; give "
-             "one plane, --lines regions, or cut the model by csg with half()";
-    }
   }
   std::vector<NamedFile> inputs;
   for (const std::string& path : arguments.paths)

@@ -115,6 +115,8 @@ std::string title_of(const fast::Drawing& drawing, const fast::Stroke& stroke) {
     } else if (edge.from >= 0) {
       title += "polygon " + std::to_string(edge.polygon) + " edge " +
                std::to_string(edge.from) + "-" + std::to_string(edge.to);
+    } else if (edge.polygon < 0) {
+      title += "where caps meet";
     } else if (edge.other < 0) {
       title += "cut of polygon " + std::to_string(edge.polygon);
     } else {

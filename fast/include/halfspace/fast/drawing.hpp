@@ -16,13 +16,13 @@ namespace halfspace::fast {
 /// A line of a drawing in space (S9.1, S9.3).
 struct DrawingEdge {
   EdgeClass edge_class = EdgeClass::kCrease;
-  /// Its ends; -1 for an intersection or a given line, whose ends are no
-  /// vertices.
+  /// Its ends; -1 for an intersection, a section or a given line, whose ends are
+  /// no vertices.
   VertexId from = -1;
   VertexId to = -1;
   /// The lowest polygon at it, and the next one, or -1: of an intersection the
   /// two that pass through each other.
-  /// -1 at a given line, of which `other` is the number.
+  /// -1 at a given line, of which `other` is the number, and where caps meet.
   PolygonId polygon = 0;
   PolygonId other = -1;
   friend bool operator==(const DrawingEdge&, const DrawingEdge&) = default;
@@ -40,7 +40,9 @@ struct EdgeInterval {
   std::int32_t edge = 0;
   std::int32_t layers = 0;  ///< 0: it is visible
   /// The shares of the edge in space at which it begins and ends, from 0 at
-  /// its first end to 1: the nearest doubles.
+  /// its first end to 1: the nearest doubles. An edge at which caps meet is all
+  /// of its line within the box round the scene, one grid step larger on all
+  /// sides, for this.
   double from_share = 0;
   double to_share = 1;
   DrawingPoint from;
@@ -96,7 +98,7 @@ struct DrawingLimits {
 /// quotients of their values at the edge's two ends.
 /// Requires: options.cuts has one entry a polygon, or none; given points fit
 ///           the scene's grid; with clip planes there are no given points, with
-///           caps there is one clip plane and the scene is closed (S9.8).
+///           caps the scene is closed (S9.8).
 /// Exact:    yes: filters in doubles, integers of fixed width behind them.
 /// Errors:   kOutOfRange: more intervals than the limit; says how many.
 /// Cost:     n log n, and for each edge the polygons that overlap it in the
