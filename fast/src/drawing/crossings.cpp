@@ -79,6 +79,7 @@ class Crossings {
     if (p.vertex >= 0 && p.vertex == q.vertex) return false;
     const FormValue f = value_at(direction_, p);
     const FormValue g = value_at(direction_, q);
+    if (p.vertex >= 0 && q.vertex >= 0) return (f - g).is_negative();
     return (multiply_short<11>(f, q.w) - multiply_short<11>(g, p.w)).is_negative();
   }
 

@@ -45,6 +45,17 @@ Form difference(const Form& f, const Form& g) {
 }  // namespace
 
 FormValue value_at(const Form& form, const SpacePoint& p) {
+  if constexpr (!kSlowProducts) {
+    // A vertex has coordinates of one word, and w is 1.
+    if (p.vertex >= 0) {
+      const auto word = [](const Wide<5>& value) {
+        return Wide<2>(static_cast<std::int64_t>(value.words[0]));
+      };
+      return multiply_short<11>(form.a, word(p.x)) +
+             multiply_short<11>(form.b, word(p.y)) +
+             multiply_short<11>(form.c, word(p.z)) + FormValue(form.d);
+    }
+  }
   return multiply_short<11>(form.a, p.x) + multiply_short<11>(form.b, p.y) +
          multiply_short<11>(form.c, p.z) + multiply_short<11>(form.d, p.w);
 }
