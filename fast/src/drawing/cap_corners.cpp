@@ -4,6 +4,7 @@
 
 #include "drawing/clip_forms.hpp"
 #include "drawing/hiding.hpp"
+#include "drawing/short_product.hpp"
 
 /// Where the caps of two clip planes meet (S9.8).
 namespace halfspace::fast {
@@ -14,15 +15,15 @@ std::array<FormInt, 3> normal_of(const Form& f) { return {f.a, f.b, f.c}; }
 std::array<FormInt, 3> cross(const std::array<FormInt, 3>& u,
                              const std::array<FormInt, 3>& v) {
   const auto minor = [&](std::size_t k, std::size_t l) {
-    return multiply_short<7>(u[k], v[l]) - multiply_short<7>(u[l], v[k]);
+    return short_product<7>(u[k], v[l]) - short_product<7>(u[l], v[k]);
   };
   return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
 FormValue dot(const std::array<FormInt, 3>& u,
               const std::array<FormInt, 3>& v) {
-  return multiply_short<11>(u[0], v[0]) + multiply_short<11>(u[1], v[1]) +
-         multiply_short<11>(u[2], v[2]);
+  return short_product<11>(u[0], v[0]) + short_product<11>(u[1], v[1]) +
+         short_product<11>(u[2], v[2]);
 }
 
 /// The box round a scene, one grid step larger on all sides.
@@ -34,9 +35,7 @@ WholeBox box_round(const Scene& scene) {
   const auto& vertices = scene.data().vertices;
   WholeBox box;
   const auto along = [](const GridPoint& p, std::size_t axis) {
-    return static_cast<std::int64_t>(axis == 0   ? p.x
-                                     : axis == 1 ? p.y
-                                                 : p.z);
+    return static_cast<std::int64_t>(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
   };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto [low, high] =
@@ -71,18 +70,16 @@ bool meets_side(const Form& f, const Form& g, const WholeBox& box,
   const auto times = [turn](const FormInt& value) {
     return turn > 0 ? value : -value;
   };
-  const FormInt e = f.d + multiply_short<7>(m[k], Wide<2>(c));
-  const FormInt h = g.d + multiply_short<7>(n[k], Wide<2>(c));
+  const FormInt e = f.d + short_product<7>(m[k], Wide<2>(c));
+  const FormInt h = g.d + short_product<7>(n[k], Wide<2>(c));
   w = times(w);
   point.w = w;
-  point.at[k] = multiply_short<7>(w, Wide<2>(c));
-  point.at[y] =
-      times(multiply_short<7>(h, m[z]) - multiply_short<7>(e, n[z]));
-  point.at[z] =
-      times(multiply_short<7>(e, n[y]) - multiply_short<7>(h, m[y]));
+  point.at[k] = short_product<7>(w, Wide<2>(c));
+  point.at[y] = times(short_product<7>(h, m[z]) - short_product<7>(e, n[z]));
+  point.at[z] = times(short_product<7>(e, n[y]) - short_product<7>(h, m[y]));
   for (const std::size_t axis : {y, z}) {
     const auto side = [&](std::int64_t at) {
-      return sign(point.at[axis] - multiply_short<7>(w, Wide<2>(at)));
+      return sign(point.at[axis] - short_product<7>(w, Wide<2>(at)));
     };
     if (side(box.low[axis]) < 0 || side(box.high[axis]) > 0) return false;
   }
@@ -91,8 +88,8 @@ bool meets_side(const Form& f, const Form& g, const WholeBox& box,
 
 }  // namespace
 
-/// Points of the first plane beside the line, on the positive side of the second
-/// one, are in one direction from the line; those of `beside` are in it.
+/// Points of the first plane beside the line, on the positive side of the
+/// second one, are in one direction from the line; those of `beside` are in it.
 bool ClipForms::is_cut_off(const Line& line) const {
   const auto n = normal_of(form(line.clip));
   const auto along = cross(n, normal_of(form(line.other_clip)));
@@ -106,7 +103,7 @@ bool ClipForms::is_cut_off(const Line& line) const {
 
 std::vector<Line> ClipForms::corners(bool cull) const {
   std::vector<Line> lines;
-  if (!has_caps_ || bits_.empty()) return lines;
+  if (!kCornersOfCaps || !has_caps_ || bits_.empty()) return lines;
   const WholeBox box = box_round(sight_.scene());
   for (std::int32_t first = 0; first < count(); ++first) {
     for (std::int32_t second = first + 1; second < count(); ++second) {
@@ -122,9 +119,8 @@ std::vector<Line> ClipForms::corners(bool cull) const {
         if (!meets_side(form(first), form(second), box, axis,
                         side % 2 == 0 ? box.low[axis] : box.high[axis], p))
           continue;
-        const SpacePoint point =
-            sight_.point_of(Wide<5>(p.at[0]), Wide<5>(p.at[1]),
-                            Wide<5>(p.at[2]), Wide<4>(p.w));
+        const SpacePoint point = sight_.point_of(
+            Wide<5>(p.at[0]), Wide<5>(p.at[1]), Wide<5>(p.at[2]), Wide<4>(p.w));
         if (!found || is_before(point, line.from)) line.from = point;
         if (!found || is_before(line.to, point)) line.to = point;
         found = true;
@@ -159,7 +155,7 @@ std::vector<ClipForms::Crossing> ClipForms::crossings(const Line& line) const {
       const auto& [fa, ga] = values[k];
       const auto& [fb, gb] = values[k + 1 == values.size() ? 0 : k + 1];
       const int first =
-          sign(multiply_short<7>(fa, gb) - multiply_short<7>(fb, ga));
+          sign(short_product<7>(fa, gb) - short_product<7>(fb, ga));
       if (first != 0) return first;
       const int second = sign(fb - fa);
       return second != 0 ? second : sign(ga - gb);

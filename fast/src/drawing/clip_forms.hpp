@@ -11,6 +11,14 @@ namespace halfspace::fast {
 
 struct Line;
 
+/// Whether drawings have the edges at which caps meet: not in a module for the
+/// web, of whose size that is a kilobyte.
+#if defined(__wasm__)
+constexpr bool kCornersOfCaps = false;
+#else
+constexpr bool kCornersOfCaps = true;
+#endif
+
 /// The clip planes of a drawing, and what they do to polygons (S9.8).
 class ClipForms {
  public:

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "drawing/short_product.hpp"
 #include "halfspace/fast/predicate.hpp"
 
 namespace halfspace::fast {
@@ -62,7 +63,7 @@ class Crossings {
     const Form g = sight_.plane_form(q);
     const auto minor = [](const FormInt& a, const FormInt& b, const FormInt& c,
                           const FormInt& d) {
-      return multiply<7>(a, d) - multiply<7>(b, c);
+      return short_product<7>(a, d) - short_product<7>(b, c);
     };
     direction_ = {minor(f.b, f.c, g.b, g.c),
                   minor(f.c, f.a, g.c, g.a),
@@ -80,7 +81,8 @@ class Crossings {
     const FormValue f = value_at(direction_, p);
     const FormValue g = value_at(direction_, q);
     if (p.vertex >= 0 && q.vertex >= 0) return (f - g).is_negative();
-    return (multiply_short<11>(f, q.w) - multiply_short<11>(g, p.w)).is_negative();
+    return (short_product<11>(f, q.w) - short_product<11>(g, p.w))
+        .is_negative();
   }
 
   int side_of(PolygonId polygon, const SpacePoint& p) {

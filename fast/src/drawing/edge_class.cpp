@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/short_product.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -25,14 +27,14 @@ int exact_cosine_sign(const Scene& scene, PolygonId p, PolygonId q, int turn,
     const auto u = normal(p);
     const auto v = normal(q);
     const Wide<4> uv = multiply<4>(dot(u, v), Int128{turn});
-    const auto squared = multiply<10>(uv, uv);
-    const auto sizes = multiply<10>(dot(u, u), dot(v, v));
+    const auto squared = short_product<10>(uv, uv);
+    const auto sizes = short_product<10>(dot(u, u), dot(v, v));
     const int left = sign(uv);
     const int right = (k > 0) - (k < 0);
     if (left != right) return left > right ? 1 : -1;
     const auto unit = Int128{1} << (2 * kCosineBits);
-    return left * sign(multiply<10>(squared, unit) -
-                       multiply<10>(sizes, Int128{k} * k));
+    return left * sign(short_product<10>(squared, Wide<2>(unit)) -
+                       short_product<10>(sizes, Wide<2>(Int128{k} * k)));
   });
 }
 

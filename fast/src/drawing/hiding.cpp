@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "drawing/short_product.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -126,8 +128,8 @@ bool Hiding::is_point(const Line& line) {
   };
   if (differ(p.across, q.across) || differ(p.down, q.down)) return false;
   const auto parallel = [&](const Form& f, const Form& g) {
-    return multiply_short<22>(value_at(f, p), value_at(g, q)) ==
-           multiply_short<22>(value_at(f, q), value_at(g, p));
+    return short_product<22>(value_at(f, p), value_at(g, q)) ==
+           short_product<22>(value_at(f, q), value_at(g, p));
   };
   ++sight_.stats().exact;
   // In perspective both are one ray from the eye: (x, y, w) in proportion.
@@ -172,8 +174,8 @@ int Hiding::compare(const Line& line, const Cut& f, const Cut& g) {
   ++sight_.stats().exact;
   const ExactCut p = exact_cut(line, f);
   const ExactCut q = exact_cut(line, g);
-  return sign(multiply_short<22>(p.from, q.to) -
-              multiply_short<22>(q.from, p.to));
+  return sign(short_product<22>(p.from, q.to) -
+              short_product<22>(q.from, p.to));
 }
 
 Hiding::ExactCut Hiding::exact_cut(const Line& line, const Cut& cut) {
@@ -231,7 +233,7 @@ bool Hiding::in_view(const Line& line, Cut& low, Cut& high) {
 }
 
 Form Hiding::plane_of(const Line& line) const {
-  if (line.other_clip >= 0) {
+  if (kCornersOfCaps && line.other_clip >= 0) {
     return sight_.meet_form_of(clips_.form(line.clip),
                                clips_.form(line.other_clip));
   }
@@ -388,7 +390,7 @@ std::vector<Layered> Hiding::parts_of(const Line& line) {
   for (std::int32_t k = 0; k < clips_.count(); ++k) {
     if (clips_.has_cap_in_front(k)) find_cap(line, low, high, k, box);
   }
-  if (line.other_clip >= 0) find_corner(line, low, high);
+  if (kCornersOfCaps && line.other_clip >= 0) find_corner(line, low, high);
   std::sort(events_.begin(), events_.end(),
             [&](const Event& f, const Event& g) {
               const int order = compare(line, f.cut, g.cut);

@@ -1,5 +1,6 @@
 #include "drawing/image_points.hpp"
 
+#include "drawing/short_product.hpp"
 #include "exact/nearest_double.hpp"
 
 namespace halfspace::fast {
@@ -17,8 +18,8 @@ ExactImagePoint ImagePoints::exact(const Line& line, const Cut& cut) const {
   const FormValue f = size_of(value_at(form, line.from));
   const FormValue g = size_of(value_at(form, line.to));
   const auto mean = [&](const Form& of) {
-    return multiply_short<22>(value_at(of, line.from), g) +
-           multiply_short<22>(value_at(of, line.to), f);
+    return short_product<22>(value_at(of, line.from), g) +
+           short_product<22>(value_at(of, line.to), f);
   };
   return {mean(sight_.x_form()), mean(sight_.y_form()), mean(sight_.w_form())};
 }
@@ -34,9 +35,9 @@ double ImagePoints::share(const Line& line, const Cut& cut) const {
   if (cut.kind == CutKind::kTo) return 1;
   const Form form = hiding_.form_of(cut);
   const CutProduct f =
-      multiply_short<22>(size_of(value_at(form, line.from)), line.to.w);
+      short_product<22>(size_of(value_at(form, line.from)), line.to.w);
   const CutProduct g =
-      multiply_short<22>(size_of(value_at(form, line.to)), line.from.w);
+      short_product<22>(size_of(value_at(form, line.to)), line.from.w);
   bool rounded = false;
   return quotient(f, f + g, rounded);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "drawing/short_product.hpp"
 #include "exact/nearest_double.hpp"
 #include "halfspace/fast/predicate.hpp"
 
@@ -10,15 +11,15 @@ namespace halfspace::fast {
 namespace {
 
 Wide<8> dot(const Vector3<Wide<8>>& u, const LatticeVector& v) {
-  return multiply_short<8>(u.x, Wide<2>(v.x)) +
-         multiply_short<8>(u.y, Wide<2>(v.y)) +
-         multiply_short<8>(u.z, Wide<2>(v.z));
+  return short_product<8>(u.x, Wide<2>(v.x)) +
+         short_product<8>(u.y, Wide<2>(v.y)) +
+         short_product<8>(u.z, Wide<2>(v.z));
 }
 
 Vector3<Wide<8>> cross(const Vector3<Wide<4>>& u, const Vector3<Wide<4>>& v) {
-  return {multiply_short<8>(u.y, v.z) - multiply_short<8>(u.z, v.y),
-          multiply_short<8>(u.z, v.x) - multiply_short<8>(u.x, v.z),
-          multiply_short<8>(u.x, v.y) - multiply_short<8>(u.y, v.x)};
+  return {short_product<8>(u.y, v.z) - short_product<8>(u.z, v.y),
+          short_product<8>(u.z, v.x) - short_product<8>(u.x, v.z),
+          short_product<8>(u.x, v.y) - short_product<8>(u.y, v.x)};
 }
 
 Vector3<Wide<4>> wide(const LatticeVector& v) {
@@ -33,7 +34,7 @@ constexpr Int128 kStep = Int128{1} << kLatticeBits;
 
 Form scaled(const Form& f, Int128 factor) {
   const auto times = [factor](const FormInt& value) {
-    return multiply<7>(value, factor);
+    return short_product<7>(value, Wide<2>(factor));
   };
   return {times(f.a), times(f.b), times(f.c), times(f.d)};
 }
@@ -45,24 +46,22 @@ Form difference(const Form& f, const Form& g) {
 }  // namespace
 
 FormValue value_at(const Form& form, const SpacePoint& p) {
-  if constexpr (!kSlowProducts) {
-    // A vertex has coordinates of one word, and w is 1.
-    if (p.vertex >= 0) {
-      const auto word = [](const Wide<5>& value) {
-        return Wide<2>(static_cast<std::int64_t>(value.words[0]));
-      };
-      return multiply_short<11>(form.a, word(p.x)) +
-             multiply_short<11>(form.b, word(p.y)) +
-             multiply_short<11>(form.c, word(p.z)) + FormValue(form.d);
-    }
+  // A vertex has coordinates of one word, and w is 1.
+  if (p.vertex >= 0) {
+    const auto word = [](const Wide<5>& value) {
+      return Wide<2>(static_cast<std::int64_t>(value.words[0]));
+    };
+    return short_product<11>(form.a, word(p.x)) +
+           short_product<11>(form.b, word(p.y)) +
+           short_product<11>(form.c, word(p.z)) + FormValue(form.d);
   }
-  return multiply_short<11>(form.a, p.x) + multiply_short<11>(form.b, p.y) +
-         multiply_short<11>(form.c, p.z) + multiply_short<11>(form.d, p.w);
+  return short_product<11>(form.a, p.x) + short_product<11>(form.b, p.y) +
+         short_product<11>(form.c, p.z) + short_product<11>(form.d, p.w);
 }
 
 bool is_before(const SpacePoint& p, const SpacePoint& q) {
   const auto order = [&](const Wide<5>& a, const Wide<5>& b) {
-    return sign(multiply_short<9>(a, q.w) - multiply_short<9>(b, p.w));
+    return sign(short_product<9>(a, q.w) - short_product<9>(b, p.w));
   };
   const int x = order(p.x, q.x);
   const int y = order(p.y, q.y);
@@ -92,13 +91,14 @@ void Sight::make_forms() {
   const int orientation = sign(determinant);
   const auto coordinate = [&](const Vector3<Wide<8>>& row) {
     const auto slope = [&](const Wide<8>& value) {
-      return FormInt(multiply<8>(value, orientation * kStep));
+      return FormInt(short_product<8>(value, Wide<2>(orientation * kStep)));
     };
-    return Form{slope(row.x), slope(row.y), slope(row.z),
-                FormInt(multiply<8>(dot(row, origin), Int128{-orientation}))};
+    return Form{
+        slope(row.x), slope(row.y), slope(row.z),
+        FormInt(short_product<8>(dot(row, origin), Wide<2>(-orientation)))};
   };
   const Form one = {
-      {}, {}, {}, FormInt(multiply<8>(determinant, Int128{orientation}))};
+      {}, {}, {}, FormInt(short_product<8>(determinant, Wide<2>(orientation)))};
   x_ = coordinate(cross(wide(data.sy), wide(depth)));
   y_ = coordinate(cross(wide(depth), wide(data.sx)));
   depth_ = coordinate(across);
@@ -162,7 +162,7 @@ SpacePoint Sight::crossing(VertexId u, VertexId v, const Form& plane) const {
     g = -g;
   }
   const auto part = [&](const Wide<5>& a, const Wide<5>& b) {
-    return multiply_short<5>(b, f) - multiply_short<5>(a, g);
+    return short_product<5>(b, f) - short_product<5>(a, g);
   };
   return point_of(part(p.x, q.x), part(p.y, q.y), part(p.z, q.z), f - g);
 }
@@ -249,17 +249,18 @@ Form Sight::side_form(VertexId a, VertexId b) const {
           ? cross(wide(minus(to, camera_.eye)), wide(minus(from, camera_.eye)))
           : cross(wide(camera_.eye), wide(minus(to, from)));
   const auto slope = [](const Wide<8>& value) {
-    return multiply_short<7>(value, Wide<2>(kStep));
+    return short_product<7>(value, Wide<2>(kStep));
   };
   return {slope(normal.x), slope(normal.y), slope(normal.z),
           -FormInt(dot(normal, perspective ? camera_.eye : from))};
 }
 
 FormValue Sight::at_eye(const Form& form) const {
-  const FormValue along = multiply_short<11>(form.a, Wide<2>(camera_.eye.x)) +
-                          multiply_short<11>(form.b, Wide<2>(camera_.eye.y)) +
-                          multiply_short<11>(form.c, Wide<2>(camera_.eye.z));
-  return camera_.perspective ? along + multiply<11>(form.d, kStep) : along;
+  const FormValue along = short_product<11>(form.a, Wide<2>(camera_.eye.x)) +
+                          short_product<11>(form.b, Wide<2>(camera_.eye.y)) +
+                          short_product<11>(form.c, Wide<2>(camera_.eye.z));
+  return camera_.perspective ? along + short_product<11>(form.d, Wide<2>(kStep))
+                             : along;
 }
 
 /// P(e) f - f(e) P is 0 at the eye, for a form f.
@@ -267,7 +268,7 @@ Form Sight::through_eye(const Form& plane, const Form& form) const {
   const FormValue p = at_eye(plane);
   const FormValue f = at_eye(form);
   const auto part = [&](const FormInt& a, const FormInt& b) {
-    return FormInt(multiply_short<11>(p, a) - multiply_short<11>(f, b));
+    return FormInt(short_product<11>(p, a) - short_product<11>(f, b));
   };
   return {part(form.a, plane.a), part(form.b, plane.b), part(form.c, plane.c),
           part(form.d, plane.d)};

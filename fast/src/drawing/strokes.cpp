@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "base/hash_index.hpp"
+#include "drawing/short_product.hpp"
 #include "exact/cell_hash.hpp"
 #include "exact/nearest_double.hpp"
 #include "halfspace/assert.hpp"
@@ -50,8 +51,8 @@ ImageLine image_line(const Form& form) {
 bool is_same(const ImageLine& f, const ImageLine& g) {
   if (f.hash != g.hash || f.largest != g.largest) return false;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (multiply_short<14>(f.form[k], g.form[g.largest]) !=
-        multiply_short<14>(g.form[k], f.form[f.largest]))
+    if (short_product<14>(f.form[k], g.form[g.largest]) !=
+        short_product<14>(g.form[k], f.form[f.largest]))
       return false;
   }
   return true;
@@ -132,7 +133,7 @@ class Joining {
     const ExactImagePoint& q = exact_[second];
     const CutProduct& a = by_x_ ? p.x : p.y;
     const CutProduct& b = by_x_ ? q.x : q.y;
-    return sign(multiply_short<44>(a, q.w) - multiply_short<44>(b, p.w));
+    return sign(short_product<44>(a, q.w) - short_product<44>(b, p.w));
   }
 
   /// The number of an end in `exact_`, worked out when it is first asked for.

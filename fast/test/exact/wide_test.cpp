@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "drawing/short_product.hpp"
 #include "exact/wide_draws.hpp"
 
 namespace halfspace::fast {
@@ -22,6 +23,9 @@ void check_products() {
     if (abs(product) >= (cpp_int(1) << (64 * kResult - 1))) continue;
     ASSERT_EQ(to_big(multiply<kResult>(a, b)), product);
     ASSERT_EQ(multiply_short<kResult>(a, b), multiply<kResult>(a, b));
+    Wide<kResult> sum;
+    add_product(a.words, b.words, sum.words);
+    ASSERT_EQ(sum, multiply<kResult>(a, b));
   }
 }
 
@@ -35,7 +39,8 @@ TEST(Wide, ProductsAreTrueWhereTheyFit) {
   check_products<8, 3, 8>();
   check_products<4, 4, 4>();
   check_products<7, 4, 10>();
-  check_products<10, 10, 20>();
+  check_products<11, 11, 22>();
+  check_products<7, 5, 11>();
 }
 
 TEST(Wide, ShortProductsOfTheLeastAndTheGreatestAreTrue) {
