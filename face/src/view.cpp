@@ -164,8 +164,7 @@ Result<fast::Rendering> Display::State::rendered(
                      std::to_string(kMaxImageSize / samples) +
                      " columns and rows"};
   }
-  const fast::BspTree* made =
-      is_opaque ? picture_tree(view) : ordered_tree(view);
+  const fast::BspTree* made = picture_tree(view);
   if (made == nullptr) return detail::stopped();
   fast::Rendering image =
       !is_opaque ? fast::blend(scene, *made, *camera, *options, view.alpha, how)

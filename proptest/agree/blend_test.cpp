@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "generate/clip_planes.hpp"
 #include "generate/random_scenes.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/painter.hpp"
@@ -70,6 +71,8 @@ TEST(AgreeBlend, TransparentImagesOfScenesMadeToHurt) {
         display.threads = 1;
         fast::BspTree tree = fast::build_display_tree(scene, display);
         if (fast::has_leaves(tree)) ++divided;
+        expect_same(scene, tree, camera, options, alpha, painted, blended);
+        if (HasFatalFailure()) return;
         fast::divide_leaves(tree, scene);
         ASSERT_FALSE(fast::has_leaves(tree));
         expect_same(scene, tree, camera, options, alpha, painted, blended);
@@ -79,6 +82,37 @@ TEST(AgreeBlend, TransparentImagesOfScenesMadeToHurt) {
   }
   EXPECT_GT(layers, pixels / 4);
   EXPECT_GT(divided, 20u);
+}
+
+/// Clip planes (S10.2), in every kind of tree.
+TEST(AgreeBlend, WhatClipPlanesLeaveIsBlended) {
+  std::size_t layers = 0;
+  for (const Kind kind : kKinds) {
+    for (const int bits : kGridBits) {
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        SCOPED_TRACE(std::string(name_of(kind)) + ", " + std::to_string(bits) +
+                     " bits, seed " + std::to_string(seed));
+        Draws draws(seed * 1000 + static_cast<std::uint64_t>(bits));
+        const Scene scene = random_scene(kind, bits, 8, draws, true);
+        const Camera camera = random_camera(kind, scene, 33, 17, draws);
+        ImageOptions options;
+        options.shading = draws.one_in(2) ? Shading::kGouraud : Shading::kFlat;
+        options.clips = generate::clip_planes(
+            scene, draws.next(),
+            static_cast<std::uint64_t>(draws.from_to(1, 3)));
+        const auto alpha = static_cast<std::uint8_t>(draws.from_to(0, 255));
+        const ref::BspTree ref_tree = ref::build(scene, {});
+        const auto painted = ref::paint(scene, ref_tree, camera, options);
+        const auto blended =
+            ref::blend(scene, ref_tree, camera, options, alpha);
+        layers += blended.pixels_painted;
+        expect_same(scene, fast::build_display_tree(scene), camera, options,
+                    alpha, painted, blended);
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+  EXPECT_GT(layers, 1000u);
 }
 
 TEST(AgreeBlend, ATreeOfNothingHasNoLeavesToDivide) {

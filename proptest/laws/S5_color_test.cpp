@@ -4,6 +4,8 @@
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "laws/changed_views.hpp"
@@ -168,6 +170,18 @@ TYPED_TEST(S5Color, L14TransparentPolygonsAreBlendedFromTheFarthest) {
         HALFSPACE_LAW(image.colors == expected);
         HALFSPACE_LAW(image.items == opaque.items);
         HALFSPACE_LAW(alpha != 255 || image.colors == opaque.colors);
+      }
+      if constexpr (!std::is_same_v<TypeParam, Ref>) {
+        for (const std::size_t leaf_size : {2u, 500u}) {
+          fast::DisplayTreeOptions options;
+          options.leaf_size = leaf_size;
+          options.threads = 1;
+          const auto image = fast::blend(
+              view.scene, fast::build_display_tree(view.scene, options),
+              *view.camera, view.options, static_cast<std::uint8_t>(alpha));
+          HALFSPACE_LAW(image.colors == expected);
+          HALFSPACE_LAW(image.items == opaque.items);
+        }
       }
     }
   });

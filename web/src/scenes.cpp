@@ -211,8 +211,7 @@ Result<Done> rendered(WebScene& shown, const AskedView& view, int samples) {
   if (!viewed) return viewed.error();
   const auto options = image_options(shown, view);
   if (!options) return options.error();
-  const fast::BspTree* tree =
-      is_opaque ? shown.picture_tree() : shown.divided_tree();
+  const fast::BspTree* tree = shown.picture_tree();
   if (tree == nullptr) return stopped();
   if (std::max(view.camera.width_px, view.camera.height_px) >
       kMaxImageSize / samples)

@@ -25,6 +25,38 @@ inline ClipMask clip_mask(const Frame& frame, const Node& node) {
   return state.is_gone ? frame.clips.all() : state.mask;
 }
 
+/// Which subtrees something may be seen of.
+class Gate {
+ public:
+  Gate(const Frame& frame, const TileView& screen)
+      : frame_(frame),
+        culler_(frame.view, frame.kernel, screen),
+        has_boxes_(frame.reader.tree().boxes.size() ==
+                   frame.reader.tree().nodes.size()) {}
+
+  bool has_boxes() const { return has_boxes_; }
+
+  bool operator()(NodeId id) const {
+    if (!has_boxes_) return true;
+    const BspTree& tree = frame_.reader.tree();
+    const auto n = static_cast<std::size_t>(id);
+    const Node& node = tree.nodes[n];
+    const Box& box = tree.boxes[n];
+    if (!frame_.clips.empty() && frame_.clips.classify(box).is_gone) {
+      return false;
+    }
+    // Drawing one fragment is faster than testing its box.
+    const bool is_single = node.splitter != kNoPlane &&
+                           node.positive == kNoNode && node.negative == kNoNode;
+    return is_single || culler_.can_show(box);
+  }
+
+ private:
+  const Frame& frame_;
+  Culler culler_;
+  bool has_boxes_;
+};
+
 /// Shows the frame's tree front to back on what is unlit of the band.
 ///
 /// A leaf without fragments is a cell that is kept free: show_cell(id) shows
@@ -38,19 +70,7 @@ void show_front_to_back(const Frame& frame, TileBuffer& buffer,
   TileView& screen = buffer.view();
   const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats,
                                frame.moved);
-  const Culler culler(frame.view, frame.kernel, screen);
-  const bool has_boxes = tree.boxes.size() == tree.nodes.size();
-  const bool has_clips = !frame.clips.empty();
-  const auto enter = [&](NodeId id) {
-    if (!has_boxes) return true;
-    const auto n = static_cast<std::size_t>(id);
-    const Node& node = tree.nodes[n];
-    if (has_clips && frame.clips.classify(tree.boxes[n]).is_gone) return false;
-    // Drawing one fragment is faster than testing its box.
-    const bool is_single = node.splitter != kNoPlane &&
-                           node.positive == kNoNode && node.negative == kNoNode;
-    return is_single || culler.can_show(tree.boxes[n]);
-  };
+  const Gate enter(frame, screen);
   const auto side_of_source = [&](const TreeFragment& fragment) {
     return eye_side(frame.reader.planes().plane(fragment.source),
                     fragment.source);
@@ -91,7 +111,7 @@ void show_front_to_back(const Frame& frame, TileBuffer& buffer,
   };
   // Boxes leave out what is behind, and more.
   const BehindTest behind(frame.reader, frame.view, frame.camera);
-  const bool has_test = !has_boxes && frame.moved == nullptr;
+  const bool has_test = !enter.has_boxes() && frame.moved == nullptr;
   walk_front_to_back(
       tree, eye_side, enter, show, [&](const Node& node, int sign, int side) {
         return !has_test || !behind(node.plane, node.splitter, sign, side);

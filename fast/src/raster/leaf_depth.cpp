@@ -17,19 +17,21 @@ void LeafDepth<kBits>::start(const TreeFragment& fragment, int eye_sign,
   if (seen.polygon != fragment.source) {
     seen.polygon = fragment.source;
     seen.has_plane = false;
+    seen.fragment = nullptr;
   }
+  if (seen.fragment == &fragment && seen.block == block) return;
   seen.fragment = &fragment;
   seen.block = block;
   seen.has_depth = false;
 }
 
-/// Whether the fragment is nearer than `other` at the sample (S5.3),
-/// exactly: the planes' order along the ray is the sign of the line they meet
-/// in.
+/// Whether the fragment is nearer than another at the sample (S5.3), exactly:
+/// the planes' order along the ray is the sign of the line they meet in. Where
+/// they are one plane the order is that of ids, everywhere.
 template <int kBits>
-bool LeafDepth<kBits>::is_nearer(PolygonId other, std::int32_t i,
-                                 std::int32_t j) {
+bool LeafDepth<kBits>::is_nearer(Rival& entry, std::int32_t i, std::int32_t j) {
   ++stats_.exact;
+  const PolygonId other = entry.polygon;
   const ScenePlanes& planes = frame_.reader.planes();
   const auto here = projected(planes.exact<kBits>(fragment_->source),
                               exact_camera<kBits>(frame_), frame_.view.samples);
@@ -38,7 +40,10 @@ bool LeafDepth<kBits>::is_nearer(PolygonId other, std::int32_t i,
                 frame_.view.samples);
   const int order = meet_function<kBits>(here, there).sign_at_sample(i, j) *
                     eye_sign_ * sign(there.eye);
-  return order > 0 || (order == 0 && fragment_->source < other);
+  if (order != 0) return order > 0;
+  const bool is_lower = fragment_->source < other;
+  entry.line = {0, 0, is_lower ? 1.0 : -1.0, 0};
+  return is_lower;
 }
 
 /// The plane of a polygon, from the corners of its fragment if that is all of
@@ -112,8 +117,7 @@ const DepthDifference* LeafDepth<kBits>::depth(PolygonId polygon) {
   if (!entry.has_depth) {
     entry.has_depth = true;
     collect_corners(entry);
-    depth = depth_of(corners_, frame_.view,
-                     std::max(screen_.columns.end, screen_.lines.end));
+    depth = depth_of(corners_, frame_.view, farthest_);
   }
   return &depth;
 }
@@ -185,7 +189,7 @@ void LeafDepth<kBits>::nearer(PolygonId other, std::int32_t x, std::int32_t y,
     for (std::uint32_t bits = lit[r]; bits != 0; bits &= bits - 1) {
       const int k = std::countr_zero(bits);
       const int known = sign_at(x + k, j);
-      const bool wins = known != 0 ? known > 0 : is_nearer(other, x + k, j);
+      const bool wins = known != 0 ? known > 0 : is_nearer(entry, x + k, j);
       if (!wins) lit[r] &= ~(std::uint32_t{1} << k);
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -16,7 +17,10 @@ template <int kBits>
 class LeafDepth {
  public:
   LeafDepth(const Frame& frame, const TileView& screen)
-      : frame_(frame), screen_(screen), seen_(kSeen), depths_(kSeen) {}
+      : frame_(frame),
+        farthest_(std::max(screen.columns.end, screen.lines.end)),
+        seen_(kSeen),
+        depths_(kSeen) {}
 
   /// Begins a fragment, of that block if it is in one; the eye is on side
   /// `eye_sign` of its source.
@@ -26,6 +30,9 @@ class LeafDepth {
   /// ExactFallback::nearer(), for the fragment.
   void nearer(PolygonId other, std::int32_t x, std::int32_t y,
               std::uint32_t* lit);
+
+  /// The fragment's depth, as of depth_of().
+  const DepthDifference& depth() { return *depth(fragment_->source); }
 
   /// Forgets what is known of polygons: the view is another one from now on.
   void forget();
@@ -58,7 +65,7 @@ class LeafDepth {
     return static_cast<std::size_t>(polygon) % kSeen;
   }
 
-  bool is_nearer(PolygonId other, std::int32_t i, std::int32_t j);
+  bool is_nearer(Rival& entry, std::int32_t i, std::int32_t j);
   Rival& rival(PolygonId other);
   void collect_corners(const Seen& entry);
   const DepthDifference* depth(PolygonId polygon);
@@ -68,7 +75,7 @@ class LeafDepth {
   Plane plane_of(PolygonId polygon, const TreeFragment* fragment) const;
 
   const Frame& frame_;
-  const TileView& screen_;
+  std::int32_t farthest_;
   const TreeFragment* fragment_ = nullptr;
   int eye_sign_ = 0;
   std::uint32_t serial_ = 0;

@@ -14,14 +14,6 @@ constexpr double kMostError = 0x1p-10;
 /// enough for 32 bits.
 constexpr double kFarthest = 0x1p30;
 
-/// A channel of `alpha` / 255 parts of `over` and the rest of `under`, rounded
-/// half up (S5.6): the quotient by 255 and a half, over 510.
-constexpr std::uint8_t blended(std::uint32_t over, std::uint32_t under,
-                               std::uint32_t alpha) {
-  return static_cast<std::uint8_t>(
-      (2 * (alpha * over + (kOpaque - alpha) * under) + kOpaque) / 510);
-}
-
 }  // namespace
 
 template <int kBits>
@@ -40,7 +32,6 @@ PolygonRasterizer<kBits>::PolygonRasterizer(const Frame& frame,
                  3 * frame.reader.scene().polygon_count()),
       clipper_(frame.clips, frame.reader),
       depth_(frame, screen) {
-  blends = frame.alpha != kOpaque;
   screen.exact = this;
 }
 
@@ -235,10 +226,12 @@ PixelSource PolygonRasterizer<kBits>::start(const TreeFragment& fragment,
   screen_.corner_colors = nullptr;
   if (smooth) start_shader(fragment, eye_sign);
   const Rgb color = gouraud_ ? colors[0] : scene.color(fragment.source);
-  return {
+  const PixelSource source = {
       frame_.first_id + fragment.source,
       smooth ? PixelSource::kSmooth : packed_color(color.r, color.g, color.b),
       eye_sign, 0};
+  layer_ = {&fragment, block_, source};
+  return source;
 }
 
 /// A whole triangle's corners are in its block: the scene's are far from here.
@@ -267,16 +260,16 @@ void PolygonRasterizer<kBits>::draw_projected(const TreeFragment& fragment,
                                               int eye_sign) {
   ++fragments_;
   const PixelSource source = start(fragment, eye_sign);
-  source_ = source;
   if (projection == Projection::kLines) {
-    pixels_ += static_cast<std::size_t>(
-        frame_.kernel.draw_lines(screen_, screen_.lines, source));
+    const std::int64_t pixels =
+        frame_.kernel.draw_lines(screen_, screen_.lines, source);
+    if (!blends) pixels_ += static_cast<std::size_t>(pixels);
     return;
   }
   const Outline outline = {x_, y_, static_cast<std::int32_t>(corner_count_),
                            error_, -frame_.view.orientation * eye_sign};
-  pixels_ +=
-      static_cast<std::size_t>(frame_.kernel.draw(screen_, outline, source));
+  const std::int64_t pixels = frame_.kernel.draw(screen_, outline, source);
+  if (!blends) pixels_ += static_cast<std::size_t>(pixels);
 }
 
 template <int kBits>
@@ -299,29 +292,10 @@ void PolygonRasterizer<kBits>::shade(const PixelSource& source, std::int32_t x,
       static_cast<std::uint64_t>(late_shader_.shade(x, y, bits, colors, at));
 }
 
-/// Blends the fragment with what is there (S5.6; PD84 "over").
 template <int kBits>
 void PolygonRasterizer<kBits>::blend(std::int32_t x, std::int32_t y,
                                      const std::uint32_t* bits) {
-  std::uint8_t over[3 * kTileWidth];
-  for (std::size_t k = 0; k < sizeof(over); ++k) {
-    over[k] = static_cast<std::uint8_t>(source_.color >> (8 * (k % 3)));
-  }
-  for (std::int32_t r = 0; r < kTileHeight; ++r) {
-    if (bits[r] == 0) continue;
-    if (source_.smooth()) {
-      stats_.exact +=
-          static_cast<std::uint64_t>(shader_.shade(x, y + r, bits[r], over, 0));
-    }
-    const std::int64_t at = 3 * screen_.pixel_at(x, y + r);
-    for (std::uint32_t rest = bits[r]; rest != 0; rest &= rest - 1) {
-      const int first = 3 * std::countr_zero(rest);
-      for (int k = first; k < first + 3; ++k) {
-        std::uint8_t& channel = screen_.colors[at + k];
-        channel = blended(over[k], channel, frame_.alpha);
-      }
-    }
-  }
+  layers_->add(layer_, x, y, bits);
 }
 
 template class PolygonRasterizer<kMovedGrid>;

@@ -11,6 +11,7 @@
 #include "raster/frame.hpp"
 #include "raster/gouraud.hpp"
 #include "raster/kernel/tile_kernel.hpp"
+#include "raster/layers/leaf_layers.hpp"
 #include "raster/leaf_depth.hpp"
 #include "tree/traversal.hpp"
 
@@ -19,9 +20,15 @@ namespace halfspace::fast {
 /// Draws the fragments of a tree on one screen, and decides what the kernel
 /// cannot.
 template <int kBits>
-class PolygonRasterizer final : public ExactFallback {
+class PolygonRasterizer final : public ExactFallback, public LayerOrder {
  public:
   PolygonRasterizer(const Frame& frame, TileView& screen);
+
+  /// Back to front polygons go there, and not at once into the images.
+  void show_in(LeafLayers* layers) {
+    layers_ = layers;
+    blends = layers != nullptr;
+  }
 
   /// The clip planes that may cut what is drawn from now on.
   void set_clips(ClipMask mask) { clip_mask_ = mask; }
@@ -85,8 +92,11 @@ class PolygonRasterizer final : public ExactFallback {
   /// Asks for the memory that drawing the leaf will read first.
   void prefetch(const Node& leaf) const;
 
+  /// How often a pixel was set, but for what went to layers.
   std::size_t pixels() const { return pixels_; }
   std::size_t fragments() const { return fragments_; }
+  /// Counts from there on.
+  void set_fragments(std::size_t count) { fragments_ = count; }
   FilterStats stats() const {
     FilterStats all = stats_;
     all.add(depth_.stats());
@@ -168,6 +178,10 @@ class PolygonRasterizer final : public ExactFallback {
               std::uint32_t* lit) override {
     depth_.nearer(other - frame_.first_id, x, y, lit);
   }
+  DepthDifference start_layer(const Layer& layer) override {
+    depth_.start(*layer.fragment, layer.source.eye_sign, layer.block);
+    return depth_.depth();
+  }
   const Gradient& gradient() override { return shader_.gradient(); }
   void shade(const PixelSource& source, std::int32_t x, std::int32_t y,
              std::uint32_t bits, std::uint8_t* colors,
@@ -184,7 +198,8 @@ class PolygonRasterizer final : public ExactFallback {
   bool gouraud_;
   /// Whether all polygons have three corners: the p-th those from 3 p on.
   bool triangles_;
-  PixelSource source_;  ///< of the last that was not drawn together with others
+  LeafLayers* layers_ = nullptr;
+  Layer layer_;  ///< the fragment that was begun last
   double x_[kMostCorners];
   double y_[kMostCorners];
   std::size_t corner_count_ = 0;  ///< of the outline

@@ -9,12 +9,12 @@
 #include "raster/band_walk.hpp"
 #include "raster/bands.hpp"
 #include "raster/caps.hpp"
+#include "raster/layers/layer_walk.hpp"
+#include "raster/layers/leaf_layers.hpp"
 #include "raster/polygon_rasterizer.hpp"
 #include "raster/render_pass.hpp"
 #include "raster/tile_buffer.hpp"
-#include "tree/behind_test.hpp"
 #include "tree/node_boxes.hpp"
-#include "tree/traversal.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -44,29 +44,15 @@ BandResult render_band(const Frame& frame, TileBuffer& buffer) {
 
 template <int kBits>
 BandResult paint_band(const Frame& frame, TileBuffer& buffer) {
-  const BspTree& tree = frame.reader.tree();
   TileView& screen = buffer.view();
   PolygonRasterizer<kBits> rasterizer(frame, screen);
   rasterizer.fill_rest(frame.image.background);
-  screen.overwrite = true;
+  LeafLayers layers(frame, screen, rasterizer);
   FilterStats stats;
-  std::vector<std::int32_t> scratch;
-  const EyeClassifier eye_side(frame.reader, frame.view, frame.camera, stats);
-  const BehindTest behind(frame.reader, frame.view, frame.camera);
-  const auto show = [&](const Node& node, int sign) {
-    rasterizer.set_clips(clip_mask(frame, node));
-    return for_fragments_reversed(
-        tree, node, scratch, [&](const TreeFragment& fragment) {
-          rasterizer.draw(fragment, source_side(fragment, sign));
-          return true;
-        });
-  };
-  walk_back_to_front(tree, eye_side, show,
-                     [&](const Node& node, int sign, int side) {
-                       return !behind(node.plane, node.splitter, sign, side);
-                     });
+  show_back_to_front(frame, buffer, rasterizer, layers, stats);
   stats.add(rasterizer.stats());
-  return {rasterizer.pixels(), rasterizer.fragments(),
+  stats.add(layers.stats());
+  return {rasterizer.pixels() + layers.pixels(), rasterizer.fragments(),
           static_cast<std::size_t>(screen.touches), stats};
 }
 
@@ -94,7 +80,6 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
                options.colors ? height : 0);
 
   const bool leaves = has_leaves(tree);
-  HALFSPACE_ASSERT(pass.order == Order::kFrontToBack || !leaves);
   const TreeReader reader(scene, tree);
   const View view =
       make_view(camera, extent_of(tree, scene.grid_bits()), pass.samples);
@@ -104,7 +89,8 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   const std::vector<PixelRange> bands = bands_of(rectangle, threads);
   std::vector<BandResult> found(bands.size());
   const auto one = [&](std::size_t b) {
-    TileBuffer buffer(rectangle, bands[b], result, leaves);
+    TileBuffer buffer(rectangle, bands[b], result,
+                      leaves && pass.order == Order::kFrontToBack);
     found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
       return pass.order == Order::kFrontToBack
                  ? render_band<bits()>(frame, buffer)

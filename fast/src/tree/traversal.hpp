@@ -50,6 +50,11 @@ void walk(const BspTree& tree, const EyeClassifier& side_of_eye, Reach&& reach,
   }
 }
 
+/// Every subtree is worth it.
+struct EnterAll {
+  bool operator()(NodeId) const { return true; }
+};
+
 /// Every side can be seen.
 struct ReachAll {
   bool operator()(const Node&, int, int) const { return true; }
@@ -60,11 +65,10 @@ void walk_front_to_back(const BspTree& tree, const EyeClassifier& side_of_eye,
                         Enter&& enter, Show&& show, Reach&& reach = {}) {
   walk<true>(tree, side_of_eye, reach, enter, show);
 }
-template <class Show, class Reach = ReachAll>
+template <class Enter, class Show, class Reach = ReachAll>
 void walk_back_to_front(const BspTree& tree, const EyeClassifier& side_of_eye,
-                        Show&& show, Reach&& reach = {}) {
-  walk<false>(
-      tree, side_of_eye, reach, [](NodeId) { return true; }, show);
+                        Enter&& enter, Show&& show, Reach&& reach = {}) {
+  walk<false>(tree, side_of_eye, reach, enter, show);
 }
 
 /// for_fragments() from the list's end. `scratch` is room for their indices.

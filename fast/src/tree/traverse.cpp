@@ -11,7 +11,7 @@ void back_to_front(const BspTree& tree, const Scene& scene,
   const View view = make_view(camera, scene.grid_bits());
   const EyeClassifier side_of_eye(reader, view, camera.data(), stats);
   std::vector<std::int32_t> scratch;
-  walk_back_to_front(tree, side_of_eye, [&](const Node& node, int) {
+  walk_back_to_front(tree, side_of_eye, EnterAll{}, [&](const Node& node, int) {
     return for_fragments_reversed(
         tree, node, scratch,
         [&](const TreeFragment& fragment) { return visit(node, fragment); });

@@ -85,8 +85,8 @@ constexpr bool needs_tree(Method method) {
 struct TreeRequest {
   /// A rule of the papers; nothing: the library's own choice for images.
   std::optional<BuildOptions> rule;
-  /// Whether leaves will do, lists of fragments that no plane orders: the span
-  /// buffer needs no more.
+  /// Whether leaves will do, lists of fragments that no plane orders: images of
+  /// tiles need no more.
   bool leaves = true;
   int threads = 0;  ///< 0: as many as the machine has
   /// Gets the share that is done; where it returns false, the work stops.
@@ -181,7 +181,7 @@ class Engine {
   /// Requires: has(shot.method); the span buffer for anti-aliasing, with a
   /// number of samples that the camera has room for; where the method needs a
   /// tree and depth sort does not make a list instead, that is this scene's,
-  /// and without leaves for the painter; an alpha for the painter alone.
+  /// and without leaves for a screen; an alpha for the painter alone.
   virtual Picture render(const Scene& scene, const Camera& camera,
                          const Shot& shot) const = 0;
 

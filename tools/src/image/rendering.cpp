@@ -221,12 +221,11 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
 
 Status make_tree(Engine& engine, const Scene& scene,
                  const RenderArguments& arguments, BuildMeasure& tree) {
-  const Method method = method_of(arguments);
   const Library library = library_of(arguments);
   tree.library = word_of(kLibraryWords, library);
   if (!needs_tree(arguments)) return Status::kFine;
-  const bool leaves = method == Method::kSpan && !arguments.screen &&
-                      arguments.anti_aliasing != AntiAliasing::kExact;
+  const bool leaves =
+      !arguments.screen && arguments.anti_aliasing != AntiAliasing::kExact;
   if (arguments.tree_file) {
     const std::string& path = *arguments.tree_file;
     Result<BuildMeasure> loaded =

@@ -87,13 +87,8 @@ void PictureMaker::draw(const PictureRequest& request, std::int32_t first_row,
     fast::render(scene, *request.model->tree, request.camera, request.options,
                  how, rendering);
   } else {
-    if (leafy_ != request.model->tree) {
-      leafy_ = request.model->tree;
-      leafless_ = *leafy_;
-      fast::divide_leaves(leafless_, scene);
-    }
-    rendering = fast::blend(scene, leafless_, request.camera, request.options,
-                            request.alpha, how);
+    rendering = fast::blend(scene, *request.model->tree, request.camera,
+                            request.options, request.alpha, how);
   }
   if (request.numbers)
     color_numbers(request, first_row, how.threads, rendering);

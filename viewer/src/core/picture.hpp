@@ -52,10 +52,6 @@ class PictureMaker {
   void color_numbers(const PictureRequest& request, std::int32_t row,
                      int threads, fast::Rendering& rendering);
 
-  /// The model's tree without leaves, which blending goes through; made when a
-  /// picture first needs it.
-  std::shared_ptr<const fast::BspTree> leafy_;
-  fast::BspTree leafless_;
   /// The colours of the polygons by those numbers: all polygons are looked at.
   std::shared_ptr<const ShownNumbers> colored_;
   fast::ScalarColors scalar_colors_;

@@ -143,16 +143,16 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
 void remove(BspTree& tree, const Scene& scene,
             std::span<const PolygonId> polygons);
 
-/// Whether some node of the tree is a leaf: only render() takes such a tree.
+/// Whether some node of the tree is a leaf: only images and rays take it.
 bool has_leaves(const BspTree& tree);
 
 /// Replaces every leaf by a subtree whose splitters are planes of its fragments
-/// (S3.5), so that the tree can be walked back to front (S3.7), painted and
+/// (S3.5), so that the tree can be walked fragment by fragment (S3.7), and
 /// inserted into.
 ///
 /// A pure function of its arguments.
 /// Exact: yes.
-/// Cost:  for a leaf of k fragments k log k decisions, at worst k squared.
+/// Cost:  for a leaf of k fragments k log k decisions and bytes, at worst k^2.
 void divide_leaves(BspTree& tree, const Scene& scene);
 
 /// The size of the tree (S3.2). No recursion.

@@ -47,12 +47,12 @@ class ExactFallback {
   virtual void shade(const PixelSource& source, std::int32_t x, std::int32_t y,
                      std::uint32_t bits, std::uint8_t* colors,
                      std::int64_t at) = 0;
-  /// Blends the polygon with what the pixels `bits` (8 words) of a tile show.
-  /// Requires: blends.
+  /// Shows the polygon in the pixels `bits` (8 words) of a tile. Requires:
+  /// blends.
   virtual void blend(std::int32_t x, std::int32_t y,
                      const std::uint32_t* bits) = 0;
 
-  bool blends = false;  ///< whether the polygons are transparent
+  bool blends = false;  ///< whether polygons back to front go to blend()
 
  protected:
   ~ExactFallback() = default;

@@ -12,6 +12,8 @@ namespace {
 struct ScalarPixels {
   /// Whether small triangles are shaded from their corners in the image.
   static constexpr bool kShadesSmall = false;
+  /// Whether polygons back to front are drawn eight at a time, too.
+  static constexpr bool kShowsSmall = false;
 
   /// Stores `id` at first + k for every bit k.
   static void store_items(std::int32_t* items, std::int64_t first,

@@ -16,9 +16,10 @@ struct SmallPolygons : Base {
   using Base::and_not, Base::any, Base::bits_of, Base::ceiling, Base::cover_of;
   using Base::differ, Base::doubles, Base::first_centre, Base::floats8;
   using Base::greater, Base::kLanes, Base::kParts, Base::lanes;
-  using Base::light_in_leaf, Base::merge_ordered, Base::paint, Base::put_runs;
+  using Base::light_in_leaf, Base::merge_ordered, Base::paint;
   using Base::line_centres, Base::lines_between, Base::load, Base::mask_of,
       Base::not_less;
+  using Base::paint_over, Base::put_runs;
   using Base::select, Base::size_of, Base::smaller, Base::some_of, Base::store;
   using Base::to_words, Base::widened;
   using typename Base::Doubles8, typename Base::FloatMask;
@@ -405,6 +406,27 @@ struct SmallPolygons : Base {
     return {to_words(first), to_words(end), lines, doubtful != 0};
   }
 
+  template <std::size_t kCorners>
+  static Columns8 columns_in_row(const Projected8<kCorners>& seen,
+                                 const Edges8<kCorners>& edges, int k,
+                                 std::int32_t row) {
+    const std::int32_t first_top = seen.first_line[k] & -kTileHeight;
+    const std::int32_t top = row * kTileHeight;
+    return columns_of(edges, k, top - first_top, seen.first_line[k] - top,
+                      seen.end_line[k] - top);
+  }
+
+  template <std::size_t kCorners>
+  static bool is_doubtful(const Projected8<kCorners>& seen,
+                          const Edges8<kCorners>& edges, int k) {
+    const std::int32_t last_row = (seen.end_line[k] - 1) / kTileHeight;
+    for (std::int32_t row = seen.first_line[k] / kTileHeight; row <= last_row;
+         ++row) {
+      if (columns_in_row(seen, edges, k, row).doubtful) return true;
+    }
+    return false;
+  }
+
   /// The colours of the k-th of eight, if it is a whole smooth triangle: from
   /// its corners in the image, which takes less than from those in space.
   template <std::size_t kCorners>
@@ -441,6 +463,10 @@ struct SmallPolygons : Base {
     const std::int32_t last_tile = (seen.end_column[k] - 1) / kTileWidth;
     const std::int32_t first_row = seen.first_line[k] / kTileHeight;
     const std::int32_t last_row = (seen.end_line[k] - 1) / kTileHeight;
+    // Where all is decided elsewhere nothing is shown here: twice is too often.
+    if constexpr (Base::kShowsSmall) {
+      if (screen.overwrite && is_doubtful(seen, edges, k)) return false;
+    }
     bool begun = false;
     PixelSource source;
     Gradient gradient;
@@ -452,10 +478,7 @@ struct SmallPolygons : Base {
         if (((open[tile / 64] >> (tile % 64)) & 1u) == 0) continue;
         if (!ready) {
           ready = true;
-          const std::int32_t top = row * kTileHeight;
-          columns =
-              columns_of(edges, k, top - first_row * kTileHeight,
-                         seen.first_line[k] - top, seen.end_line[k] - top);
+          columns = columns_in_row(seen, edges, k, row);
           if (columns.doubtful) return false;
         }
         const Words8 cover = cover_of(columns.first, columns.end,
@@ -474,7 +497,11 @@ struct SmallPolygons : Base {
               screen.exact->begin(k, ((seen.turn >> k) & 1u) != 0 ? 1 : -1);
           start_gradient(screen, seen, k, gradient);
         }
-        if (screen.in_leaf) {
+        if (Base::kShowsSmall && screen.overwrite) {
+          paint_over(screen, tile * kTileWidth, row * kTileHeight,
+                     and_not(cover, was), source);
+          ++screen.touches;
+        } else if (screen.in_leaf) {
           merge_small(screen, row, tile, cover, source);
         } else {
           merge_ordered(screen, row, tile, cover, source);
@@ -487,6 +514,9 @@ struct SmallPolygons : Base {
   template <std::size_t kCorners>
   static BlockDrawn draw_block(TileView& screen, const View& view, bool cull,
                                const FragmentBlock<kCorners>& block) {
+    if (!Base::kShowsSmall && screen.overwrite) {
+      return {0, (1u << block.count) - 1};
+    }
     Projected8<kCorners> seen;
     for (int part = 0; part < kParts; ++part) {
       project_lanes(view, block, part, seen);

@@ -83,13 +83,10 @@ struct TileWrite : Shade<Simd> {
   /// The same back to front, where something may be seen through it.
   static void paint_over(const TileView& screen, std::int32_t x, std::int32_t y,
                          Words8 pixels, const PixelSource& source) {
-    if (!screen.exact->blends || screen.colors == nullptr) {
+    if (!screen.exact->blends) {
       paint(screen, x, y, pixels, source);
       return;
     }
-    TileView items = screen;
-    items.colors = nullptr;
-    paint(items, x, y, pixels, source);
     alignas(32) std::uint32_t bits[kTileHeight];
     store(bits, pixels);
     screen.exact->blend(x, y, bits);

@@ -13,6 +13,7 @@ namespace {
 /// Smooth colours of small triangles, from their corners in the image.
 struct GouraudSmall : GouraudBlocks {
   static constexpr bool kShadesSmall = true;
+  static constexpr bool kShowsSmall = true;
 
   /// The colours of a triangle from its corners in the image; false: this is
   /// too little.
