@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <random>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
+#include "generate/random_scenes.hpp"
 #include "halfspace/fast/area_image.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/ref/area_image.hpp"
@@ -267,6 +269,66 @@ TEST(S7MapAgree, RefAndFastGiveTheSameMap) {
                       RefMap::arcs_of(view, options, {}));
       },
       kMaps);
+}
+
+/// Some triangles between rays from one corner, which is seen farthest to the
+/// left, in any order: the hole that they are of the background passes that
+/// corner several times.
+SceneFile triangles_round_a_corner(agree::Draws& draws) {
+  std::vector<std::int64_t> rays = {0, 1, 2, 3};
+  std::shuffle(rays.begin(), rays.end(), std::mt19937_64(draws.next()));
+  rays.resize(static_cast<std::size_t>(draws.from_to(2, 4)));
+  SceneData data;
+  for (const std::int64_t k : rays) {
+    const auto first = static_cast<VertexId>(data.vertices.size());
+    const std::int64_t a = draws.from_to(1, 3);
+    const std::int64_t b = draws.from_to(1, 3);
+    data.vertices.insert(data.vertices.end(), {GridPoint{0, 0, 0},
+                                               {4 * a, (6 * k - 9) * a, 0},
+                                               {4 * b, (6 * k - 6) * b, 0}});
+    const auto turn = static_cast<VertexId>(draws.from_to(0, 2));
+    for (VertexId v = 0; v < 3; ++v)
+      data.corners.push_back(first + (v + turn) % 3);
+    data.first_corner.push_back(static_cast<std::uint32_t>(first) + 3);
+    data.colors.push_back({1, 2, 3});
+  }
+  CameraData camera;
+  camera.perspective = false;
+  camera.eye = {0, 0, 256};
+  camera.s0 = {-256 * 8, -256 * 32, 0};
+  camera.sx = {256, 0, 0};
+  camera.sy = {0, 256, 0};
+  camera.width_px = 64;
+  camera.height_px = 64;
+  SceneFile view;
+  view.scene = *make_scene(std::move(data));
+  view.camera = *make_camera(camera, view.scene.grid_bits());
+  return view;
+}
+
+TEST(S7MapAgree, ALoopBeginsAtItsFirstVertexSoThatItIsLeast) {
+  std::size_t passed_twice = 0;
+  law::check(kMaps, [&] {
+    agree::Draws draws(*rc::gen::arbitrary<std::uint64_t>());
+    const SceneFile view = triangles_round_a_corner(draws);
+    const auto tree = fast::build(view.scene, {});
+    const auto map = fast::visible_map(view.scene, tree, *view.camera, {});
+    HALFSPACE_LAW(map.has_value());
+    for (std::size_t l = 0; l + 1 < map->first_corner.size(); ++l) {
+      const std::vector<std::int32_t> loop(
+          map->corners.begin() + map->first_corner[l],
+          map->corners.begin() + map->first_corner[l + 1]);
+      for (std::size_t k = 1; k < loop.size(); ++k) {
+        std::vector<std::int32_t> turned = loop;
+        std::rotate(turned.begin(),
+                    turned.begin() + static_cast<std::ptrdiff_t>(k),
+                    turned.end());
+        HALFSPACE_LAW(loop <= turned);
+        if (loop[k] == loop[0]) ++passed_twice;
+      }
+    }
+  });
+  EXPECT_GT(passed_twice, 50u);
 }
 
 /// The area that a key has in a pixel, and its first moments.
