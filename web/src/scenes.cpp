@@ -38,6 +38,12 @@ Result<io::LoadedScene> load(const std::string& path,
   return csg::load_scene(path, options);
 }
 
+/// What figures read of the program's files. A page has none: it gives bytes.
+Result<io::Mesh> read_mesh_file(const std::string&);
+Result<io::Mesh> read_mesh_file(const std::string& path) {
+  return Error{ErrorCode::kUnknownFormat, path + ": there are no files here"};
+}
+
 }  // namespace halfspace::tools
 
 namespace halfspace::web {
