@@ -28,6 +28,7 @@
 #include "halfspace/io/color_map.hpp"
 #include "halfspace/io/figure.hpp"
 #include "halfspace/io/ray.hpp"
+#include "halfspace/io/read_mesh.hpp"
 #include "halfspace/io/scalars.hpp"
 #include "halfspace/io/view.hpp"
 
@@ -38,10 +39,10 @@ Result<io::LoadedScene> load(const std::string& path,
   return csg::load_scene(path, options);
 }
 
-/// What figures read of the program's files. A page has none: it gives bytes.
+/// Where memory ends, the module stops: there is nothing to be said of a file.
 Result<io::Mesh> read_mesh_file(const std::string&);
 Result<io::Mesh> read_mesh_file(const std::string& path) {
-  return Error{ErrorCode::kUnknownFormat, path + ": there are no files here"};
+  return io::read_mesh(path);
 }
 
 }  // namespace halfspace::tools
