@@ -106,4 +106,34 @@ tr '\r' '\n' <told |
   grep -q '^halfspace: interrupted; no tree was made$' ||
   wrong "interrupted: $(head -c 300 told)"
 [ ! -e crossing.tree ] || wrong "interrupted, and yet a tree"
+
+# What a tree that cuts will take is said before it is made, where that is much.
+awk 'BEGIN {
+  count = 1000
+  srand(1)
+  print "OFF\n" 3 * count, count, 0
+  for (i = 0; i < 3 * count; ++i)
+    printf "%d %d %d\n", 1e6 * rand(), 1e6 * rand(), 1e6 * rand()
+  for (i = 0; i < count; ++i) print 3, 3 * i, 3 * i + 1, 3 * i + 2
+}' >across.off
+echo "echo \$\$ >pid
+exec '$program' build across.off --heuristic random" >long.sh
+rm -f pid
+script -q -e -f -c 'env --default-signal=INT sh long.sh' told >/dev/null &
+job=$!
+for _ in $(seq 600); do
+  grep -qs 'halfspace: tree' told && break
+  kill -0 $job 2>/dev/null || break
+  sleep 0.1
+done
+kill -INT "$(cat pid)" 2>/dev/null
+wait $job
+grep -q 'of 1000 about [12].[0-9] million fragments are expected' told ||
+  wrong "the cost of a tree is not told: $(head -c 300 told)"
+"$make_model" sphere --count 40 -o sphere.off || exit 1
+for how in '--heuristic random' ''; do
+  script -q -e -c "'$program' build sphere.off $how" told >/dev/null ||
+    wrong "build $how"
+  ! grep -q expected told || wrong "a mesh's tree costs much: $how"
+done
 finish

@@ -9,6 +9,7 @@
 #include "cli/measuring.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
+#include "image/tree_cost.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -71,7 +72,8 @@ void add_build_options(CLI::App& app, BuildArguments& arguments,
       ->group(group);
   add_number(app, "--threads", "N", arguments.threads, 1u, kMostCounted,
              "Threads to use; if not said, one for an image, and for a display "
-             "tree and to pack a picture as many as there are. The result is the same; ref uses one")
+             "tree and to pack a picture as many as there are. The result is "
+             "the same; ref uses one")
       ->group("Measurement");
   app.add_option("--stats", arguments.stats_file,
                  "Write sizes and processor times as JSON; - is standard "
@@ -109,6 +111,7 @@ std::optional<BuildMeasure> build_measured(Engine& engine, Library library,
   if (asks_for_rule(arguments)) request.rule = build_options(arguments);
   request.leaves = leaves;
   request.threads = working_threads(arguments);
+  progress(tree_cost_warning(scene, library, request));
   LongWork work("tree");
   request.progress = [&work](double done) { return work.report(done); };
   BuildMeasure measure;
