@@ -19,19 +19,35 @@ const formatOf = (name) => {
   throw new Error(`${name}: a mesh file ends in .stl, .obj, .ply or .off`);
 };
 
+const tooLarge = (name, what) => new Error(`${name}: ${what}, and the page ` +
+  "takes 1 GiB; use the program `halfspace` for it");
+
+/** The bytes of a gzipped file, as long as they are not too many. */
+async function unpacked({ name, file }) {
+  const chunks = [];
+  let bytes = 0;
+  const stream = file.stream().pipeThrough(new DecompressionStream("gzip"));
+  const reader = stream.getReader();
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return new Blob(chunks);
+    bytes += value.byteLength;
+    if (bytes > most) {
+      await reader.cancel();
+      throw tooLarge(name, "unpacks to more than 1 GiB");
+    }
+    chunks.push(value);
+  }
+}
+
 async function read(part) {
   if (bytesOf.has(part.id)) return;
   const { file } = part;
   if (file.size > most) {
-    throw new Error(`${part.name}: has ${(file.size / 2 ** 30).toFixed(1)} ` +
-      "GiB, and the page takes 1 GiB; use the program `halfspace` for it");
+    throw tooLarge(part.name, `has ${(file.size / 2 ** 30).toFixed(1)} GiB`);
   }
   say(`reading ${part.name}`);
-  let body = file;
-  if (/\.gz$/i.test(part.name)) {
-    body = await new Response(
-      file.stream().pipeThrough(new DecompressionStream("gzip"))).blob();
-  }
+  const body = /\.gz$/i.test(part.name) ? await unpacked(part) : file;
   bytesOf.set(part.id, new Uint8Array(await body.arrayBuffer()));
 }
 

@@ -93,6 +93,13 @@ export class Browser {
     const { data } = await this.send("Page.captureScreenshot");
     fs.writeFileSync(file, Buffer.from(data, "base64"));
   }
+  /** Gives a page's input files of this machine, as who chooses them does. */
+  async chooseFiles(selector, ...files) {
+    const { root } = await this.send("DOM.getDocument");
+    const { nodeId } = await this.send("DOM.querySelector",
+      { nodeId: root.nodeId, selector });
+    await this.send("DOM.setFileInputFiles", { nodeId, files });
+  }
   async close() {
     const ended = new Promise((done) => this.#child.on("exit", done));
     await this.send("Browser.close").catch(() => {});
