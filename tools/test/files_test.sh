@@ -62,6 +62,31 @@ expect 0 '^volume     15$' info c.off.gz
 expect 0 'span: 9x9' render shot.scene.gz --ids a.npy
 expect 2 'standard input' info -
 
+# A repair between two pipes is that of the files.
+sed 's/^4 0 2 3 1$/4 0 1 3 2/' a.off >turned.off
+expect 0 '1 polygon turned' repair turned.off -o mended.off
+"$program" repair - -o - --format off <turned.off >piped.off ||
+  wrong 'repair from standard input to standard output'
+same mended.off piped.off
+gzip -c turned.off | "$program" repair - -o piped.stl -q ||
+  wrong 'repair of a gzipped pipe'
+expect 0 closed info piped.stl
+expect 2 'give --format' repair turned.off -o -
+expect 2 'standard input' repair - -o none.off
+# Each of the formats, and none to a full device.
+for format in obj stl ply 3mf glb gltf scene; do
+  "$program" repair turned.off -o - --format $format >piped.$format ||
+    wrong "repair to standard output as $format"
+  expect 0 closed info piped.$format
+done
+# What lies in a plane has nothing within, whatever fills it.
+printf 'OFF\n4 2 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n3 0 1 2\n3 0 2 3\n' >sheet.off
+expect 2 '\-\-thicken' repair sheet.off -o shell.off --close-all
+printf 'OFF\n5 3 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 0\n' >fan.off
+printf '3 0 1 4\n3 1 2 4\n3 2 3 4\n' >>fan.off
+expect 2 'nothing is within.*--thicken' repair fan.off -o shell.off --close-all
+[ -e shell.off ] && wrong 'a sheet became a solid of no volume'
+
 # What has no colours gets none on its way through a boolean, and a scene is lit
 # as a picture of the mesh is: all show the same.
 for format in off ply obj 3mf glb stl hsolid scene; do

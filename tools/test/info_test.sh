@@ -40,6 +40,7 @@ import json
 a, two, inwards = json.load(open("all.json"))
 assert a["volume"] == 24 and a["exact_volume"] == "24" and a["area"] == 52
 assert a["from"] == [10, 20, 30] and a["to"] == [12, 23, 34]
+assert a["size"] == [2, 3, 4]
 assert a["closed"] and a["solid"] and "fault" not in a
 assert [part["genus"] for part in two["components"]] == [1, 0]
 assert [part["volume"] for part in two["components"]] == [72, 1]

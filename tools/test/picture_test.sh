@@ -33,6 +33,18 @@ done
 "$program" render box.off --ids a.npy --size 64x48 -q --view front --up 0,1,0
 "$program" render box.off --ids b.npy --size 64x48 -q --view top
 same a.npy b.npy
+# Light comes from above there, too: what is bright with z up is with y up.
+color_of() { sed -n 's/^p .* color //p' "$1" | sed -n "$2p"; }
+"$program" scene box.off -o z_up.scene -q || wrong 'scene'
+"$program" scene box.off -o y_up.scene -q --up 0,1,0 || wrong 'scene --up'
+"$program" scene box.off -o lit.scene -q --up 0,1,0 --light 0.15,-0.45,0.88
+[ "$(color_of z_up.scene 2)" = "$(color_of y_up.scene 4)" ] ||
+  wrong "the top is not as bright with y up: $(color_of y_up.scene 4)"
+[ "$(color_of z_up.scene 2)" = "$(color_of lit.scene 2)" ] ||
+  wrong '--light turns with --up'
+"$program" render box.off -o lines.png --size 64x48 -q --lines wire
+"$program" render box.off -o edges.png --size 64x48 -q --edges wire
+same lines.png edges.png
 expect 2 'excludes' render box.off --ids a.npy --view top --eye 1,2,3
 expect 2 '\-\-view.*front|back.*sideways' render box.off --ids a.npy \
   --view sideways

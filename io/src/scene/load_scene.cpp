@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "halfspace/io/file.hpp"
+#include "halfspace/io/mesh_input.hpp"
 #include "halfspace/io/read_mesh.hpp"
 
 namespace halfspace::io {
@@ -120,6 +121,12 @@ Result<std::string> read_input() {
   error.message =
       kInputName + error.message.substr(std::string("/dev/stdin").size());
   return error;
+}
+
+Result<Mesh> mesh_of_input(std::string_view bytes) {
+  Result<Mesh> mesh = read_mesh(bytes, format_of_bytes(bytes));
+  if (!mesh) return error_about(kInputName, mesh.error());
+  return mesh;
 }
 
 Result<LoadedScene> scene_of_input(std::string_view bytes,

@@ -6,6 +6,7 @@
 
 #include "cli/options.hpp"
 #include "halfspace/csg/exact.hpp"
+#include "halfspace/io/mesh_input.hpp"
 #include "halfspace/io/read_mesh.hpp"
 #include "halfspace/viewer/model.hpp"
 
@@ -24,7 +25,10 @@ Result<io::LoadedScene> load(const std::string& path,
 
 Result<io::Mesh> read_mesh_file(const std::string& path) {
   try {
-    return io::read_mesh(path);
+    if (path != "-") return io::read_mesh(path);
+    const Result<std::string> bytes = io::read_input();
+    if (!bytes) return bytes.error();
+    return io::mesh_of_input(*bytes);
   } catch (const std::bad_alloc&) {
     return no_room_for({path});
   }

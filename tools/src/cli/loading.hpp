@@ -19,8 +19,10 @@ namespace halfspace::tools {
 Result<io::LoadedScene> load(const std::string& path,
                              const io::ImportOptions& options);
 
-/// io::read_mesh(), of which a lack of memory is an error, too.
-/// Errors: kOutOfRange (not enough memory), and those of read_mesh().
+/// io::read_mesh(), for `-` of standard input, of which a lack of memory is an
+/// error, too.
+/// Errors: kOutOfRange (not enough memory), and those of read_mesh() and
+///         io::read_input().
 Result<io::Mesh> read_mesh_file(const std::string& path);
 
 /// The error of files that do not fit into memory.

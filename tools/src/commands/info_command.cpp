@@ -205,6 +205,9 @@ nlohmann::ordered_json json_of(const Facts& facts) {
       {"unit", io::to_string(scene.unit())},
       {"from", m.least},
       {"to", m.most},
+      {"size",
+       {m.most[0] - m.least[0], m.most[1] - m.least[1],
+        m.most[2] - m.least[2]}},
       {"area", m.area},
       {"centre", m.centre},
       {"import",
@@ -277,7 +280,8 @@ void add_info(CLI::App& program, Status& status) {
   app->add_flag("--json", arguments->json, "Show all as a JSON array");
   add_grid_option(*app, arguments->grid_bits);
   app->footer(
-      "Lengths are in the model's units, which files do not name.\n\n"
+      "Lengths are in the model's units, which files do not name; those of "
+      "3MF are\nmillimetres, of GLB and glTF metres.\n\n"
       "Examples:\n"
       "  halfspace info part.stl\n"
       "  halfspace info *.stl --json\n"

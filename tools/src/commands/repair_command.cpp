@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -24,9 +25,15 @@
 namespace halfspace::tools {
 namespace {
 
+/// The words for the formats of solids.
+constexpr Word<std::string_view> kFormatWords[] = {
+    {"off", "off"}, {"obj", "obj"}, {"stl", "stl"},   {"ply", "ply"},
+    {"3mf", "3mf"}, {"glb", "glb"}, {"gltf", "gltf"}, {"scene", "scene"}};
+
 struct RepairArguments {
   std::string input;
   std::string output;
+  std::optional<std::string_view> format;  ///< of standard output
   std::optional<double> weld;
   bool close_all = false;
   std::optional<double> thicken;
@@ -49,6 +56,12 @@ std::vector<csg::RepairStep> steps_of(const std::vector<std::string>& words) {
   return steps;
 }
 
+/// A name that ends as the output's format does.
+std::string output_name(const RepairArguments& arguments) {
+  if (arguments.output != "-" || !arguments.format) return arguments.output;
+  return "-." + std::string(*arguments.format);
+}
+
 int threads_of(const RepairArguments& arguments) {
   return static_cast<int>(arguments.threads.value_or(
       std::max(1u, std::thread::hardware_concurrency())));
@@ -66,9 +79,10 @@ std::optional<double> parse_thickness(std::string_view text) {
 
 /// The solid of the source, in the numbers of the output.
 Result<std::optional<csg::Outcome>> outcome_of(const RepairArguments& arguments,
+                                               const std::string& name,
                                                csg::Source source) {
   const Result<csg::Script> script =
-      csg::parse_script("A", std::array{csg::Binding{"A", arguments.input}});
+      csg::parse_script("A", std::array{csg::Binding{"A", name}});
   if (!script) return script.error();
   const Result<csg::Plan> plan = csg::make_plan(*script);
   if (!plan) return plan.error();
@@ -80,7 +94,7 @@ Result<std::optional<csg::Outcome>> outcome_of(const RepairArguments& arguments,
   if (!operands) return operands.error();
   LongWork work("resolving");
   csg::EvaluateOptions options;
-  const auto format = io::format_of(arguments.output);
+  const auto format = io::format_of(output_name(arguments));
   options.triangles = format && io::has_floats(*format);
   if (options.triangles) options.number = fast::FileNumber::kFloat;
   options.max_move = arguments.max_move;
@@ -108,6 +122,17 @@ Status write(const RepairArguments& arguments, const csg::RepairReport& report,
   }
   if (arguments.strict && outcome.rounding && outcome.rounding->lost_any()) {
     return fail(loss_sentence(outcome) + "; nothing was written");
+  }
+  if (arguments.output == "-") {
+    const Result<Done> printed =
+        write_through("." + std::string(*arguments.format),
+                      [&](const std::string& path) -> Result<Done> {
+                        const Result<io::ExportReport> made = write_result(
+                            path, outcome, SolidForm::kBinary, false);
+                        if (!made) return made.error();
+                        return Done{};
+                      });
+    return printed ? Status::kFine : fail(arguments.output, printed.error());
   }
   note_part(arguments.output);
   const Result<io::ExportReport> written =
@@ -138,10 +163,16 @@ std::string file_complaint(const RepairArguments& arguments,
   return complaint(inputs, outputs);
 }
 
+/// Where a flat surface was closed.
+constexpr const char* kNothingWithin =
+    ": what fills its holes lies upon its polygons, so nothing is within; "
+    "--thicken THICKNESS makes the surface a shell";
+
 Status run_repair(const RepairArguments& arguments) {
-  if (!io::is_scene_name(arguments.output) &&
-      !io::format_of(arguments.output)) {
-    return fail(arguments.output + ": the name must end in " +
+  const std::string output = output_name(arguments);
+  if (output == "-") return fail("-o -: give --format as well");
+  if (!io::is_scene_name(output) && !io::format_of(output)) {
+    return fail(output + ": the name must end in " +
                 io::format_extensions(".scene"));
   }
   const std::string wrong =
@@ -160,8 +191,9 @@ Status run_repair(const RepairArguments& arguments) {
   options.check.threads = threads_of(arguments);
   std::optional<LongWork> work(std::in_place, "checking the surface");
   options.check.progress = [&](double share) { return work->report(share); };
-  Result<csg::Repaired> repaired =
-      csg::repaired(arguments.input, *mesh, options);
+  const std::string name =
+      arguments.input == "-" ? io::kInputName : arguments.input;
+  Result<csg::Repaired> repaired = csg::repaired(name, *mesh, options);
   work.reset();
   const auto failed = [](const Error& error) {
     return error.code == ErrorCode::kStopped
@@ -169,11 +201,14 @@ Status run_repair(const RepairArguments& arguments) {
                : fail(error.message);
   };
   if (!repaired) return failed(repaired.error());
+  const bool has_filled = repaired->report.filled > 0;
   const Result<std::optional<csg::Outcome>> outcome =
-      outcome_of(arguments, std::move(repaired->source));
+      outcome_of(arguments, name, std::move(repaired->source));
+  if (!outcome && outcome.error().code == ErrorCode::kInsideOut && has_filled)
+    return fail(name + kNothingWithin);
   if (!outcome) return failed(outcome.error());
   if (!*outcome) return stop("stopped; nothing was written");
-  print_notes(arguments.input, mesh->attributes);
+  if (arguments.output != "-") print_notes(name, mesh->attributes);
   return write(arguments, repaired->report, **outcome);
 }
 
@@ -201,13 +236,17 @@ void add_repair(CLI::App& program, Status& status) {
       "repair", "Make a solid of a mesh that is none, and say how");
   const auto arguments = std::make_shared<RepairArguments>();
   app->add_option("FILE", arguments->input,
-                  "The mesh: " + io::format_names() + "; also gzipped")
+                  "The mesh: " + io::format_names() +
+                      "; also gzipped; - is standard input")
       ->required()
       ->type_name("");
   app->add_option("-o,--output", arguments->output,
-                  "The solid: " + io::format_names() + " or .scene")
+                  "The solid: " + io::format_names() +
+                      " or .scene; - is standard output")
       ->required()
       ->type_name("OUT");
+  add_choice(*app, "--format", kFormatWords, arguments->format,
+             "The format of the solid where OUT is -, standard output");
   add_parsed(*app, "--weld", "DISTANCE", "a number of at least 0",
              arguments->weld, parse_distance,
              "Weld vertices at borders that are no farther apart along any "

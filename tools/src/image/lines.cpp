@@ -21,7 +21,7 @@ constexpr double kUsualCrease = 20;
 
 void add_line_options(CLI::App& app, LineArguments& arguments) {
   const std::string group = "Lines";
-  add_choice(app, "--lines", kEdgeWords, arguments.edges,
+  add_choice(app, "--lines,--edges", kEdgeWords, arguments.edges,
              "Draw edges that are seen over the picture: borders, silhouettes "
              "and intersections; creases, too; or all edges between faces that "
              "do not lie in one plane")

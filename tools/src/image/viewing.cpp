@@ -190,8 +190,8 @@ void add_light_options(CLI::App& app, ViewArguments& arguments) {
   app.add_option_function<std::vector<std::string>>(
          "--light", add,
          "From where light comes to a mesh, and how strong it is, 1 if not "
-         "said: one light each time; from above, the left and the front if "
-         "there is none")
+         "said: one light each time; if there is none, from above where --up "
+         "is, the left and the front")
       ->check(complain)
       ->allow_extra_args(false)
       ->type_name("X,Y,Z[,S]")
@@ -412,6 +412,13 @@ ImageOptions choose_options(const SceneFile& file,
 
 namespace {
 
+/// The usual light, which is above where `up` is. Requires: up is not zero.
+io::Light usual_light(const glm::dvec3& up) {
+  const auto [x, y, z] = io::Light().to_light;
+  const glm::dvec3 turned = io::turned({.to_eye = {x, y, z}}, up).to_eye;
+  return {{turned.x, turned.y, turned.z}, 1};
+}
+
 /// The light from where the eye is.
 io::Light headlight(const ViewArguments& arguments) {
   const io::ViewDirection usual = arguments.view.value_or(io::ViewDirection());
@@ -441,7 +448,11 @@ io::ImportOptions import_options(const ViewArguments& arguments,
   options.light_colors = true;
   options.ambient = arguments.ambient.value_or(options.ambient);
   options.crease_deg = arguments.crease_deg;
-  if (!arguments.lights.empty()) options.lights = arguments.lights;
+  if (!arguments.lights.empty()) {
+    options.lights = arguments.lights;
+  } else if (arguments.up && *arguments.up != glm::dvec3(0)) {
+    options.lights = {usual_light(*arguments.up)};
+  }
   if (arguments.headlight) {
     if (arguments.lights.empty()) options.lights.clear();
     options.lights.push_back(headlight(arguments));
