@@ -125,6 +125,8 @@ TEST(OpenScad, NamesWhatIsNotRead) {
   EXPECT_EQ(scad("square(size = [1, 1], center = false);"),
             "line 1, column 1: square outside of linear_extrude is flat, and "
             "not read");
+  EXPECT_EQ(scad("group() { rotate_extrude(angle = 360) { circle(r = 2); } }"),
+            "line 1, column 11: rotate_extrude is not read");
   EXPECT_EQ(scad("linear_extrude(height = 1, twist = 90) { }"),
             "line 1, column 1: linear_extrude with twist or scale is not read");
   EXPECT_EQ(scad("group() { cube(size = [1, 1]); }"),

@@ -202,6 +202,13 @@ bool ScadTranslator::prism(const ScadCall& call,
                            const std::vector<std::array<Number, 2>>& points,
                            std::int32_t& node) {
   if (extrusions_.empty()) {
+    // What makes a solid of it in another way is the better word.
+    for (const ScadCall& open : calls_) {
+      if (open.name == "rotate_extrude") {
+        return fail(open.place, ErrorCode::kUnknownFormat,
+                    "rotate_extrude is not read");
+      }
+    }
     return fail(call.place, ErrorCode::kUnknownFormat,
                 std::string(call.name) +
                     " outside of linear_extrude is flat, and not read");
