@@ -29,23 +29,34 @@ Line line_through(const Ends& ends) {
 /// For each edge that is bad, the ends of others that lie within it, in order.
 std::map<Ends, std::vector<GridPoint>> points_within(
     std::span<const BadEdge> bad) {
-  std::map<Line, std::vector<GridPoint>> on_line;
-  for (const BadEdge& edge : bad) {
-    auto& points = on_line[line_through(std::minmax(edge.from, edge.to))];
-    points.insert(points.end(), {edge.from, edge.to});
+  std::vector<std::pair<Line, std::size_t>> on_line;  // and the bad edge
+  on_line.reserve(bad.size());
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    on_line.emplace_back(line_through(std::minmax(bad[i].from, bad[i].to)), i);
   }
-  for (auto& [line, points] : on_line) {
+  std::sort(on_line.begin(), on_line.end());
+  std::map<Ends, std::vector<GridPoint>> within;
+  std::vector<GridPoint> points;
+  for (std::size_t begin = 0, end = 0; begin < on_line.size(); begin = end) {
+    while (end < on_line.size() && on_line[end].first == on_line[begin].first)
+      ++end;
+    // An edge by itself, as most are, has nothing within.
+    if (end - begin == 1) continue;
+    points.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      const BadEdge& edge = bad[on_line[i].second];
+      points.insert(points.end(), {edge.from, edge.to});
+    }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
-  }
-  std::map<Ends, std::vector<GridPoint>> within;
-  for (const BadEdge& edge : bad) {
-    const Ends ends = std::minmax(edge.from, edge.to);
-    const auto& points = on_line[line_through(ends)];
-    const auto first =
-        std::upper_bound(points.begin(), points.end(), ends.first);
-    const auto last = std::lower_bound(first, points.end(), ends.second);
-    if (first != last) within[ends] = {first, last};
+    for (std::size_t i = begin; i < end; ++i) {
+      const BadEdge& edge = bad[on_line[i].second];
+      const Ends ends = std::minmax(edge.from, edge.to);
+      const auto first =
+          std::upper_bound(points.begin(), points.end(), ends.first);
+      const auto last = std::lower_bound(first, points.end(), ends.second);
+      if (first != last) within[ends] = {first, last};
+    }
   }
   return within;
 }
