@@ -112,17 +112,6 @@ class ImageCollector {
   std::vector<EmbeddedImage> images_;
 };
 
-/// Where an image is sought: a path of another machine is cut down to the
-/// file's name.
-std::filesystem::path sought_image(const std::filesystem::path& folder,
-                                   std::string name) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const bool has_drive = name.size() > 1 && name[1] == ':';
-  std::filesystem::path path(name);
-  if (path.is_absolute() || has_drive) path = path.filename();
-  return folder / path;
-}
-
 /// The image's path as a file in `folder`, which may be empty, names it.
 std::string path_from(const std::filesystem::path& folder,
                       const std::filesystem::path& file) {
@@ -174,7 +163,7 @@ void find_images(const std::filesystem::path* folder, Mesh& mesh) {
   for (Material& material : attributes.materials) {
     if (material.texture.empty() || material.image) continue;
     const auto [at, is_new] = found.try_emplace(material.texture, nullptr);
-    const auto path = sought_image(*folder, material.texture);
+    const auto path = path_beside(*folder, material.texture);
     if (is_new && is_plain_file(path)) {
       at->second = std::make_shared<const Image>(Image{path, {}});
       attributes.files.push_back(path);

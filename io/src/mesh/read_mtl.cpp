@@ -102,17 +102,6 @@ class MtlReader {
   std::optional<std::string> trouble_;
 };
 
-/// Where a file of materials is sought: in the folder of the mesh. A path of
-/// another machine is cut down to the file's name.
-std::filesystem::path sought(const std::filesystem::path& folder,
-                             std::string name) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const bool has_drive = name.size() > 1 && name[1] == ':';
-  std::filesystem::path path(name);
-  if (path.is_absolute() || has_drive) path = path.filename();
-  return folder / path;
-}
-
 }  // namespace
 
 void add_materials(const std::filesystem::path* folder, Mesh& mesh) {
@@ -123,7 +112,7 @@ void add_materials(const std::filesystem::path* folder, Mesh& mesh) {
   std::vector<std::filesystem::path> paths;
   for (const std::filesystem::path& name : named) {
     if (folder == nullptr || attributes.materials.empty()) continue;
-    const auto path = sought(*folder, name.string());
+    const auto path = path_beside(*folder, name.string());
     if (std::find(paths.begin(), paths.end(), path) == paths.end() &&
         paths.size() < 100)
       paths.push_back(path);
