@@ -1,6 +1,7 @@
 #include "caps.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "../vector.hpp"
 #include "halfspace/cap_parts.hpp"
@@ -38,9 +39,8 @@ SeenPlane::SeenPlane(const Plane& plane, const Camera& camera,
     return along(v) + step * plane.d;
   };
   at_eye = camera->perspective ? at(camera->eye) : along(camera->eye);
-  const Rational share = Rational(1) / Rational(samples);
-  at_image = {at(camera->s0), share * along(camera->sx),
-              share * along(camera->sy)};
+  at_eye = samples * at_eye;
+  at_image = {samples * at(camera->s0), along(camera->sx), along(camera->sy)};
 }
 
 Affine crossed(const SeenPlane& p, const SeenPlane& q) {
@@ -49,43 +49,48 @@ Affine crossed(const SeenPlane& p, const SeenPlane& q) {
 
 Caps::Caps(const Scene& scene, const Camera& camera,
            const ImageOptions& options, std::int32_t samples)
-    : camera_(camera), cull_(options.cull), parts_(options.parts) {
+    : cull_(options.cull), parts_(options.parts) {
   const auto polygons = static_cast<PolygonId>(scene.polygon_count());
   for (PolygonId id = 0; id < polygons; ++id) {
     walls_.push_back(wall_of(whole(scene, id), camera, samples));
     if (parts_)
       walls_.back().part = parts_->part_of[static_cast<std::size_t>(id)];
   }
-  for (const ClipPlane& clip : options.clips)
-    planes_.emplace_back(function_of(clip), camera, samples);
+  for (const ClipPlane& clip : options.clips) {
+    SeenPlane plane(function_of(clip), camera, samples);
+    std::vector<Affine> beside;
+    for (const Wall& wall : walls_)
+      beside.push_back(crossed(wall.plane, plane));
+    planes_.push_back({std::move(plane), {}, std::move(beside)});
+  }
+  for (std::size_t k = 0; k < planes_.size(); ++k)
+    planes_[k].limits = limits_of(camera, k);
 }
 
-/// Positive where the sample's ray meets the plane where it can be seen, on the
-/// positive side of the other planes.
-std::vector<Affine> Caps::limits(std::size_t k) const {
-  const SeenPlane& cap = planes_[k];
+std::vector<Affine> Caps::limits_of(const Camera& camera, std::size_t k) const {
+  const SeenPlane& cap = planes_[k].plane;
   const Rational side = sign(cap.at_eye);
   const Affine eye{cap.at_eye, 0, 0};
   std::vector<Affine> limits;
-  if (camera_->perspective) limits.push_back(side * (eye - cap.at_image));
-  if (camera_->near) {
+  if (camera->perspective) limits.push_back(side * (eye - cap.at_image));
+  if (camera->near) {
     const Rational unit = 1 << kNearBits;
-    const Rational near = *camera_->near;
-    limits.push_back(side * (camera_->perspective
+    const Rational near = *camera->near;
+    limits.push_back(side * (camera->perspective
                                  ? (unit - near) * eye + near * cap.at_image
                                  : unit * cap.at_image - near * eye));
   }
   for (std::size_t other = 0; other < planes_.size(); ++other) {
-    if (other != k) limits.push_back(side * crossed(cap, planes_[other]));
+    if (other != k) limits.push_back(side * crossed(cap, planes_[other].plane));
   }
   return limits;
 }
 
 std::optional<std::size_t> Caps::part_at(std::size_t k,
                                          const SignOf& sign_of) const {
-  const int side = sign(planes_[k].at_eye);
+  const int side = sign(planes_[k].plane.at_eye);
   if (side == 0 || (cull_ && side > 0)) return std::nullopt;
-  for (const Affine& limit : limits(k)) {
+  for (const Affine& limit : planes_[k].limits) {
     if (sign_of(limit) <= 0) return std::nullopt;
   }
   int winding = 0;
@@ -104,15 +109,15 @@ std::optional<std::size_t> Caps::part_at(std::size_t k,
 /// are 0. A polygon is behind it where it is on the other side than the eye.
 std::map<std::uint32_t, int> Caps::windings_behind(
     std::size_t k, const SignOf& sign_of) const {
-  const SeenPlane& cap = planes_[k];
-  const int side = sign(cap.at_eye);
+  const int side = sign(planes_[k].plane.at_eye);
   std::map<std::uint32_t, int> windings;
-  for (const Wall& wall : walls_) {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const Wall& wall = walls_[w];
     if (wall.side == 0) continue;
     if (!std::all_of(wall.edges.begin(), wall.edges.end(),
                      [&](const Affine& f) { return sign_of(f) > 0; }))
       continue;
-    const int beside = wall.side * sign_of(crossed(wall.plane, cap));
+    const int beside = wall.side * sign_of(planes_[k].beside[w]);
     // A polygon in the plane is behind it for an eye on the kept side, where
     // what is kept comes before it.
     const bool is_behind = beside == 0 ? side > 0 : beside == -side;
@@ -123,12 +128,13 @@ std::map<std::uint32_t, int> Caps::windings_behind(
 
 std::vector<Affine> Caps::forms() const {
   std::vector<Affine> forms;
-  for (std::size_t k = 0; k < planes_.size(); ++k) {
-    for (Affine& limit : limits(k)) forms.push_back(std::move(limit));
-    for (const Wall& wall : walls_) {
+  for (const CapPlane& plane : planes_) {
+    forms.insert(forms.end(), plane.limits.begin(), plane.limits.end());
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      const Wall& wall = walls_[w];
       if (wall.side == 0) continue;
       forms.insert(forms.end(), wall.edges.begin(), wall.edges.end());
-      forms.push_back(crossed(wall.plane, planes_[k]));
+      forms.push_back(plane.beside[w]);
     }
   }
   return forms;
@@ -138,9 +144,9 @@ namespace {
 
 /// The sign at the sample of pixel (i, j) (S4.4).
 int cap_sign_at_sample(const Affine& f, std::int32_t i, std::int32_t j) {
-  const Rational twice =
-      2 * f.value + Rational(2 * i + 1) * f.dx + Rational(2 * j + 1) * f.dy;
-  if (const int s = sign(twice)) return s;
+  const int at_centre =
+      sign_of_affine(2, f.value, 2 * i + 1, f.dx, 2 * j + 1, f.dy, 0);
+  if (at_centre != 0) return at_centre;
   if (const int s = sign(f.dx)) return s;
   return sign(f.dy);
 }

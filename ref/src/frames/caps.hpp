@@ -18,7 +18,7 @@
 namespace halfspace::ref {
 
 /// A plane as the camera sees it: P(e), and P(s) (S4.5), x and y counting
-/// samples, so many a pixel.
+/// samples; both times the number of samples along a pixel.
 struct SeenPlane {
   Rational at_eye;
   Affine at_image;
@@ -37,6 +37,16 @@ struct Wall {
   std::vector<Affine> edges;  ///< positive within
 };
 
+/// A clip plane, and the forms that decide about its cap.
+struct CapPlane {
+  SeenPlane plane;
+  /// Positive where the sample's ray meets the plane where it can be seen, on
+  /// the positive side of the other planes.
+  std::vector<Affine> limits;
+  /// Wall by wall: zero where its plane meets this one.
+  std::vector<Affine> beside;
+};
+
 class Caps {
  public:
   /// The sign of a form at the point that is asked about.
@@ -47,7 +57,7 @@ class Caps {
        std::int32_t samples);
 
   std::size_t count() const { return planes_.size(); }
-  const SeenPlane& plane(std::size_t k) const { return planes_[k]; }
+  const SeenPlane& plane(std::size_t k) const { return planes_[k].plane; }
   /// The part whose cap is there in plane k, all else left out, or that of
   /// several (CapItem); nothing where there is none.
   std::optional<std::size_t> part_at(std::size_t k,
@@ -59,15 +69,14 @@ class Caps {
   std::vector<Affine> forms() const;
 
  private:
-  std::vector<Affine> limits(std::size_t k) const;
+  std::vector<Affine> limits_of(const Camera& camera, std::size_t k) const;
   std::map<std::uint32_t, int> windings_behind(std::size_t k,
                                                const SignOf& sign_of) const;
 
-  const Camera& camera_;
   bool cull_;
   std::shared_ptr<const CapParts> parts_;
   std::vector<Wall> walls_;
-  std::vector<SeenPlane> planes_;
+  std::vector<CapPlane> planes_;
 };
 
 }  // namespace halfspace::ref

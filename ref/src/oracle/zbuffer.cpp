@@ -40,9 +40,9 @@ Affine operator*(const Rational& scale, const Affine& f) {
 /// centre, else of the x-derivative, else of the y-derivative.
 int sign_at_sample(const Affine& f, std::int32_t i, std::int32_t j) {
   // Twice the value: the centre is (2i + 1, 2j + 1) / 2.
-  const Rational twice =
-      2 * f.value + Rational(2 * i + 1) * f.dx + Rational(2 * j + 1) * f.dy;
-  if (const int s = sign(twice)) return s;
+  const int at_centre =
+      sign_of_affine(2, f.value, 2 * i + 1, f.dx, 2 * j + 1, f.dy, 0);
+  if (at_centre != 0) return at_centre;
   if (const int s = sign(f.dx)) return s;
   return sign(f.dy);
 }
