@@ -19,75 +19,93 @@ using definition::Integer;
 
 constexpr int kRayViews = 250;
 
-struct RefRays {
+/// The rays of one scene by the reference.
+class RefRays {
+ public:
+  explicit RefRays(const Scene& scene, const BuildOptions& = {})
+      : scene_(scene) {}
+
+  std::vector<ExactHit> all(const Ray& ray) const {
+    std::vector<ExactHit> hits;
+    for (const ref::Hit& hit : ref::all_hits(scene_, ray))
+      hits.push_back(exact(hit));
+    return hits;
+  }
+  std::optional<ExactHit> first(const Ray& ray) const {
+    const auto hits = ref::all_hits(scene_, ray);
+    return hits.empty() ? std::nullopt : std::optional(exact(hits.front()));
+  }
+  std::vector<double> distances(const Ray& ray) const {
+    std::vector<double> result;
+    for (const ref::Hit& hit : ref::all_hits(scene_, ray))
+      result.push_back(ref::distance_of(hit, ray));
+    return result;
+  }
+  PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) const {
+    return ref::pick(scene_, *view.camera, view.options, i, j);
+  }
+  bool see(const Ray& between) const {
+    return ref::see_each_other(scene_, between);
+  }
+
+ private:
   static ExactHit exact(const ref::Hit& hit) {
     const auto big = hit.parameter.big();
     return {hit.polygon, Fraction(Integer(numerator(big).str()),
                                   Integer(denominator(big).str()))};
   }
-  static std::vector<ExactHit> all(const Scene& scene, const Ray& ray,
-                                   const BuildOptions&) {
+
+  const Scene& scene_;
+};
+
+/// The same by the fast library: all hits through the papers' tree, the others
+/// through one with leaves, boxes and free planes.
+class FastRays {
+ public:
+  explicit FastRays(const Scene& scene, const BuildOptions& build = {})
+      : scene_(scene),
+        papers_tree_(fast::build(scene, build)),
+        display_tree_(fast::build_display_tree(scene, display_options())) {}
+
+  std::vector<ExactHit> all(const Ray& ray) const {
     std::vector<ExactHit> hits;
-    for (const ref::Hit& hit : ref::all_hits(scene, ray))
+    for (const RayHit& hit : fast::all_hits(scene_, papers_tree_, ray))
       hits.push_back(exact(hit));
     return hits;
   }
-  static std::optional<ExactHit> first(const Scene& scene, const Ray& ray) {
-    const auto hits = ref::all_hits(scene, ray);
-    return hits.empty() ? std::nullopt : std::optional(exact(hits.front()));
+  std::optional<ExactHit> first(const Ray& ray) const {
+    const auto hit = fast::first_hit(scene_, display_tree_, ray);
+    return hit ? std::optional(exact(*hit)) : std::nullopt;
   }
-  static std::vector<double> distances(const Scene& scene, const Ray& ray) {
+  std::vector<double> distances(const Ray& ray) const {
     std::vector<double> result;
-    for (const ref::Hit& hit : ref::all_hits(scene, ray))
-      result.push_back(ref::distance_of(hit, ray));
+    for (const RayHit& hit : fast::all_hits(scene_, display_tree_, ray))
+      result.push_back(io::distance_of(hit, ray, Unit{2, 0}));
     return result;
   }
-  static PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) {
-    return ref::pick(view.scene, *view.camera, view.options, i, j);
+  PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) const {
+    return fast::pick(scene_, display_tree_, *view.camera, view.options, i, j);
   }
-  static bool see(const Scene& scene, const Ray& between) {
-    return ref::see_each_other(scene, between);
+  bool see(const Ray& between) const {
+    return fast::see_each_other(scene_, display_tree_, between);
   }
-};
 
-struct FastRays {
+ private:
   static ExactHit exact(const RayHit& hit) {
     HALFSPACE_LAW(to_integer(hit.denominator) > 0);
     return {hit.polygon,
             Fraction(to_integer(hit.numerator), to_integer(hit.denominator))};
   }
-  static std::vector<ExactHit> all(const Scene& scene, const Ray& ray,
-                                   const BuildOptions& build) {
-    std::vector<ExactHit> hits;
-    for (const RayHit& hit :
-         fast::all_hits(scene, fast::build(scene, build), ray))
-      hits.push_back(exact(hit));
-    return hits;
-  }
-  static std::optional<ExactHit> first(const Scene& scene, const Ray& ray) {
-    const auto hit = fast::first_hit(scene, tree_of(scene), ray);
-    return hit ? std::optional(exact(*hit)) : std::nullopt;
-  }
-  static std::vector<double> distances(const Scene& scene, const Ray& ray) {
-    std::vector<double> result;
-    for (const RayHit& hit : fast::all_hits(scene, tree_of(scene), ray))
-      result.push_back(io::distance_of(hit, ray, Unit{2, 0}));
-    return result;
-  }
-  static PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) {
-    return fast::pick(view.scene, tree_of(view.scene), *view.camera,
-                      view.options, i, j);
-  }
-  static bool see(const Scene& scene, const Ray& between) {
-    return fast::see_each_other(scene, tree_of(scene), between);
-  }
-  /// With leaves, boxes and free planes.
-  static fast::BspTree tree_of(const Scene& scene) {
+  static fast::DisplayTreeOptions display_options() {
     fast::DisplayTreeOptions options;
     options.leaf_size = 2;
     options.threads = 1;
-    return fast::build_display_tree(scene, options);
+    return options;
   }
+
+  const Scene& scene_;
+  fast::BspTree papers_tree_;
+  fast::BspTree display_tree_;
 };
 
 template <class Impl>
@@ -99,9 +117,11 @@ TYPED_TEST(S8Rays, L1HitsAreThePolygonsThatHoldTheirPoint) {
   std::size_t hits = 0;
   law::for_all_views(
       [&](const SceneFile& view) {
+        const TypeParam rays(view.scene);
+        const auto facets = facets_of(view.scene);
         for (const Ray& ray : rays_of(view)) {
-          const auto found = TypeParam::all(view.scene, ray, {});
-          HALFSPACE_LAW(found == hits_by_definition(view.scene, ray));
+          const auto found = rays.all(ray);
+          HALFSPACE_LAW(found == hits_by_definition(facets, ray));
           hits += found.size();
         }
       },
@@ -112,8 +132,9 @@ TYPED_TEST(S8Rays, L1HitsAreThePolygonsThatHoldTheirPoint) {
 TYPED_TEST(S8Rays, L2HitsAreSortedAndTheFirstIsTheFirst) {
   law::for_all_views(
       [](const SceneFile& view) {
+        const TypeParam rays(view.scene);
         for (const Ray& ray : rays_of(view)) {
-          const auto hits = TypeParam::all(view.scene, ray, {});
+          const auto hits = rays.all(ray);
           for (std::size_t k = 1; k < hits.size(); ++k) {
             const ExactHit& a = hits[k - 1];
             const ExactHit& b = hits[k];
@@ -121,7 +142,7 @@ TYPED_TEST(S8Rays, L2HitsAreSortedAndTheFirstIsTheFirst) {
                 a.parameter < b.parameter ||
                 (a.parameter == b.parameter && a.polygon < b.polygon));
           }
-          const auto first = TypeParam::first(view.scene, ray);
+          const auto first = rays.first(ray);
           HALFSPACE_LAW(first.has_value() == !hits.empty());
           if (first) HALFSPACE_LAW(*first == hits.front());
         }
@@ -134,9 +155,11 @@ TYPED_TEST(S8Rays, L3HitsDoNotDependOnTheTree) {
       [](const SceneFile& view) {
         BuildOptions other;
         other.rule = RootRule::kH4;
+        const TypeParam rays(view.scene);
+        const TypeParam others(view.scene, other);
         for (const Ray& ray : rays_of(view)) {
-          const auto hits = TypeParam::all(view.scene, ray, {});
-          HALFSPACE_LAW(hits == TypeParam::all(view.scene, ray, other));
+          const auto hits = rays.all(ray);
+          HALFSPACE_LAW(hits == others.all(ray));
         }
       },
       kRayViews);
@@ -145,11 +168,12 @@ TYPED_TEST(S8Rays, L3HitsDoNotDependOnTheTree) {
 TYPED_TEST(S8Rays, L4ThePickIsTheItemImage) {
   law::for_all_views(
       [](const SceneFile& view) {
+        const TypeParam rays(view.scene);
         const Image image =
             oracle::zbuffer(view.scene, *view.camera, view.options);
         for (std::int32_t j = 0; j < image.items.height_px; ++j) {
           for (std::int32_t i = 0; i < image.items.width_px; ++i)
-            HALFSPACE_LAW(TypeParam::pick(view, i, j) == image.items.at(i, j));
+            HALFSPACE_LAW(rays.pick(view, i, j) == image.items.at(i, j));
         }
       },
       kRayViews);
@@ -175,9 +199,11 @@ bool is_nearest_root(double root, const Fraction& square) {
 TYPED_TEST(S8Rays, L5DistancesAreTheNearestDoubles) {
   law::for_all_views(
       [](const SceneFile& view) {
+        const TypeParam rays(view.scene);
+        const auto facets = facets_of(view.scene);
         for (const Ray& ray : rays_of(view)) {
-          const auto hits = hits_by_definition(view.scene, ray);
-          const auto distances = TypeParam::distances(view.scene, ray);
+          const auto hits = hits_by_definition(facets, ray);
+          const auto distances = rays.distances(ray);
           HALFSPACE_LAW(hits.size() == distances.size());
           const auto square = [](Int128 value) {
             const Fraction step =
@@ -212,15 +238,16 @@ TYPED_TEST(S8Rays, L6PointsSeeEachOtherUnlessSomethingIsBetween) {
   std::size_t hidden = 0;
   law::for_all_views(
       [&](const SceneFile& view) {
+        const TypeParam rays(view.scene);
+        const auto facets = facets_of(view.scene);
         for (const Ray& ray : rays_of(view)) {
           const Ray between =
               *make_ray({ray->origin, ray->direction, Reach::kBetween},
                         view.scene.grid_bits());
-          const bool see = TypeParam::see(view.scene, between);
-          HALFSPACE_LAW(see == hits_by_definition(view.scene, between).empty());
-          HALFSPACE_LAW(see == TypeParam::see(
-                                   view.scene,
-                                   backwards(between, view.scene.grid_bits())));
+          const bool see = rays.see(between);
+          HALFSPACE_LAW(see == hits_by_definition(facets, between).empty());
+          HALFSPACE_LAW(see ==
+                        rays.see(backwards(between, view.scene.grid_bits())));
           ++(see ? seeing : hidden);
         }
       },
@@ -232,18 +259,18 @@ TYPED_TEST(S8Rays, L6PointsSeeEachOtherUnlessSomethingIsBetween) {
 TYPED_TEST(S8Rays, L7ASegmentBackwardsHasTheSameHits) {
   law::for_all_views(
       [](const SceneFile& view) {
+        const TypeParam rays(view.scene);
         for (const Ray& ray : rays_of(view)) {
           const Ray segment =
               *make_ray({ray->origin, ray->direction, Reach::kSegment},
                         view.scene.grid_bits());
-          auto hits = TypeParam::all(
-              view.scene, backwards(segment, view.scene.grid_bits()), {});
+          auto hits = rays.all(backwards(segment, view.scene.grid_bits()));
           for (ExactHit& hit : hits) hit.parameter = 1 - hit.parameter;
           std::sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) {
             return a.parameter == b.parameter ? a.polygon < b.polygon
                                               : a.parameter < b.parameter;
           });
-          HALFSPACE_LAW(hits == TypeParam::all(view.scene, segment, {}));
+          HALFSPACE_LAW(hits == rays.all(segment));
         }
       },
       kRayViews);

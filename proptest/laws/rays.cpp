@@ -1,6 +1,7 @@
 #include "laws/rays.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace halfspace {
 namespace {
@@ -82,15 +83,22 @@ std::vector<Ray> rays_of(const SceneFile& view) {
   return rays;
 }
 
-std::vector<ExactHit> hits_by_definition(const Scene& scene, const Ray& ray) {
+std::vector<definition::Facet> facets_of(const Scene& scene) {
+  std::vector<definition::Facet> facets;
+  for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
+       ++id)
+    facets.push_back(definition::facet_of(scene, definition::whole(scene, id)));
+  return facets;
+}
+
+std::vector<ExactHit> hits_by_definition(
+    const std::vector<definition::Facet>& facets, const Ray& ray) {
   std::vector<ExactHit> hits;
   const LatticeVector& o = ray->origin;
   const LatticeVector& d = ray->direction;
   const Integer step = 1 << kLatticeBits;
-  for (PolygonId id = 0; id < static_cast<PolygonId>(scene.polygon_count());
-       ++id) {
-    const auto facet =
-        definition::facet_of(scene, definition::whole(scene, id));
+  for (PolygonId id = 0; id < std::ssize(facets); ++id) {
+    const definition::Facet& facet = facets[static_cast<std::size_t>(id)];
     const definition::Plane& p = facet.support;
     const auto along = [&p](const LatticeVector& v) -> Integer {
       return p.a * big(v.x) + p.b * big(v.y) + p.c * big(v.z);

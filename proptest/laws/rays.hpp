@@ -24,7 +24,11 @@ definition::Integer to_integer(const RayInteger& words);
 /// and in planes.
 std::vector<Ray> rays_of(const SceneFile& view);
 
+/// The polygons of a scene, by id.
+std::vector<definition::Facet> facets_of(const Scene& scene);
+
 /// The hits from the definition (S8.2), sorted (S8.3).
-std::vector<ExactHit> hits_by_definition(const Scene& scene, const Ray& ray);
+std::vector<ExactHit> hits_by_definition(
+    const std::vector<definition::Facet>& facets, const Ray& ray);
 
 }  // namespace halfspace

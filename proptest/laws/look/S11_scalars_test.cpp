@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/ref/scalars.hpp"
 #include "laws/changed_views.hpp"
+#include "laws/frames/clipped_views.hpp"
 #include "laws/law.hpp"
 
 namespace halfspace {
@@ -184,10 +186,9 @@ Rgb expected_color(const SceneFile& view, const ItemImage& items,
 TYPED_TEST(S11Scalars, L1TheColourIsThatOfTheScalarSeen) {
   std::size_t ties = 0;
   std::size_t compared = 0;
-  std::size_t round = 0;
   law::for_all_views(
       [&](const SceneFile& original) {
-        const std::size_t salt = ++round;
+        const std::uint64_t salt = seed_of(original);
         const SceneFile view = lit_view(original, salt);
         const ItemImage items =
             definition::item_image(view.scene, *view.camera, view.options);
@@ -208,10 +209,9 @@ TYPED_TEST(S11Scalars, L1TheColourIsThatOfTheScalarSeen) {
 }
 
 TYPED_TEST(S11Scalars, L2AWhiteScaleIsTheLightAlone) {
-  std::size_t round = 0;
   law::for_all_views(
       [&](const SceneFile& original) {
-        const std::size_t salt = ++round;
+        const std::uint64_t salt = seed_of(original);
         const SceneFile view = lit_view(original, salt);
         ColorScale white = scale_of(0);
         white.colors.assign(white.colors.size(), {255, 255, 255});
@@ -225,10 +225,9 @@ TYPED_TEST(S11Scalars, L2AWhiteScaleIsTheLightAlone) {
 }
 
 TYPED_TEST(S11Scalars, L3NumbersMayBeScaledByPowersOfTwo) {
-  std::size_t round = 0;
   law::for_all_views(
       [&](const SceneFile& original) {
-        const std::size_t salt = ++round;
+        const std::uint64_t salt = seed_of(original);
         const SceneFile view = lit_view(original, salt);
         const ItemImage items =
             definition::item_image(view.scene, *view.camera, view.options);
@@ -255,10 +254,9 @@ TYPED_TEST(S11Scalars, L3NumbersMayBeScaledByPowersOfTwo) {
 
 TYPED_TEST(S11Scalars, L4APixelIsTheMeanOfItsSamplesColours) {
   std::size_t compared = 0;
-  std::size_t round = 0;
   law::for_all_views(
       [&](const SceneFile& original) {
-        const std::size_t salt = ++round;
+        const std::uint64_t salt = seed_of(original);
         const SceneFile view = lit_view(original, salt);
         const std::int32_t k = salt % 8 != 0 ? 2 : 4;
         const auto large = magnified(view, k);
