@@ -12,7 +12,7 @@ namespace {
 using io::Integer;
 using io::Number;
 
-/// The most that a decimal in a text needs (io::kMaxDecimalExponent), about.
+/// The most that a decimal in a text needs (io::kMaxDecimalPlaces), about.
 constexpr std::size_t kMostBits = 4096;
 constexpr std::int32_t kMostExponent = 2600;
 

@@ -157,5 +157,48 @@ TEST(S1Import, L10ARoundedCoordinateMovesByHalfAStepAtMost) {
   EXPECT_GT(moved_none, 20);
 }
 
+TEST(S1Import, L11MoreLostThanLeftIsRefused) {
+  law::Cases cases({"fits", "refused", "left"});
+  law::check(400, [&] {
+    // Beside numbers 10^25 times as large a few digits round to 0.
+    const bool is_astray = any(0, 2) > 0;
+    const int gap = is_astray ? any(25, 280) : any(0, 6);
+    const int small = any(1, 6), large = any(1, 6);
+    std::vector<Decimal> numbers;
+    std::size_t last_large = 0;
+    double reach = 0;
+    for (int k = 0, smalls = 0, larges = 0; k < small + large; ++k) {
+      const bool is_small =
+          larges == large || (smalls < small && any(0, 1) == 0);
+      ++(is_small ? smalls : larges);
+      double its_reach = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        numbers.push_back(
+            decimal(any_number(20), is_small ? 0 : gap, any(0, 20)));
+        its_reach = std::max(
+            its_reach, std::abs(numbers.back().value.convert_to<double>()));
+      }
+      if (its_reach > reach) last_large = static_cast<std::size_t>(k);
+      reach = std::max(reach, its_reach);
+    }
+    const auto mesh = io::read_mesh(obj_of(numbers), io::Format::kObj);
+    HALFSPACE_LAW(mesh.has_value());
+    const auto result = io::import_scene(*mesh, {});
+    if (!is_astray || small <= large) {
+      HALFSPACE_LAW(result.has_value());
+      const int left = is_astray ? large : small + large;
+      HALFSPACE_LAW(static_cast<int>(result->scene.polygon_count()) == left);
+      cases.meet(is_astray ? "left" : "fits");
+      return;
+    }
+    HALFSPACE_LAW(!result);
+    HALFSPACE_LAW(result.error().code == ErrorCode::kOutOfRange);
+    HALFSPACE_LAW(result.error().index ==
+                  static_cast<std::int64_t>(last_large));
+    cases.meet("refused");
+  });
+  cases.expect_all();
+}
+
 }  // namespace
 }  // namespace halfspace

@@ -131,6 +131,17 @@ expect 2 '\-\-threads.*at most' render cube.off -o a.png --threads 1000000000
 sed 's/^v /unit 10 0\nv /' cube.scene >units.scene
 expect 2 "second 'unit' line" info units.scene
 
+# Numbers beyond doubles, and so large that nothing is left beside them.
+for far in 1e400 -1e999 1e30; do
+  sed "3s/.*/$far 0 0/" cube.off >far.off
+  said='far.off: line 3: .* is beyond the greatest double'
+  [ $far = 1e30 ] && said='far.off: polygon .* reaches as far as 1e+30; .* of the'
+  expect 2 "$said" info far.off
+  expect 2 "$said" csg A A=far.off -o out.off
+  expect 2 "$said" repair far.off -o out.off
+  expect 2 "$said" render far.off -o a.png
+done
+
 # Places that cannot be written.
 expect 2 'none/a.png' render cube.off -o none/a.png --size 8x8
 expect 2 'none/a.npy' render cube.off --ids none/a.npy --size 8x8

@@ -100,6 +100,20 @@ std::int64_t small_integer(std::string_view digits) {
 /// The most decimal digits that an int64 holds whatever they are.
 constexpr std::size_t kSmallDigits = 18;
 
+/// The greatest double has 309 digits before its point.
+constexpr std::int64_t kMostDigits = 309;
+
+Integer long_integer(std::string_view digits, bool negative) {
+  Integer value = 0;
+  for (std::size_t i = 0; i < digits.size(); i += kSmallDigits) {
+    const std::string_view chunk = digits.substr(i, kSmallDigits);
+    std::int64_t scale = 1;
+    for (std::size_t j = 0; j < chunk.size(); ++j) scale *= 10;
+    value = value * scale + small_integer(chunk);
+  }
+  return negative ? Integer(-value) : value;
+}
+
 /// Normalises what fits 63 bits; most numbers do.
 Number normalised_small(std::int64_t mantissa, std::int32_t two,
                         std::int32_t five) {
@@ -161,28 +175,28 @@ Result<Number> parse_number(std::string_view text) {
   const std::string_view digits = decimal.digits;
   if (digits.empty()) return Number{};
   const auto size = static_cast<std::int64_t>(digits.size());
-  if (decimal.exponent < -kMaxDecimalExponent ||
-      decimal.exponent > kMaxDecimalExponent - size) {
+  if (decimal.exponent < -kMaxDecimalPlaces) {
     return number_error(ErrorCode::kOutOfRange, text,
-                        "has digits beyond 10^1200 or 10^-1200");
+                        "has digits beyond 10^-1200");
   }
+  const Error too_large =
+      number_error(ErrorCode::kOutOfRange, text,
+                   "is beyond the greatest double, about 1.8 * 10^308");
+  if (decimal.exponent > kMostDigits - size) return too_large;
   const auto exponent = static_cast<std::int32_t>(decimal.exponent);
+  Number number;
   if (digits.size() <= kSmallDigits) {
     const std::int64_t value = small_integer(digits);
-    return normalised_small(decimal.negative ? -value : value, exponent,
-                            exponent);
+    number =
+        normalised_small(decimal.negative ? -value : value, exponent, exponent);
+  } else {
+    number =
+        normalised(long_integer(digits, decimal.negative), exponent, exponent);
   }
-  Integer mantissa = 0;
-  for (std::size_t i = 0; i < digits.size(); i += kSmallDigits) {
-    const std::string_view chunk = digits.substr(i, kSmallDigits);
-    std::int64_t scale = 1;
-    for (std::size_t j = 0; j < chunk.size(); ++j) scale *= 10;
-    mantissa = mantissa * scale + small_integer(chunk);
-  }
-  if (decimal.negative) mantissa = -mantissa;
-  return normalised(std::move(mantissa), exponent, exponent);
+  const bool may_be_too_large = exponent + size == kMostDigits;
+  if (may_be_too_large && !std::isfinite(to_double(number))) return too_large;
+  return number;
 }
-
 Number number_of(double value) {
   if (value == 0) return {};
   int exponent = 0;

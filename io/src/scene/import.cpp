@@ -8,6 +8,7 @@
 #include "base/point_table.hpp"
 #include "polygon/ear_clipping.hpp"
 #include "scene/grid.hpp"
+#include "scene/lost_area.hpp"
 #include "scene/shade.hpp"
 
 namespace halfspace::io {
@@ -370,6 +371,12 @@ Result<Imported> Importer::import() {
   if (options_.gouraud && !sum_normals()) return *error_;
   for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
     if (stops() || !add_face(face)) return *error_;
+  }
+  if (report_.moved > 0 && report_.dropped > 0) {
+    std::vector<bool> kept(mesh_.face_count());
+    for (const PolygonId face : faces_)
+      kept[static_cast<std::size_t>(face)] = true;
+    if (auto lost = lost_area_error(mesh_, kept, report_)) return *lost;
   }
   Result<Scene> scene = make_scene(std::move(data_));
   if (!scene) return scene.error();

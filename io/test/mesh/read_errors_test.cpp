@@ -74,5 +74,38 @@ TEST(ReadErrors, OfFilesAreToTheLetter) {
   for (const char* known : {"a.AZ", "a.off.Z"}) EXPECT_FALSE(format_of(known));
 }
 
+TEST(ReadErrors, OfNumbersBeyondDoublesNameTheLine) {
+  const std::string large = "1e400";
+  const std::string said =
+      "'1e400' is beyond the greatest double, about 1.8 * "
+      "10^308";
+  const struct {
+    Format format;
+    std::string text;
+    int line;
+  } cases[] = {
+      {Format::kOff, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 " + large + "\n", 5},
+      {Format::kObj, "v 0 0 0\nv 1 0 0\nv 0 1 " + large + "\n", 3},
+      {Format::kStl,
+       "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 " + large + "\n",
+       4},
+      {Format::kPly,
+       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+       "property float y\nproperty float z\nelement face 0\n"
+       "property list uchar int vertex_indices\nend_header\n0 0 " +
+           large + "\n",
+       10},
+  };
+  for (const auto& each : cases) {
+    const auto mesh = read_mesh(each.text, each.format);
+    ASSERT_FALSE(mesh);
+    EXPECT_EQ(mesh.error().code, ErrorCode::kOutOfRange);
+    EXPECT_EQ(mesh.error().index, each.line);
+    EXPECT_TRUE(mesh.error().message.ends_with(
+        "line " + std::to_string(each.line) + ": " + said))
+        << mesh.error().message;
+  }
+}
+
 }  // namespace
 }  // namespace halfspace::io

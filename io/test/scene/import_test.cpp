@@ -146,6 +146,25 @@ TEST(ImportScene, TakesTheNextUnitWhereRoundingCarries) {
   EXPECT_EQ(result.report.unit, (Unit{2, -52}));
 }
 
+TEST(ImportScene, NamesThePolygonBesideWhichOthersVanish) {
+  const std::string text =
+      "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 -1e30\n"
+      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  const auto result = import_scene(*read_mesh(text, Format::kOff), {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(result.error().index, 1);
+  EXPECT_EQ(
+      result.error().message,
+      "polygon 1 reaches as far as 1e+30; on the grid of 2^47 that holds "
+      "it 4 of the 4 polygons have no area left; correct that polygon, or "
+      "put what is so small beside it into a file of its own");
+  // What had no area before is not lost.
+  const Mesh flat = mesh_of_doubles({{0, 0, 0}, {1, 0, 0}, {0x1p70, 0, 0}});
+  EXPECT_EQ(imported(flat).report.dropped, 1u);
+  EXPECT_GT(imported(flat).report.moved, 0u);
+}
+
 TEST(ImportScene, RefinesTheUnitWithinItsBits) {
   ImportOptions options;
   options.refine_bits = 24;

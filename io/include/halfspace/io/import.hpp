@@ -100,7 +100,8 @@ struct Imported {
 /// Exact:  but for the rounding reported, yes.
 /// Errors: kEmpty (vertices, but no faces); kOutOfRange (a polygon to be cut
 ///         into triangles with over 100,000 corners; a grid of other than 26,
-///         40, 54 bits; coordinates that no unit reaches); kBadIndex; kStopped.
+///         40, 54 bits; coordinates that no unit reaches; polygons of which
+///         rounding takes more than it leaves); kBadIndex; kStopped.
 /// Cost:   linear, but for polygons to be cut: n log n in their corners,
 ///         mostly, and quadratic at worst.
 Result<Imported> import_scene(const Mesh& mesh, const ImportOptions& options);

@@ -24,16 +24,16 @@ struct Number {
   friend bool operator==(const Number&, const Number&) = default;
 };
 
-/// The digits of a number in a text stand between 10^-1200 and 10^1200.
-constexpr int kMaxDecimalExponent = 1200;
+/// No digit of a number in a text stands behind so many places after its point.
+constexpr int kMaxDecimalPlaces = 1200;
 
 /// The decimal number that `text` spells: sign, digits with or without a point,
 /// exponent with `e` or `E`.
 ///
 /// Exact:  yes, however many digits.
 /// Errors: kNotFinite (nan, inf and their kin); kOutOfRange (a digit other than
-///         a leading or trailing zero beyond 10^-1200 or 10^1200); kSyntax. The
-///         message names the text, not the place.
+///         a trailing zero beyond 10^-1200, or what is infinite in doubles);
+///         kSyntax. The message names the text, not the place.
 Result<Number> parse_number(std::string_view text);
 
 /// The number that a double is.
