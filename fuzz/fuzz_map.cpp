@@ -127,6 +127,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     HALFSPACE_FUZZ_EXPECT(section.has_value(), write_scene(cut));
     expect_same(*section, ref::section_map(cut.scene, *cut.camera, cut.options),
                 write_scene(cut));
+    const auto cut_glass = fast::transparent_section(
+        cut.scene, divided, *cut.camera, glass, cut.options);
+    HALFSPACE_FUZZ_EXPECT(cut_glass.has_value(), write_scene(cut));
+    expect_same(
+        *cut_glass,
+        ref::transparent_section(cut.scene, *cut.camera, glass, cut.options),
+        write_scene(cut));
     HALFSPACE_FUZZ_EXPECT(
         left.colors == ref::render_area(cut.scene, *cut.camera, cut.options),
         write_scene(cut));

@@ -92,9 +92,10 @@ std::vector<std::vector<Point2>> points_of(const fast::VisibleMap& map,
 
 /// What is seen through polygons, in regions of one colour (S7.8).
 Result<Figure> composed_figure(const Scene& scene, const fast::BspTree& tree,
-                               const Camera& camera, const View& view) {
-  const auto map = fast::transparent_map(
-      scene, tree, camera, {view.cull, view.alpha, view.background});
+                               const Camera& camera,
+                               const ImageOptions& options, const View& view) {
+  const auto map = fast::transparent_section(
+      scene, tree, camera, {view.cull, view.alpha, view.background}, options);
   if (!map) return map.error();
   Figure figure{view.width_px, view.height_px, {}, {}};
   for (const fast::MapRegion& region : map->regions) {
@@ -118,11 +119,8 @@ Result<Figure> Display::figure(const View& view, FigureKey by) const {
   const fast::BspTree* tree = state_->ordered_tree(view);
   if (tree == nullptr) return detail::stopped();
   const Scene& scene = state_->scene;
-  if (view.alpha != kOpaque) {
-    if (!view.clips.empty() || view.caps)
-      return detail::no_alpha("in figures that clip planes cut");
-    return composed_figure(scene, *tree, *camera, view);
-  }
+  if (view.alpha != kOpaque)
+    return composed_figure(scene, *tree, *camera, *options, view);
   const auto map =
       fast::section_map(scene, *tree, *camera,
                         {view.cull, state_->keys_of(by, *options)}, *options);

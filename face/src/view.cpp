@@ -147,8 +147,8 @@ Result<fast::Rendering> Display::State::rendered(
   const bool is_opaque = view.alpha == kOpaque || part.has_value();
   if (!is_opaque && view.anti_aliasing != AntiAliasing::kNone)
     return detail::no_alpha("in pictures of many samples a pixel");
-  if (!is_opaque && (view.caps || view.back_color))
-    return detail::no_alpha("in pictures with caps or marked back faces");
+  if (!is_opaque && view.back_color)
+    return detail::no_alpha("in pictures with marked back faces");
   const Result<Camera> camera = detail::camera_of(scene, view);
   if (!camera) return camera.error();
   const Result<ImageOptions> options = options_of(view);

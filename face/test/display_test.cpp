@@ -431,10 +431,22 @@ TEST(FaceDisplay, PolygonsMayBeTransparent) {
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
   view.anti_aliasing = AntiAliasing::kNone;
   view.clips = {{{0, 1, 0}, 1}};
-  EXPECT_TRUE(display.render(view));
-  EXPECT_EQ(display.figure(view).error().code, ErrorCode::kOutOfRange);
+  view.alpha = 100;
+  view.clips = {{{0, 1, 0}, 1}};
   view.caps = CapStyle{{1, 2, 3}, {}};
-  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+  // The cap, and the side behind it.
+  const Rgb cut = over(view.caps->color, over(red, view.background));
+  const Picture section = *display.render(view);
+  EXPECT_GT(std::count(section.colors.pixels.begin(),
+                       section.colors.pixels.end(), cut),
+            100);
+  EXPECT_GT(
+      std::count(section.polygons.pixels.begin(), section.polygons.pixels.end(),
+                 static_cast<PolygonId>(display.polygon_count())),
+      100);
+  const Figure drawn = *display.figure(view);
+  EXPECT_TRUE(std::any_of(drawn.regions.begin(), drawn.regions.end(),
+                          [&](const SeenRegion& r) { return r.color == cut; }));
 }
 
 TEST(FaceDisplay, SeenAreasAreThoseOfTheImage) {

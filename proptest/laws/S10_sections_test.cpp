@@ -15,12 +15,16 @@
 #include "laws/changed_views.hpp"
 #include "laws/frames/cap_looks.hpp"
 #include "laws/frames/clipped_views.hpp"
+#include "laws/frames/cut_beforehand.hpp"
 #include "laws/law.hpp"
 
 /// Laws of clip planes and caps (S10).
 namespace halfspace {
 namespace {
 
+using cut_beforehand::cut;
+using cut_beforehand::to_plane;
+using cut_beforehand::value_at;
 using definition::Fraction;
 using definition::Integer;
 
@@ -29,47 +33,8 @@ constexpr int kClippedViews = 300;
 constexpr ScreenKind kScreens[] = {ScreenKind::kList, ScreenKind::kBsp1,
                                    ScreenKind::kQuad, ScreenKind::kBsp2};
 
-definition::Plane to_plane(const ClipPlane& clip) {
-  const auto big = [](Int128 value) {
-    Integer result = static_cast<std::int64_t>(value >> 64);
-    result <<= 64;
-    return Integer(result + static_cast<std::uint64_t>(value));
-  };
-  return {big(clip.a), big(clip.b), big(clip.c), big(clip.d)};
-}
-
-Integer value_at(const definition::Plane& h, const definition::Point& p) {
-  return h.a * p.x + h.b * p.y + h.c * p.z + h.d * p.w;
-}
-
-/// The polygon's corners, less what is on the plane's negative side.
-std::vector<definition::Point> cut(const std::vector<definition::Point>& points,
-                                   const definition::Plane& plane) {
-  std::vector<definition::Point> left;
-  bool some_positive = false;
-  bool some_negative = false;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const definition::Point& p = points[k];
-    const definition::Point& q = points[(k + 1) % points.size()];
-    const Integer hp = value_at(plane, p);
-    const Integer hq = value_at(plane, q);
-    some_positive = some_positive || hp > 0;
-    some_negative = some_negative || hp < 0;
-    if (hp >= 0) left.push_back(p);
-    if ((hp < 0 && hq > 0) || (hp > 0 && hq < 0)) {
-      const Integer sign = hp < 0 ? -1 : 1;
-      const auto at = [&](const Integer& x, const Integer& y) -> Integer {
-        return sign * (hp * y - hq * x);
-      };
-      left.push_back({at(p.x, q.x), at(p.y, q.y), at(p.z, q.z), at(p.w, q.w)});
-    }
-  }
-  if (some_negative && !some_positive) left.clear();
-  return left;
-}
-
 /// The item image of the scene that is cut beforehand, by the definition.
-ItemImage cut_beforehand(const SceneFile& view) {
+ItemImage image_cut_beforehand(const SceneFile& view) {
   std::vector<definition::Projection> polygons;
   const Scene& scene = view.scene;
   for (const PolygonId id : ids_of(scene)) {
@@ -183,7 +148,7 @@ TYPED_TEST(S10Sections, L1TheImageIsThatOfTheSceneCutBeforehand) {
       [&](const SceneFile& whole) {
         SceneFile view = clipped(whole);
         view.options.caps = std::nullopt;
-        const ItemImage expected = cut_beforehand(view);
+        const ItemImage expected = image_cut_beforehand(view);
         HALFSPACE_LAW(TypeParam::render(view) == expected);
         for (std::int32_t j = 0; j < expected.height_px; ++j) {
           for (std::int32_t i = 0; i < expected.width_px; ++i)

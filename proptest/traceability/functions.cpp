@@ -361,6 +361,10 @@ void take_all() {
     take<Kind>(&fast::render);
   }
   take(&fast::section_map);  // S10.6
+  take(&ref::blend);  // S10.7
+  take(&ref::transparent_section);  // S10.7
+  take(&fast::blend);  // S10.7
+  take(&fast::transparent_section);  // S10.7
   take(&make_scalars);  // S11.1
   take(&ref::scalar_at);  // S11.2
   {  // S11.2
@@ -405,5 +409,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 198 ? 0 : 1;
+  return halfspace::taken == 202 ? 0 : 1;
 }

@@ -132,10 +132,8 @@ class Forms {
         covering.begin(), covering.end(), [&](PolygonId f, PolygonId g) {
           return sign_beside(nearness(f) - nearness(g), p, dx, dy) > 0;
         });
-    if (!caps_) return key_of_(covering);
-    const Affine* nearest =
-        covering.empty() ? nullptr : &nearness(covering.front());
-    return key_of_caps(p, dx, dy, nearest, key_of_(covering));
+    if (caps_) add_caps(p, dx, dy, covering);
+    return key_of_(covering);
   }
 
   bool holds(const ImagePoint& p) const {
@@ -192,26 +190,29 @@ class Forms {
     return rest < Rational(2);
   }
 
-  std::int32_t key_of_caps(const ImagePoint& p, const Rational& dx,
-                           const Rational& dy, const Affine* nearest,
-                           std::int32_t key) const {
+  /// Puts the caps there among what covers the point beside p, as ids.
+  void add_caps(const ImagePoint& p, const Rational& dx, const Rational& dy,
+                std::vector<PolygonId>& covering) const {
     const auto sign_of = [&](const Affine& f) {
       return sign_beside(f, p, dx, dy);
     };
-    std::optional<Affine> front;
-    if (nearest != nullptr) front = *nearest;
     const auto count = static_cast<std::int32_t>(polygons_.size());
+    const auto nearness = [&](PolygonId id) {
+      if (id < count) return polygons_[static_cast<std::size_t>(id)]->nearness;
+      return nearness_of(
+          caps_->plane(cap_item(static_cast<std::size_t>(id - count)).plane));
+    };
     for (std::size_t k = 0; k < caps_->count(); ++k) {
       const auto part = caps_->part_at(k, sign_of);
       if (!part) continue;
-      const Affine own = nearness_of(caps_->plane(k));
-      if (front && sign_of(own - *front) <= 0) continue;
-      front = own;
       CapItem cap = {k, *part, false};
       cap.is_hatched = is_hatched(cap, p, dx, dy);
-      key = count + number_of(cap);
+      const Affine own = nearness_of(caps_->plane(k));
+      const auto behind = std::find_if(
+          covering.begin(), covering.end(),
+          [&](PolygonId id) { return sign_of(own - nearness(id)) > 0; });
+      covering.insert(behind, count + number_of(cap));
     }
-    return key;
   }
 
   std::int32_t width_, height_;
@@ -301,11 +302,28 @@ std::vector<MapArc> visible_map(const Scene& scene, const Camera& camera,
 
 std::vector<MapArc> transparent_map(const Scene& scene, const Camera& camera,
                                     const TransparentOptions& options) {
-  return map_of(Forms(scene, camera, options.cull, [&](const auto& covering) {
+  return transparent_section(scene, camera, options, ImageOptions());
+}
+
+std::vector<MapArc> transparent_section(const Scene& scene,
+                                        const Camera& camera,
+                                        const TransparentOptions& options,
+                                        const ImageOptions& section) {
+  ImageOptions clips = section;
+  clips.cull = options.cull;
+  const auto count = static_cast<PolygonId>(scene.polygon_count());
+  return map_of(Forms(scene, camera, clips, [&](const auto& covering) {
     if (covering.empty()) return kBackgroundKey;
     Rgb color = options.background;
-    for (auto id = covering.rbegin(); id != covering.rend(); ++id)
-      color = composed_color(scene.color(*id), color, options.alpha_of(*id));
+    for (auto id = covering.rbegin(); id != covering.rend(); ++id) {
+      if (*id < count) {
+        color = composed_color(scene.color(*id), color, options.alpha_of(*id));
+        continue;
+      }
+      const CapItem cap = cap_item(static_cast<std::size_t>(*id - count));
+      color = composed_color(color_of(section, cap), color,
+                             options.alpha_of_cap(cap.part));
+    }
     return color_key(color);
   }));
 }

@@ -27,7 +27,7 @@ done
 head -c 8 a.pdf | grep -q '%PDF-1.4' || wrong "a.pdf is no PDF"
 expect 0 ' 1 regions' draw cubes.off -o none.svg --eye 900,0,0 --target 999,0,0
 expect 2 'one of .svg .pdf .eps .tex .dxf .hpgl' draw cubes.off -o a.bmp
-expect 2 'more than 3 cells' draw cubes.off -o b.svg --most-cells 3
+expect 2 'needs [0-9]* cells, and the limit is 3$' draw cubes.off -o b.svg --most-cells 3
 [ -e b.svg ] && wrong "a figure that is too large was written"
 expect 2 'must be\|not in' draw cubes.off -o a.svg --by colours
 
@@ -169,7 +169,21 @@ grep -q '<title>cut of polygon' cut.svg || wrong "the cut names no polygon"
 expect 0 ' strokes' draw cubes.off --clip 1,0,0,0 --clip 0,1,0,0 \
   --clip 0,0,-1,0 -o cut.svg --lines edges --hidden dashed --cap hatch --titles
 grep -q '<title>where caps meet' cut.svg || wrong "no caps meet"
-expect 2 'not glass' draw cubes.off --clip 1,0,0,0 --alpha 9 -o none.svg
+for view in "" "--ortho --cull" "--yon 600"; do
+  # shellcheck disable=SC2086
+  set -- $view --size 48x36 --clip 3,1,2,40 --cap hatch --alpha 120
+  expect 0 'painter' render cubes.off "$@" -o glass.png
+  expect 0 ' regions' draw cubes.off "$@" -o glass.svg --decimals 6
+  python3 "$colors" glass.svg glass.png 0 || wrong "cut glass has other colours"
+done
+# Caps let through what their file does.
+set -- cubes.off pinwheel.off --size 48x36 --ortho --clip 1,0,0,0 -o two.svg
+for cap in hatch file part; do
+  expect 0 ' regions' draw "$@" --cap $cap --alpha 0,0
+  grep 'fill="#' two.svg | grep -v 'fill="#ffffff"' && wrong "a $cap is seen"
+  expect 0 ' regions' draw "$@" --cap $cap --alpha 0,90
+  grep 'fill="#' two.svg | grep -qv 'fill="#ffffff"' || wrong "no $cap is seen"
+done
 expect 2 'needs --clip' draw cubes.off --cap hatch -o none.svg
 # Axes and notes are seen where nothing is before them.
 expect 0 ' strokes' draw cubes.off --axes -o axes.svg --view iso

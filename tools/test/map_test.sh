@@ -56,7 +56,7 @@ for j in range(height):
 PYTHON
 done
 expect 0 '' map cubes.off --by part
-expect 2 'more than 3 cells' map cubes.off --most-cells 3 -o none.json
+expect 2 'needs [0-9]* cells, and the limit is 3$' map cubes.off --most-cells 3 -o none.json
 [ -e none.json ] && wrong "a map that is too large was written"
 expect 2 'must be\|not in' map cubes.off --by colours
 printf 'OFF\n1 0 0\n0 0 0\n' >empty.off

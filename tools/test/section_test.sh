@@ -27,6 +27,13 @@ expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
 expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
   --ids exact.npy --size 32x24 --impl ref
 same fine.npy exact.npy
+# Caps are blended as polygons are.
+for how in fast ref; do
+  expect 0 'painter' render cubes.off "${cut[@]}" --cap hatch --alpha 90 \
+    --impl $how --ids "glass-$how.npy" -o "glass-$how.png"
+done
+same glass-fast.png glass-ref.png
+same glass-fast.npy span.npy
 # Exact areas of what is left, too.
 for how in fast ref; do
   expect 0 'by exact' render cube.off --clip 1,2,0,-1 --clip 0,0,1,-0.3 \
@@ -41,8 +48,6 @@ expect 2 'normal is zero' render cubes.off --clip 0,0,0,1 -o no.png
 expect 2 'A,B,C,D' render cubes.off --clip 1,0,0 -o no.png
 expect 2 'not closed' render klein.off --clip 1,0,0,0 --cap hatch -o no.png
 expect 2 'needs --clip' render cubes.off --cap hatch -o no.png
-expect 2 'not together' render cubes.off --clip 1,0,0,0 --cap hatch \
-  --alpha 90 -o no.png
 expect 2 'above 0' render cubes.off --yon -1 -o no.png
 [ -e no.png ] && wrong "a picture was written for bad input"
 

@@ -203,11 +203,10 @@ Error no_alpha(const char* where) {
 
 Result<Done> rendered(WebScene& shown, const AskedView& view, int samples) {
   const bool is_opaque = view.alpha == kOpaque;
-  if (!is_opaque &&
-      (samples != 1 || view.caps || view.back_color || shown.scalars)) {
+  if (!is_opaque && (samples != 1 || view.back_color || shown.scalars)) {
     return no_alpha(
-        "in pictures of many samples a pixel or by numbers, and with caps or "
-        "marked back faces");
+        "in pictures of many samples a pixel or by numbers, and with marked "
+        "back faces");
   }
   if (view.back_color && (samples != 1 || shown.scalars)) {
     return Error{ErrorCode::kOutOfRange,
@@ -273,8 +272,9 @@ Result<Done> add_map(WebScene& shown, const Camera& camera,
                 shown.scene(), *tree, camera,
                 {image.cull, tools::keys_of(shown.figure, by, false, image)},
                 image, {})
-          : fast::transparent_map(shown.scene(), *tree, camera,
-                                  {image.cull, alpha, image.background});
+          : fast::transparent_section(shown.scene(), *tree, camera,
+                                      {image.cull, alpha, image.background},
+                                      image);
   if (!map) return map.error();
   if (!asked.by.empty()) {
     tools::FillStyle style;
@@ -317,8 +317,6 @@ Result<std::string> drawn(WebScene& shown, const AskedView& view,
                  "where caps of several planes meet, no edge is drawn: one "
                  "plane, no caps or no edges"};
   }
-  if (view.alpha != kOpaque && (!view.clips.empty() || view.caps))
-    return no_alpha("in figures that clip planes cut");
   const auto viewed = io::look_at(shown.scene(), view.camera);
   if (!viewed) return viewed.error();
   const auto image = image_options(shown, view);

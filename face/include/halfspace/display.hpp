@@ -61,8 +61,8 @@ struct View {
   /// coloured as from before.
   std::optional<Rgb> back_color = {};
   /// How much of what is behind a polygon it hides, in pictures and figures:
-  /// all of it, or alpha / 255 of it, one polygon over the other (S5.6, S7.8).
-  /// Elsewhere polygons hide all.
+  /// all of it, or alpha / 255 of it, one polygon or cap over the other (S5.6,
+  /// S7.8, S10.7). Elsewhere polygons hide all.
   std::uint8_t alpha = kOpaque;
   AntiAliasing anti_aliasing = AntiAliasing::kNone;
   int threads = 0;  ///< 0: as many as the machine has
@@ -242,8 +242,8 @@ class HALFSPACE_API Display {
   /// Cost: what is seen. Errors, here and below:
   /// kBadCamera, kNotFinite, kStopped (by view.progress); kOutOfRange (also for
   /// a ninth clip plane, for a colour of back faces where it is not one sample
-  /// of a pixel that is coloured, and for an alpha together with caps, a colour
-  /// of back faces or more samples); kZeroArea (a clip plane's normal is 0);
+  /// of a pixel that is coloured, and for an alpha together with a colour of
+  /// back faces or more samples); kZeroArea (a clip plane's normal is 0);
   /// kOpen (caps for what is not closed).
   Result<Picture> render(const View& view = {}) const;
   /// The edges that the view shows (S9): silhouettes, borders, intersections,
@@ -256,7 +256,7 @@ class HALFSPACE_API Display {
   /// seen at any point of the image, not only at pixels' centres. Exact;
   /// corners are rounded once. Cost: what is seen; with an alpha all that is in
   /// the image, up to the square of the polygons. Errors: also kOutOfRange,
-  /// where there is too much to be seen, and for an alpha with clip planes.
+  /// where there is too much to be seen.
   Result<Figure> figure(const View& view = {},
                         FigureKey by = FigureKey::kColor) const;
   /// What is seen at a pixel; nothing at the background, and off the image.

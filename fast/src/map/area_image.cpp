@@ -203,12 +203,12 @@ class AreaPainter : public PixelSink {
     MapMaker maker(scene_, tree_, camera_, image_,
                    {column, row, column + 1, row + 1});
     maker.light_all(image_.cull, {});
-    const auto map = maker.finish({}, [](PolygonId item) {
+    HALFSPACE_ASSERT(!maker.has_too_many());
+    const VisibleMap map = maker.finish([](PolygonId item) {
       return item == kBackground ? kBackgroundKey : item;
     });
-    HALFSPACE_ASSERT(map.has_value());
     std::array<BigRational, 3> sum = {0, 0, 0};
-    for (const auto& [key, seen] : exact_moments(*map, column, row)) {
+    for (const auto& [key, seen] : exact_moments(map, column, row)) {
       if (seen.area == 0) continue;
       const PolygonId item = key == kBackgroundKey ? kBackground : key;
       if (!is_smooth(item)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <string>
+#include <vector>
 
 #include "map/assembly.hpp"
 
@@ -31,37 +32,96 @@ MapMaker::MapMaker(const Scene& scene, const BspTree& tree,
 
 MapMaker::MapMaker(const Scene& scene, const BspTree& tree,
                    const Camera& camera, const ImageOptions& image,
-                   const Rectangle& part)
-    : feed_(scene, tree, camera, image, part), cells_(feed_.lines(), part, 0) {}
+                   const Rectangle& part, int depth)
+    : feed_(scene, tree, camera, image, part),
+      cells_(feed_.lines(), part, depth) {}
 
 void MapMaker::light_all(bool cull, const MapLimits& limits) {
-  const auto light = [&](std::span<const HalfPlane> sides, PolygonId item) {
-    cells_.light(sides, item);
-    return goes_on(limits);
-  };
-  // What is kept is behind the planes that the eye is behind (S10, "Caps need
-  // no depth order").
-  feed_.run_caps(-1, light);
   run(cull, true, limits, [&](std::span<const HalfPlane> sides, PolygonId id) {
     cells_.light(sides, id);
     return !cells_.full();
   });
-  if (!cull && !too_many_) feed_.run_caps(1, light);
 }
 
-Result<VisibleMap> MapMaker::finish(
-    const MapLimits& limits,
+void MapMaker::cover_all(bool cull, const MapLimits& limits,
+                         const Layer& layer) {
+  run(cull, false, limits, [&](std::span<const HalfPlane> sides, PolygonId id) {
+    cells_.cover(sides, [&](PolygonId list) { return layer(list, id); });
+    return true;
+  });
+}
+
+VisibleMap MapMaker::finish(
     const std::function<std::int32_t(PolygonId)>& key_of) {
-  if (too_many_) {
-    return Error{ErrorCode::kOutOfRange, "the visible map has more than " +
-                                             std::to_string(limits.most_cells) +
-                                             " cells, which is the limit"};
-  }
   feed_.lines().forget_names();
   VisibleMap map = assemble(cells_, feed_.lines(), key_of);
   map.decisions = feed_.lines().stats();
   map.decisions.add(feed_.stats());
   return map;
+}
+
+namespace {
+
+/// How many cells a map has that has more than its limit.
+///
+/// Cells of the whole image are counted if they may be at a time, else those of
+/// its halves, or of theirs; what is cut there counts twice. After four times
+/// as many the count ends.
+std::string count_in_words(const Scene& scene, const BspTree& tree,
+                           const Camera& camera, const ImageOptions& image,
+                           const MapLimits& limits, const FillCells& fill) {
+  const MapLimits at_once = {
+      std::max(limits.counted_at_once, limits.most_cells)};
+  const std::size_t most = 4 * at_once.most_cells;
+  const Rectangle whole = whole_of(camera);
+  std::vector<Rectangle> parts = {whole};
+  std::size_t count = 0;
+  bool is_whole = true;
+  while (!parts.empty()) {
+    const Rectangle part = parts.back();
+    parts.pop_back();
+    MapMaker maker(scene, tree, camera, image, part,
+                   is_whole ? grid_depth(tree.fragments.size()) : 0);
+    fill(maker, at_once);
+    const std::int32_t across = part.right - part.left;
+    const std::int32_t down = part.bottom - part.top;
+    if (!maker.has_too_many()) {
+      count += maker.cells().cell_count();
+    } else if (across == 1 && down == 1) {
+      count = most + 1;
+    } else {
+      Rectangle low = part;
+      Rectangle high = part;
+      if (across >= down) {
+        low.right = high.left = part.left + across / 2;
+      } else {
+        low.bottom = high.top = part.top + down / 2;
+      }
+      parts.push_back(high);
+      parts.push_back(low);
+      is_whole = false;
+    }
+    if (count > most) return "more than " + std::to_string(most);
+  }
+  return (is_whole ? "" : "about ") + std::to_string(count);
+}
+
+}  // namespace
+
+Result<VisibleMap> filled_map(
+    const Scene& scene, const BspTree& tree, const Camera& camera,
+    const ImageOptions& image, const MapLimits& limits, const FillCells& fill,
+    const std::function<std::int32_t(PolygonId)>& key_of) {
+  {
+    MapMaker maker(scene, tree, camera, image);
+    fill(maker, limits);
+    if (!maker.has_too_many()) return maker.finish(key_of);
+  }
+  return Error{ErrorCode::kOutOfRange,
+               "the visible map needs " +
+                   count_in_words(scene, tree, camera, image, limits, fill) +
+                   " cells, and the limit is " +
+                   std::to_string(limits.most_cells)};
 }
 
 }  // namespace halfspace::fast

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "map/map_maker.hpp"
 
 namespace halfspace::fast {
@@ -27,11 +28,21 @@ class Layers {
 
   /// The colour of a list (S5.6): its farthest polygon is blended first.
   Rgb color(const Scene& scene, std::int32_t list,
-            const TransparentOptions& options) const {
+            const TransparentOptions& options,
+            const ImageOptions& section) const {
+    const auto count = static_cast<PolygonId>(scene.polygon_count());
     Rgb color = options.background;
-    for (; list != kBackground; list = at(list).before)
-      color = composed_color(scene.color(at(list).polygon), color,
-                             options.alpha_of(at(list).polygon));
+    for (; list != kBackground; list = at(list).before) {
+      const PolygonId item = at(list).polygon;
+      if (item < count) {
+        color =
+            composed_color(scene.color(item), color, options.alpha_of(item));
+      } else {
+        const CapItem cap = cap_item(static_cast<std::size_t>(item - count));
+        color = composed_color(color_of(section, cap), color,
+                               options.alpha_of_cap(cap.part));
+      }
+    }
     return color;
   }
 
@@ -54,21 +65,31 @@ Result<VisibleMap> transparent_map(const Scene& scene, const BspTree& tree,
                                    const Camera& camera,
                                    const TransparentOptions& options,
                                    const MapLimits& limits) {
+  return transparent_section(scene, tree, camera, options, {}, limits);
+}
+
+Result<VisibleMap> transparent_section(const Scene& scene, const BspTree& tree,
+                                       const Camera& camera,
+                                       const TransparentOptions& options,
+                                       const ImageOptions& image,
+                                       const MapLimits& limits) {
   HALFSPACE_ASSERT(options.alphas.empty() ||
                    options.alphas.size() == scene.polygon_count());
-  MapMaker maker(scene, tree, camera);
   Layers layers;
-  maker.run(options.cull, false, limits,
-            [&](std::span<const HalfPlane> sides, PolygonId source) {
-              maker.cells().cover(sides, [&](std::int32_t list) {
-                return layers.with(list, source);
-              });
-              return true;
-            });
-  Result<VisibleMap> map = maker.finish(limits, [&](std::int32_t list) {
-    return list == kBackground ? kBackgroundKey
-                               : color_key(layers.color(scene, list, options));
-  });
+  Result<VisibleMap> map = filled_map(
+      scene, tree, camera, image, limits,
+      [&](MapMaker& maker, const MapLimits& most) {
+        layers = {};
+        maker.cover_all(options.cull, most,
+                        [&](std::int32_t list, PolygonId item) {
+                          return layers.with(list, item);
+                        });
+      },
+      [&](std::int32_t list) {
+        return list == kBackground
+                   ? kBackgroundKey
+                   : color_key(layers.color(scene, list, options, image));
+      });
   if (!map) return map;
   for (MapRegion& region : map->regions) region.item = region.key;
   return map;

@@ -21,13 +21,17 @@ Result<VisibleMap> section_map(const Scene& scene, const BspTree& tree,
   HALFSPACE_ASSERT(options.keys.empty() ||
                    options.keys.size() >=
                        scene.polygon_count() + cap_item_count(image));
-  MapMaker maker(scene, tree, camera, image);
-  maker.light_all(options.cull, limits);
-  return maker.finish(limits, [&](PolygonId item) {
-    if (item == kBackground) return kBackgroundKey;
-    return options.keys.empty() ? item
-                                : options.keys[static_cast<std::size_t>(item)];
-  });
+  return filled_map(
+      scene, tree, camera, image, limits,
+      [&](MapMaker& maker, const MapLimits& most) {
+        maker.light_all(options.cull, most);
+      },
+      [&](PolygonId item) {
+        if (item == kBackground) return kBackgroundKey;
+        return options.keys.empty()
+                   ? item
+                   : options.keys[static_cast<std::size_t>(item)];
+      });
 }
 
 std::vector<std::vector<std::array<double, 2>>> loops_of(

@@ -6,6 +6,7 @@
 
 #include "camera/clip_function.hpp"
 #include "halfspace/cap_parts.hpp"
+#include "halfspace/visible_map.hpp"
 #include "raster/cap_windings.hpp"
 
 namespace halfspace::fast {
@@ -255,12 +256,16 @@ class CapRows {
   std::vector<CapChange> changes_;
 };
 
-/// Fills the pixels of a cap, where it is in front.
+/// What is made of a cap in an image: all; its colours alone, blended with what
+/// is there (S10.7); or its items alone.
+enum class CapWork : std::uint8_t { kAll, kBlend, kItems };
+
+/// Fills the pixels of a cap, where it is in front, or blends all of them.
 template <int kBits>
 class CapFiller {
  public:
   CapFiller(const Frame& frame, const Rectangle& rectangle, std::size_t k,
-            const ProjectedPlane<kBits>& seen, Rendering& result)
+            const ProjectedPlane<kBits>& seen, CapWork work, Rendering& result)
       : frame_(frame),
         rectangle_(rectangle),
         k_(k),
@@ -268,6 +273,7 @@ class CapFiller {
         seen_(seen),
         side_(sign(seen.eye)),
         near_(approximate(count_ + number_of({k, 0, false}))),
+        work_(work),
         result_(result) {
     const CameraData& camera = frame.camera;
     const int samples = frame.view.samples;
@@ -298,13 +304,14 @@ class CapFiller {
   void fill(std::int32_t j, PixelRange range, std::size_t part) {
     const CapItem cap = {k_, part, false};
     const PolygonId id = count_ + number_of(cap);
+    if (work_ == CapWork::kBlend) return blend(j, range, cap);
     for (std::int32_t i = range.first; i < range.end; ++i) {
       PolygonId& item =
           result_.items.at(i - rectangle_.left, j - rectangle_.top);
       if (item != kBackground && !is_in_front(item, i, j)) continue;
       if (item == kBackground) ++result_.pixels_painted;
       item = id;
-      if (result_.colors.pixels.empty()) continue;
+      if (work_ == CapWork::kItems || result_.colors.pixels.empty()) continue;
       result_.colors.at(i - rectangle_.left, j - rectangle_.top) =
           cap_color_at_sample(frame_.image, cap, i, j, frame_.view.samples);
     }
@@ -313,6 +320,15 @@ class CapFiller {
  private:
   static constexpr std::size_t kWords = Grid<kBits>::kWords;
   using Line = EdgeFunction<kWords>;
+
+  void blend(std::int32_t j, PixelRange range, const CapItem& cap) {
+    for (std::int32_t i = range.first; i < range.end; ++i) {
+      Rgb& color = result_.colors.at(i - rectangle_.left, j - rectangle_.top);
+      color = composed_color(
+          cap_color_at_sample(frame_.image, cap, i, j, frame_.view.samples),
+          color, frame_.alpha);
+    }
+  }
 
   template <std::size_t kOther>
   void add(const EdgeFunction<kOther>& line) {
@@ -364,6 +380,7 @@ class CapFiller {
   int side_;
   ApproximateProjection near_;
   std::vector<Line> limits_;
+  CapWork work_;
   Rendering& result_;
   PolygonId rival_ = kBackground;
   int rival_side_ = 0;
@@ -379,20 +396,21 @@ std::vector<CapChange> changes_in(const Frame& frame,
   return rows.changes(crossing_polygons(frame.reader, frame.clips.plane(k)));
 }
 
+/// The rows of a cap that are in a rectangle.
 template <int kBits>
-void add_cap(const Frame& frame, const Rectangle& rectangle, std::size_t k,
-             const std::vector<CapChange>& changes, Rendering& result) {
+void add_cap(const Frame& frame, const Rectangle& rectangle, PixelRange rows,
+             std::size_t k, const std::vector<CapChange>& changes, CapWork work,
+             Rendering& result) {
   const auto starts_at = [](const CapChange& change, std::int32_t row) {
     return change.row < row;
   };
-  auto at = std::lower_bound(changes.begin(), changes.end(), rectangle.top,
-                             starts_at);
-  const auto end =
-      std::lower_bound(at, changes.end(), rectangle.bottom, starts_at);
+  auto at =
+      std::lower_bound(changes.begin(), changes.end(), rows.first, starts_at);
+  const auto end = std::lower_bound(at, changes.end(), rows.end, starts_at);
   if (at == end) return;
   const auto seen =
       projected<kBits>(frame.clips.plane(k), frame.camera, frame.view.samples);
-  CapFiller<kBits> filler(frame, rectangle, k, seen, result);
+  CapFiller<kBits> filler(frame, rectangle, k, seen, work, result);
   CapWindings windings(frame.image.parts.get());
   while (at != end) {
     const std::int32_t j = at->row;
@@ -423,9 +441,25 @@ CapChanges cap_changes(const Frame& frame, const Rectangle& rectangle) {
 
 void add_caps(const Frame& frame, const Rectangle& rectangle,
               const CapChanges& changes, Rendering& result) {
+  const PixelRange rows = {rectangle.top, rectangle.bottom};
+  const CapWork work = frame.alpha == kOpaque ? CapWork::kAll : CapWork::kItems;
   with_grid(frame.reader.scene().grid_bits(), [&](auto bits) {
     for (std::size_t k = 0; k < changes.size(); ++k)
-      add_cap<bits()>(frame, rectangle, k, changes[k], result);
+      add_cap<bits()>(frame, rectangle, rows, k, changes[k], work, result);
+  });
+}
+
+void blend_caps(const Frame& frame, const Rectangle& rectangle, PixelRange rows,
+                const CapChanges& changes, int side, Rendering& result) {
+  if (result.colors.pixels.empty()) return;
+  with_grid(frame.reader.scene().grid_bits(), [&](auto bits) {
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+      const auto seen = projected<bits()>(frame.clips.plane(k), frame.camera,
+                                          frame.view.samples);
+      if (sign(seen.eye) != side) continue;
+      add_cap<bits()>(frame, rectangle, rows, k, changes[k], CapWork::kBlend,
+                      result);
+    }
   });
 }
 

@@ -33,7 +33,8 @@ using CapChanges = std::vector<std::vector<CapChange>>;
 CapChanges cap_changes(const Frame& frame, const Rectangle& rectangle);
 
 /// Puts the caps of the frame's clip planes into a rendering of the clipped
-/// scene (S10.3): of the rectangle, items and maybe colours.
+/// scene (S10.3): of the rectangle, items and maybe colours, but where the
+/// frame has an alpha items alone.
 ///
 /// Requires: a closed scene; image.caps; result.items of the rectangle, whose
 ///           rows are some of those of `changes`, and its columns the same.
@@ -41,5 +42,13 @@ CapChanges cap_changes(const Frame& frame, const Rectangle& rectangle);
 /// Cost:     what is filled.
 void add_caps(const Frame& frame, const Rectangle& rectangle,
               const CapChanges& changes, Rendering& result);
+
+/// Blends the caps of planes that the eye is on that side of with the colours
+/// of some rows of a rendering (S10.7).
+///
+/// Requires: as add_caps(), but for items.
+/// Exact:    yes.
+void blend_caps(const Frame& frame, const Rectangle& rectangle, PixelRange rows,
+                const CapChanges& changes, int side, Rendering& result);
 
 }  // namespace halfspace::fast

@@ -42,11 +42,14 @@ BandResult render_band(const Frame& frame, TileBuffer& buffer) {
           static_cast<std::size_t>(screen.touches), stats};
 }
 
-template <int kBits>
-BandResult paint_band(const Frame& frame, TileBuffer& buffer) {
+/// `add_under()` adds what is behind all polygons, before the background.
+template <int kBits, class AddUnder>
+BandResult paint_band(const Frame& frame, TileBuffer& buffer,
+                      const AddUnder& add_under) {
   TileView& screen = buffer.view();
   PolygonRasterizer<kBits> rasterizer(frame, screen);
   rasterizer.fill_rest(frame.image.background);
+  add_under();
   LeafLayers layers(frame, screen, rasterizer);
   FilterStats stats;
   show_back_to_front(frame, buffer, rasterizer, layers, stats);
@@ -88,13 +91,23 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
       reader, data, image, view, best_kernel(options.simd), clips, pass.alpha};
   const std::vector<PixelRange> bands = bands_of(rectangle, threads);
   std::vector<BandResult> found(bands.size());
+  const CapChanges own =
+      has_caps && !pass.caps ? cap_changes(frame, rectangle) : CapChanges();
+  const CapChanges& changes = pass.caps ? *pass.caps : own;
+  const bool blends_caps = has_caps && pass.alpha != kOpaque;
   const auto one = [&](std::size_t b) {
+    // Of caps those behind what is kept come first, those before it last (S10,
+    // "Caps are composed first or last").
+    const auto add_under = [&] {
+      if (blends_caps)
+        blend_caps(frame, rectangle, bands[b], changes, 1, result);
+    };
     TileBuffer buffer(rectangle, bands[b], result,
                       leaves && pass.order == Order::kFrontToBack);
     found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
       return pass.order == Order::kFrontToBack
                  ? render_band<bits()>(frame, buffer)
-                 : paint_band<bits()>(frame, buffer);
+                 : paint_band<bits()>(frame, buffer, add_under);
     });
   };
   if (threads == 1) {
@@ -103,9 +116,11 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
     for_bands(bands.size(), threads, one);
   }
   if (has_caps) {
-    const CapChanges own =
-        pass.caps ? CapChanges{} : cap_changes(frame, rectangle);
-    add_caps(frame, rectangle, pass.caps ? *pass.caps : own, result);
+    if (blends_caps) {
+      blend_caps(frame, rectangle, {rectangle.top, rectangle.bottom}, changes,
+                 -1, result);
+    }
+    add_caps(frame, rectangle, changes, result);
     if (!options.items) result.items = {};
   }
   result.pixels_painted = 0;

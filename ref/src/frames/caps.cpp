@@ -155,7 +155,7 @@ int cap_sign_at_sample(const Affine& f, std::int32_t i, std::int32_t j) {
 
 void add_caps(const Scene& scene, const Camera& camera,
               const ImageOptions& options, ItemImage& items,
-              std::int32_t samples) {
+              std::int32_t samples, std::optional<Side> eye) {
   if (!options.caps || options.clips.empty()) return;
   const Caps caps(scene, camera, options, samples);
   std::vector<SeenPlane> planes;
@@ -180,6 +180,8 @@ void add_caps(const Scene& scene, const Camera& camera,
         return cap_sign_at_sample(f, i, j);
       };
       for (std::size_t k = 0; k < caps.count(); ++k) {
+        if (eye && side_of_eye(function_of(options.clips[k]), camera) != *eye)
+          continue;
         const auto part = caps.part_at(k, sign_of);
         if (!part) continue;
         const PolygonId id = count + number_of({k, *part, false});

@@ -52,6 +52,20 @@ Rgb blended(const Rgb& over, const Rgb& under, std::uint8_t alpha) {
           blended(over.b, under.b, alpha)};
 }
 
+/// Blends the caps of planes that the eye is on that side of (S10.7).
+void blend_caps(const Scene& scene, const Camera& camera,
+                const ImageOptions& options, std::uint8_t alpha, Side eye,
+                ColorImage& colors) {
+  ItemImage caps(colors.width_px, colors.height_px, kBackground);
+  add_caps(scene, camera, options, caps, 1, eye);
+  const ColorImage over = colors_of(scene, camera, caps, options);
+  for (std::size_t k = 0; k < caps.pixels.size(); ++k) {
+    Rgb& color = colors.pixels[k];
+    if (caps.pixels[k] != kBackground)
+      color = blended(over.pixels[k], color, alpha);
+  }
+}
+
 }  // namespace
 
 Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
@@ -73,6 +87,9 @@ Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
   image.items = ItemImage(camera->width_px, camera->height_px, kBackground);
   image.colors =
       ColorImage(camera->width_px, camera->height_px, options.background);
+  // Of caps those behind what is kept come first, those before it last (S10,
+  // "Caps are composed first or last").
+  blend_caps(scene, camera, options, alpha, Side::kPositive, image.colors);
   set_back_to_front(scene, tree, camera, options, image,
                     [&](std::int32_t i, std::int32_t j, PolygonId source) {
                       const Rgb over = color_at(scene, camera, source, i, j,
@@ -81,6 +98,8 @@ Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
                       color = blended(over, color, alpha);
                       image.items.at(i, j) = source;
                     });
+  blend_caps(scene, camera, options, alpha, Side::kNegative, image.colors);
+  add_caps(scene, camera, options, image.items);
   return image;
 }
 

@@ -27,9 +27,15 @@ struct TransparentOptions {
   Rgb background = {255, 255, 255};
   /// One alpha a polygon; empty: `alpha` for all.
   std::vector<std::uint8_t> alphas = {};
+  /// Of the caps of each part, and last of several (S10.7), or of caps that are
+  /// not told apart; empty: `alpha` for all.
+  std::vector<std::uint8_t> cap_alphas = {};
 
   std::uint8_t alpha_of(PolygonId polygon) const {
     return alphas.empty() ? alpha : alphas[static_cast<std::size_t>(polygon)];
+  }
+  std::uint8_t alpha_of_cap(std::size_t part) const {
+    return cap_alphas.empty() ? alpha : cap_alphas[part];
   }
 };
 

@@ -199,12 +199,10 @@ std::string complaint_of(const DrawArguments& arguments) {
     return "--alpha: is one number for all, or one a FILE";
   const std::string scalars = scalars_complaint(arguments, asks_for_shade);
   if (!scalars.empty()) return scalars;
-  if (arguments.clip.is_used()) {
-    if (!arguments.alphas.empty() || arguments.axes ||
-        !arguments.notes.empty()) {
-      return "--clip cuts regions and edges, not glass, axes or notes; cut the "
-             "model by csg with half()";
-    }
+  if (arguments.clip.is_used() &&
+      (arguments.axes || !arguments.notes.empty())) {
+    return "--clip cuts regions and edges, not axes or notes; cut the model by "
+           "csg with half()";
   }
   std::vector<NamedFile> inputs;
   for (const std::string& path : arguments.paths)

@@ -1,5 +1,6 @@
 #include "figure/view_figure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -140,26 +141,39 @@ Result<Done> ViewFigure::add_hatched(const Camera& camera,
   return Done{};
 }
 
+TransparentOptions ViewFigure::transparency(const ImageOptions& section) const {
+  const std::vector<std::uint8_t>& given = arguments_.alphas;
+  TransparentOptions options = {image_.cull, given[0], image_.background};
+  if (given.size() == 1) return options;
+  for (const std::int32_t file : scene_.files)
+    options.alphas.push_back(given[static_cast<std::size_t>(file)]);
+  if (!section.caps) return options;
+  // Caps are like what they are of, and where several are like what hides most.
+  const std::uint8_t most = *std::max_element(given.begin(), given.end());
+  options.cap_alphas.assign(1, most);
+  if (!section.parts) return options;
+  options.cap_alphas.assign(section.parts->count() + 1, 0);
+  options.cap_alphas.back() = most;
+  for (std::size_t p = 0; p < options.alphas.size(); ++p) {
+    std::uint8_t& alpha = options.cap_alphas[section.parts->part_of[p]];
+    alpha = std::max(alpha, options.alphas[p]);
+  }
+  return options;
+}
+
 Result<fast::VisibleMap> ViewFigure::filled_map(const Camera& camera,
                                                 ImageOptions& section) {
   const fast::BspTree* made = tree();
   if (made == nullptr) return Error{ErrorCode::kStopped, "interrupted"};
   const fast::MapLimits limits = {arguments_.most_cells};
-  if (!arguments_.alphas.empty()) {
-    TransparentOptions options = {image_.cull, arguments_.alphas[0],
-                                  image_.background};
-    if (arguments_.alphas.size() > 1) {
-      for (const std::int32_t file : scene_.files)
-        options.alphas.push_back(
-            arguments_.alphas[static_cast<std::size_t>(file)]);
-    }
-    return fast::transparent_map(scene_.scene(), *made, camera, options,
-                                 limits);
-  }
   section = image_;
   const Result<Done> clipped =
       add_clips(scene_.scene(), camera, arguments_.clip, section);
   if (!clipped) return clipped.error();
+  if (!arguments_.alphas.empty()) {
+    return fast::transparent_section(scene_.scene(), *made, camera,
+                                     transparency(section), section, limits);
+  }
   return fast::section_map(
       scene_.scene(), *made, camera,
       {image_.cull, keys_of(scene_, arguments_.by, smooth_, section)}, section,

@@ -15,6 +15,7 @@
 #include "halfspace/image.hpp"
 #include "halfspace/io/figure.hpp"
 #include "halfspace/result.hpp"
+#include "halfspace/visible_map.hpp"
 #include "image/clipping.hpp"
 #include "image/scalars.hpp"
 #include "image/viewing.hpp"
@@ -84,8 +85,9 @@ class ViewFigure {
                            double width);
   /// The tree, built when it is first asked for; nothing if interrupted.
   const fast::BspTree* tree();
-  /// Composed colours, where polygons let something through; else `section` is
-  /// what clip planes and caps there are.
+  /// What of polygons and caps is not seen through, if something is.
+  TransparentOptions transparency(const ImageOptions& section) const;
+  /// `section` becomes what clip planes and caps there are.
   Result<fast::VisibleMap> filled_map(const Camera& camera,
                                       ImageOptions& section);
 

@@ -76,6 +76,9 @@ struct MapLimits {
   /// At most 2^28. A cell takes some 500 bytes until the map is assembled, so
   /// that the usual limit is reached at 8 GB.
   std::size_t most_cells = 16'000'000;
+  /// Those of a map that has more than its limit are counted for the error's
+  /// sentence, so many at a time, or up to the limit if that is more.
+  std::size_t counted_at_once = 1'000'000;
 };
 
 /// The visible map of a scene whose tree is `tree` (S7.4).
@@ -88,7 +91,8 @@ struct MapLimits {
 /// all
 ///           polygons or none.
 /// Exact:    yes: filters in doubles, integers of fixed width behind them.
-/// Errors:   kOutOfRange: more cells than the limit; says how many.
+/// Errors:   kOutOfRange: more cells than the limit; says how many, or, where
+///           not all fit below it at once, about how many, up to four times it.
 /// Cost:     what is seen, and the way to it.
 Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
                                const Camera& camera,

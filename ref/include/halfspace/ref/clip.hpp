@@ -30,10 +30,11 @@ std::optional<Fragment> clipped(Fragment fragment, const ImageOptions& options);
 /// Every pixel's ray is followed to each clip plane and on: the winding number
 /// there is what the polygons behind it add up to.
 /// Shape:    the items are those of samples, so many a pixel each way (S5.7).
+///           With `eye` only caps of planes that the eye is on that side of.
 /// Requires: a closed scene where the options have caps; else nothing is done.
 /// Exact:    yes.
 void add_caps(const Scene& scene, const Camera& camera,
               const ImageOptions& options, ItemImage& items,
-              std::int32_t samples = 1);
+              std::int32_t samples = 1, std::optional<Side> eye = std::nullopt);
 
 }  // namespace halfspace::ref

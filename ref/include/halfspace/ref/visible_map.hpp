@@ -43,6 +43,14 @@ std::vector<MapArc> section_map(const Scene& scene, const Camera& camera,
 std::vector<MapArc> transparent_map(const Scene& scene, const Camera& camera,
                                     const TransparentOptions& options);
 
+/// That of what clip planes and caps leave (S10.7).
+///
+/// Requires: as section_map().
+std::vector<MapArc> transparent_section(const Scene& scene,
+                                        const Camera& camera,
+                                        const TransparentOptions& options,
+                                        const ImageOptions& section);
+
 /// The area of all regions with a key (S7.5). Units: square pixels.
 Rational area_of_key(const std::vector<MapArc>& map, std::int32_t key);
 

@@ -22,4 +22,16 @@ Result<VisibleMap> transparent_map(const Scene& scene, const BspTree& tree,
                                    const TransparentOptions& options,
                                    const MapLimits& limits = {});
 
+/// That of what the clip planes of `image` leave, with its caps (S10.7).
+///
+/// Of `image` only clip planes, caps and parts count.
+/// Requires: as transparent_map(); own alphas of caps for all of them or for
+///           none; a closed scene where there are caps.
+/// Exact, errors, cost: as transparent_map().
+Result<VisibleMap> transparent_section(const Scene& scene, const BspTree& tree,
+                                       const Camera& camera,
+                                       const TransparentOptions& options,
+                                       const ImageOptions& image,
+                                       const MapLimits& limits = {});
+
 }  // namespace halfspace::fast

@@ -17,7 +17,8 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& options);
 
 /// The transparent image (S5.6): the tree from back to front, of each fragment
-/// the share `alpha` / 255 of its colour and the rest of what is there.
+/// the share `alpha` / 255 of its colour and the rest of what is there; of caps
+/// those behind it all before, and the others after it (S10.7).
 ///
 /// Its items are those of paint().
 /// Exact: yes.
