@@ -54,6 +54,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                 view.scene.grid_bits());
     options.caps = bad_edges(view.scene).empty();
   }
+  // Given lines and points at corners, whole in every third case.
+  options.whole = size % 3 == 0;
+  const auto& vertices = view.scene.data().vertices;
+  for (std::size_t k = 0; k + 1 < vertices.size() && k < 6; ++k) {
+    options.points.push_back(vertices[k]);
+    if (k % 3 == 0) options.lines.push_back({vertices[k], vertices[k + 1]});
+  }
   const auto drawing = fast::draw(view.scene, *view.camera, options);
   HALFSPACE_FUZZ_EXPECT(drawing.has_value(), text);
   if (view.scene.polygon_count() > kMostPolygons) return 0;
@@ -70,6 +77,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   std::sort(f.begin(), f.end());
   std::sort(r.begin(), r.end());
   HALFSPACE_FUZZ_EXPECT(f == r, text);
+  for (std::size_t k = 0; k < options.points.size(); ++k) {
+    HALFSPACE_FUZZ_EXPECT(
+        drawing->points[k].visible == expected.points_visible[k], text);
+  }
   f.clear();
   r.clear();
   for (const fast::Stroke& s : drawing->strokes)

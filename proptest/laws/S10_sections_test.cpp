@@ -25,6 +25,7 @@ namespace {
 using cut_beforehand::cut;
 using cut_beforehand::to_plane;
 using cut_beforehand::value_at;
+using cut_beforehand::winding_beside;
 using definition::Fraction;
 using definition::Integer;
 
@@ -287,41 +288,6 @@ std::optional<definition::Point> seen_at(const SceneFile& view,
     return numerator(x) * (w / denominator(x));
   };
   return definition::Point{whole(p[0]), whole(p[1]), whole(p[2]), w};
-}
-
-/// The winding number next to a point of the plane, on its positive side;
-/// nothing where another polygon's plane holds the point.
-std::optional<int> winding_beside(const std::vector<definition::Facet>& facets,
-                                  const definition::Point& p,
-                                  const definition::Plane& plane) {
-  Fraction step = 1;
-  for (const definition::Facet& facet : facets) {
-    const definition::Plane& h = facet.support;
-    const Fraction value = Fraction(value_at(h, p)) / Fraction(p.w);
-    const Fraction slope =
-        Fraction(Integer(h.a * plane.a + h.b * plane.b + h.c * plane.c));
-    if (value == 0) {
-      const bool same = h.a * plane.b == h.b * plane.a &&
-                        h.b * plane.c == h.c * plane.b &&
-                        h.a * plane.c == h.c * plane.a;
-      if (!same) return std::nullopt;
-      continue;
-    }
-    if (slope == 0) continue;
-    const Fraction t = -value / slope;
-    if (t > 0 && t / 2 < step) step = t / 2;
-  }
-  const Fraction q[3] = {
-      Fraction(p.x) / Fraction(p.w) + step * Fraction(plane.a),
-      Fraction(p.y) / Fraction(p.w) + step * Fraction(plane.b),
-      Fraction(p.z) / Fraction(p.w) + step * Fraction(plane.c)};
-  Integer w = 1;
-  for (const Fraction& x : q) w = lcm(w, denominator(x));
-  const auto whole = [&](const Fraction& x) -> Integer {
-    return numerator(x) * (w / denominator(x));
-  };
-  return definition::winding(facets,
-                             {whole(q[0]), whole(q[1]), whole(q[2]), w});
 }
 
 TYPED_TEST(S10Sections, L4CapsAreWhereTheSolidGoesOn) {

@@ -13,6 +13,7 @@
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/visible_map.hpp"
 #include "laws/law.hpp"
+#include "laws/map/points_in_view.hpp"
 
 /// Laws of drawings (S9). Those of both implementations are compared by the
 /// nearest doubles to their points, of which exact points have one each.
@@ -405,37 +406,6 @@ std::vector<bool> points_visible(const FastDrawing*, const SceneFile& view,
   return visible;
 }
 
-/// The ray from a point to the eye, or in a parallel view beyond the scene.
-Ray ray_to_eye(const SceneFile& view, const GridPoint& p) {
-  const CameraData& camera = view.camera->data();
-  RayData data;
-  const Int128 step = Int128{1} << kLatticeBits;
-  data.origin = {step * p.x, step * p.y, step * p.z};
-  data.reach = Reach::kBetween;
-  data.direction = camera.eye;
-  const auto size = [&] {
-    Int128 most = 0;
-    for (const Int128& c :
-         {data.direction.x, data.direction.y, data.direction.z})
-      most = std::max(most, c < 0 ? -c : c);
-    return most;
-  };
-  if (camera.perspective) {
-    data.direction = {camera.eye.x - data.origin.x,
-                      camera.eye.y - data.origin.y,
-                      camera.eye.z - data.origin.z};
-  } else {
-    const int most = view.scene.grid_bits() + 13;
-    while (2 * size() <= Int128{1} << most) {
-      data.direction = {2 * data.direction.x, 2 * data.direction.y,
-                        2 * data.direction.z};
-    }
-  }
-  const Result<Ray> ray = make_ray(data, view.scene.grid_bits());
-  HALFSPACE_LAW(ray.has_value());
-  return *ray;
-}
-
 TYPED_TEST(S9Drawing, L6AGivenPointIsVisibleWhereItSeesTheEye) {
   std::size_t counts[2] = {0, 0};
   law::for_all_views(
@@ -453,13 +423,7 @@ TYPED_TEST(S9Drawing, L6AGivenPointIsVisibleWhereItSeesTheEye) {
         const ref::Projection projection = ref::projection_of(*view.camera);
         for (std::size_t k = 0; k < visible.size(); ++k) {
           const GridPoint& p = options.points[k];
-          bool in_view = true;
-          for (std::size_t v = 0; v < projection.view_volume.size(); ++v) {
-            const int side =
-                sign(value_at(projection.view_volume[v], ref::to_point(p)));
-            const bool is_near = v == 0 && projection.view_volume.size() == 5;
-            in_view = in_view && (is_near ? side > 0 : side >= 0);
-          }
+          const bool in_view = is_in_view(projection, p);
           if (!in_view) {
             HALFSPACE_LAW(!visible[k]);
             continue;

@@ -96,6 +96,7 @@ class Drawer {
          const DrawingOptions& options)
       : camera_(camera), options_(options), projection_(projection_of(camera)) {
     section_.clips = options.clips;
+    section_.cull = options.cull;
     if (options.caps) {
       section_.caps.emplace();
       caps_.emplace(scene, camera, section_, 1);
@@ -299,8 +300,8 @@ class Drawer {
       });
     };
     for (std::size_t other = 0; other < options_.clips.size(); ++other) {
-      if (other != k && (value(other, common.low) != 0 ||
-                         value(other, common.high) != 0))
+      if (other != k &&
+          (value(other, common.low) != 0 || value(other, common.high) != 0))
         continue;
       const bool lies_there =
           std::all_of(vertices.begin(), vertices.end(),
@@ -317,8 +318,8 @@ class Drawer {
     for (std::size_t k = 0; k < options_.clips.size(); ++k) {
       for (std::size_t l = k + 1; l < options_.clips.size(); ++l) {
         if (options_.cull && !is_before_cap(k) && !is_before_cap(l)) continue;
-        const auto line = corner_line(all_polygons_, options_.clips[k],
-                                      options_.clips[l]);
+        const auto line =
+            corner_line(all_polygons_, options_.clips[k], options_.clips[l]);
         if (!line) continue;
         Edge edge = {line->first, line->second, EdgeClass::kSection};
         edge.caps = {k, l};
@@ -342,6 +343,12 @@ class Drawer {
 
   /// S9.7: whether a given point is visible.
   bool is_visible(const Point& p) const {
+    if (!options_.whole &&
+        std::any_of(options_.clips.begin(), options_.clips.end(),
+                    [&](const ClipPlane& clip) {
+                      return sign(value_at(function_of(clip), p)) < 0;
+                    }))
+      return false;
     for (std::size_t k = 0; k < projection_.view_volume.size(); ++k) {
       const int side = sign(value_at(projection_.view_volume[k], p));
       // At the near distance itself nothing is seen.
@@ -350,6 +357,14 @@ class Drawer {
     }
     const ImagePoint image = image_of(p, projection_);
     const Rational nearness = nearness_of(p);
+    const auto sign_of = [&](const Affine& f) {
+      if (const int s = sign(at(f, image))) return s;
+      return sign(f.dx) != 0 ? sign(f.dx) : sign(f.dy);
+    };
+    for (std::size_t k = 0; caps_ && k < caps_->count(); ++k) {
+      if (is_cap_nearer(k, image, nearness) && caps_->shows(k, sign_of))
+        return false;
+    }
     return std::none_of(
         coverings_.begin(), coverings_.end(), [&](const auto& covering) {
           if (!covering || at(covering->nearness, image) <= nearness)
@@ -382,7 +397,10 @@ class Drawer {
       if (sign(f) < 0) low = std::max(low, f / (f - g));
       if (sign(g) < 0) high = std::min(high, f / (f - g));
     }
+    const bool is_whole =
+        options_.whole && edge.edge_class == EdgeClass::kGiven;
     for (const ClipPlane& clip : options_.clips) {
+      if (is_whole) break;
       const Rational f = value_at(function_of(clip), edge.from);
       const Rational g = value_at(function_of(clip), edge.to);
       if (sign(f) == 0 && sign(g) == 0) continue;
@@ -412,6 +430,11 @@ class Drawer {
     if (caps_) {
       for (const Affine& form : caps_->forms())
         cut(at(form, image.from), at(form, image.to));
+      // A whole line passes the planes.
+      for (const ClipPlane& clip : options_.clips) {
+        const Plane plane = function_of(clip);
+        cut(value_at(plane, from) / w, value_at(plane, to) / v);
+      }
     }
     for (const auto& covering : coverings_) {
       if (!covering) continue;

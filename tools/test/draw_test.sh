@@ -199,6 +199,26 @@ done
 grep -q '>tip &amp; top<' notes.svg || wrong "a point has no text"
 grep -q '>inside<' notes.svg && wrong "a hidden text is written"
 grep -q 'id="hidden-given"' notes.svg || wrong "no part of a line is hidden"
+# Clip planes cut notes, not axes, and caps hide both.
+expect 0 ' strokes' draw cubes.off --notes notes.txt --view iso --ortho \
+  --height 500 --clip 0,0,-1,100 -o cut.svg
+grep -q '>tip &amp; top<' cut.svg && wrong "a point is seen that is cut away"
+printf 'point 0 0 0 inside\n' >within.txt
+set -- cubes.off --notes within.txt --view right --ortho --clip=-1,0,0,-1
+expect 0 ' strokes' draw "$@" -o cut.svg
+grep -q '>inside<' cut.svg && wrong "a point is seen that is cut away"
+set -- cubes.off --notes within.txt --view right --ortho --clip=-1,0,0,1
+expect 0 ' strokes' draw "$@" -o cut.svg
+grep -q '>inside<' cut.svg || wrong "a point is hidden that the cut uncovers"
+expect 0 ' strokes' draw "$@" --cap hatch -o cut.svg
+grep -q '>inside<' cut.svg && wrong "a point behind a cap is seen"
+for caps in "" "--cap hatch"; do
+  # shellcheck disable=SC2086
+  expect 0 ' strokes' draw cubes.off --axes -o cut-axes.svg --view iso \
+    --clip 0,0,1,-900 $caps
+  [ "$(grep -c 'class="tick">' cut-axes.svg)" -ge \
+    "$(grep -c 'class="tick">' axes.svg)" ] || wrong "axes are cut"
+done
 printf 'circle 1 2 3\n' >bad.txt
 expect 2 'bad.txt: line 1: begins with .circle' draw cubes.off --notes bad.txt \
   -o none.svg

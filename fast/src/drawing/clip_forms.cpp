@@ -7,14 +7,16 @@
 
 namespace halfspace::fast {
 ClipForms::ClipForms(const Sight& sight, const std::vector<ClipPlane>& planes,
-                     bool caps)
+                     bool caps, bool behind)
     : sight_(sight), has_caps_(caps) {
   for (const ClipPlane& plane : planes) {
     forms_.push_back({FormInt(plane.a), FormInt(plane.b), FormInt(plane.c),
                       FormInt(plane.d)});
   }
   for (std::size_t k = 0; caps && k < forms_.size(); ++k) {
-    if (sight.eye_side(forms_[k]) < 0) caps_in_front_ |= 1u << k;
+    const int eye = sight.eye_side(forms_[k]);
+    if (eye < 0) caps_in_front_ |= 1u << k;
+    if (kGivenInSections && behind && eye > 0) caps_behind_ |= 1u << k;
   }
   if (planes.empty()) return;
   const Scene& scene = sight.scene();

@@ -18,12 +18,15 @@ constexpr bool kCornersOfCaps = false;
 #else
 constexpr bool kCornersOfCaps = true;
 #endif
+/// Whether sections have given points, and whole lines (S9.8): the same holds.
+constexpr bool kGivenInSections = kCornersOfCaps;
 
 /// The clip planes of a drawing, and what they do to polygons (S9.8).
 class ClipForms {
  public:
-  ClipForms(const Sight& sight, const std::vector<ClipPlane>& planes,
-            bool caps);
+  /// `behind`: whether caps that all that is kept is before are asked about.
+  ClipForms(const Sight& sight, const std::vector<ClipPlane>& planes, bool caps,
+            bool behind);
 
   /// A polygon that the line of two clip planes crosses, moved by nothing into
   /// what they keep, and how the winding number changes from the line's first
@@ -44,9 +47,23 @@ class ClipForms {
   bool has_cap_in_front(std::int32_t k) const {
     return (caps_in_front_ >> k & 1) != 0;
   }
-  /// Whether a polygon may be behind such a cap.
-  bool is_behind_cap(PolygonId polygon) const {
-    return has_cap_in_front() && (caps_in_front_ & ~bits(polygon).removed) != 0;
+  /// Whether there is a cap that is before what a whole line has on the
+  /// negative side alone.
+  bool has_cap_behind(std::int32_t k) const {
+    return (caps_behind_ >> k & 1) != 0;
+  }
+  bool has_caps() const { return (caps_in_front_ | caps_behind_) != 0; }
+  /// Whether a polygon may be beyond the cap of a plane for the eye.
+  bool is_beyond(PolygonId polygon, std::int32_t k) const {
+    const Bits& b = bits(polygon);
+    const int beyond = has_cap_behind(k) ? b.removed | b.cut : ~b.removed;
+    return (beyond >> k & 1) != 0;
+  }
+  bool is_beyond_caps(PolygonId polygon) const {
+    if (!has_caps()) return false;
+    const Bits& b = bits(polygon);
+    return (caps_in_front_ & ~b.removed) != 0 ||
+           (caps_behind_ & (b.removed | b.cut)) != 0;
   }
 
   /// Whether a plane passes through the inside of a polygon.
@@ -100,6 +117,7 @@ class ClipForms {
   std::vector<Bits> bits_;
   bool has_caps_ = false;
   std::uint32_t caps_in_front_ = 0;  ///< by bit
+  std::uint32_t caps_behind_ = 0;
 };
 
 }  // namespace halfspace::fast

@@ -49,7 +49,8 @@ class Drawer {
       present.push_back(!(options_.cull && eye < 0));
     }
     const SceneEdges edges(scene, present);
-    const ClipForms clips(sight_, options_.clips, options_.caps);
+    const ClipForms clips(sight_, options_.clips, options_.caps,
+                          options_.whole && !options_.cull);
     Hiding hiding(sight_, edges, std::move(eye_signs), clips, present);
     if (options_.edges) {
       add_edges(edges, hiding, clips);
@@ -137,6 +138,7 @@ class Drawer {
       Line line;
       line.from = hiding.point(given_vertex(2 * k));
       line.to = hiding.point(given_vertex(2 * k + 1));
+      line.is_whole = options_.whole;
       drawing_.edges.push_back({EdgeClass::kGiven, -1, -1, PolygonId{-1},
                                 static_cast<PolygonId>(k)});
       lines_.push_back(std::move(line));
@@ -148,7 +150,7 @@ class Drawer {
       Line line;
       line.from = hiding.point(given_vertex(2 * options_.lines.size() + k));
       SeenPoint seen;
-      seen.visible = hiding.is_visible(line.from);
+      seen.visible = hiding.is_visible(line.from, options_.whole);
       if (seen.visible) seen.at = points.point(line, {});
       drawing_.points.push_back(seen);
     }
@@ -194,7 +196,8 @@ Result<Drawing> draw(const Scene& scene, const Camera& camera,
                      const DrawingLimits& limits) {
   HALFSPACE_ASSERT(options.cuts.empty() ||
                    options.cuts.size() == scene.polygon_count());
-  HALFSPACE_ASSERT(options.clips.empty() || options.points.empty());
+  HALFSPACE_ASSERT(kGivenInSections || options.clips.empty() ||
+                   (options.points.empty() && !options.whole));
   if (options.lines.empty() && options.points.empty())
     return Drawer(scene, camera, options, limits).run();
   const Scene extended = with_given(scene, options);

@@ -33,11 +33,11 @@ Hiding::Hiding(Sight& sight, const SceneEdges& edges,
     const auto id = static_cast<std::int32_t>(p);
     if (eye_signs_[p] == 0) continue;
     if (is_hider[p] && clips_.leaves(id)) hiders.push_back(id);
-    if (clips_.is_behind_cap(id)) turners.push_back(id);
+    if (clips_.is_beyond_caps(id)) turners.push_back(id);
   }
   const auto box = [this](std::int32_t p) { return box_of(PolygonId{p}); };
   tree_.emplace(box, hiders);
-  if (clips_.has_cap_in_front()) cap_tree_.emplace(box, turners);
+  if (clips_.has_caps()) cap_tree_.emplace(box, turners);
 }
 
 /// Image coordinates across and down, then the depth. The image of a point that
@@ -100,7 +100,7 @@ Form Hiding::form_of(const Cut& cut) const {
     case CutKind::kClipped:
       return sight_.cut_form(cut.polygon, clips_.form(cut.number));
     case CutKind::kClipNear:
-      return sight_.near_form_of(clips_.form(cut.number));
+      return cap_near_limit(cut.number);
     case CutKind::kClipMeet:
       return cap_limit(cut.number / kClips, cut.number % kClips);
     default:
@@ -229,7 +229,7 @@ bool Hiding::in_view(const Line& line, Cut& low, Cut& high) {
     if (!narrow(line, ends, {0, 0, CutKind::kLimit, limit, -1}, low, high))
       return false;
   }
-  return narrow_to_kept(line, low, high);
+  return line.is_whole || narrow_to_kept(line, low, high);
 }
 
 Form Hiding::plane_of(const Line& line) const {
@@ -290,11 +290,15 @@ bool Hiding::is_hidden_by(const SpacePoint& p, PolygonId polygon) {
   for (std::size_t k = 0; k < sides; ++k) {
     if (side_sign(p, polygon, k, value) < 0) return false;
   }
-  return !sight_.camera().near ||
-         sign(value_at(sight_.near_form(polygon), p)) > 0;
+  if (sight_.camera().near && sign(value_at(sight_.near_form(polygon), p)) <= 0)
+    return false;
+  return !kGivenInSections || is_left_at(p, polygon);
 }
 
-bool Hiding::is_visible(const SpacePoint& p) {
+bool Hiding::is_visible(const SpacePoint& p, bool is_whole) {
+  for (std::int32_t k = 0; kGivenInSections && k < clips_.count(); ++k) {
+    if (!is_whole && sign(value_at(clips_.form(k), p)) < 0) return false;
+  }
   for (int limit = 0; limit < Sight::kLimits; ++limit) {
     if (!sight_.has_limit(limit)) continue;
     const int side = decided(
@@ -309,7 +313,7 @@ bool Hiding::is_visible(const SpacePoint& p) {
   tree_->find(box, [&](std::int32_t polygon) {
     hidden = hidden || is_hidden_by(p, polygon);
   });
-  return !hidden;
+  return !hidden && !(kGivenInSections && is_behind_a_cap(p));
 }
 
 bool Hiding::narrow_to_sides(const Line& line, PolygonId polygon, Cut& from,
@@ -348,7 +352,7 @@ void Hiding::hide(const Line& line, const Cut& low, const Cut& high,
   if (!narrow_to_sides(line, polygon, from, to, covered)) return;
   for (std::int32_t k = 0; k < clips_.count(); ++k) {
     if (clips_.is_cut_by(polygon, k) &&
-        !narrow_to_clip(line, polygon, k, from, to, covered))
+        !narrow_to_clip(line, polygon, k, 1, from, to, covered))
       return;
   }
   // Step 3: where it is beyond the near limit.
@@ -388,7 +392,9 @@ std::vector<Layered> Hiding::parts_of(const Line& line) {
       hide(line, low, high, polygon);
   });
   for (std::int32_t k = 0; k < clips_.count(); ++k) {
-    if (clips_.has_cap_in_front(k)) find_cap(line, low, high, k, box);
+    if (clips_.has_cap_in_front(k) ||
+        (line.is_whole && clips_.has_cap_behind(k)))
+      find_cap(line, low, high, k, box);
   }
   if (kCornersOfCaps && line.other_clip >= 0) find_corner(line, low, high);
   std::sort(events_.begin(), events_.end(),
@@ -397,7 +403,7 @@ std::vector<Layered> Hiding::parts_of(const Line& line) {
               return order != 0 ? order < 0 : f.cut.polygon < g.cut.polygon;
             });
   Count count;
-  const std::int32_t clips = clips_.has_cap_in_front() ? clips_.count() : 0;
+  const std::int32_t clips = clips_.has_caps() ? clips_.count() : 0;
   parts.push_back({low, high, count.layers(line, clips)});
   for (std::size_t k = 0; k < events_.size();) {
     const Cut& cut = events_[k].cut;

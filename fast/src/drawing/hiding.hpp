@@ -26,6 +26,7 @@ struct Line {
   /// The second clip plane of an edge at which caps meet (S9.8), `clip` being
   /// the first; -1: it is no such edge.
   std::int32_t other_clip = -1;
+  bool is_whole = false;  ///< clip planes take nothing away
 };
 
 /// What cuts an edge: an end of it, a limit of the view, or a polygon's side
@@ -81,8 +82,8 @@ class Hiding {
   /// Requires: its image is no single point.
   std::vector<Layered> parts_of(const Line& line);
 
-  /// Whether a point is visible (S9.7).
-  bool is_visible(const SpacePoint& p);
+  /// Whether a point is visible (S9.7, S9.8).
+  bool is_visible(const SpacePoint& p, bool is_whole);
 
   /// The plane through the eye and an edge.
   Form plane_of(const Line& line) const;
@@ -166,23 +167,34 @@ class Hiding {
   /// the sides of the edge on which they do; false if nothing is left.
   bool narrow_to_sides(const Line& line, PolygonId polygon, Cut& from, Cut& to,
                        int& covered);
-  /// The same for what a clip plane leaves of a polygon.
+  /// The same for what of a polygon is on a side of a clip plane.
   bool narrow_to_clip(const Line& line, PolygonId polygon, std::int32_t clip,
-                      Cut& from, Cut& to, int& covered);
+                      int side, Cut& from, Cut& to, int& covered);
   /// What clip planes leave of an edge (S9.8).
   bool narrow_to_kept(const Line& line, Cut& low, Cut& high);
-  /// Positive at points whose sight rays meet the plane of a cap, for an eye on
-  /// its negative side, on the positive side of another clip plane.
-  Form cap_limit(std::int32_t cap, std::int32_t other) const {
-    return -sight_.meet_form_of(clips_.form(cap), clips_.form(other));
+  /// 1 where the eye is on the negative side of a cap's plane, else -1.
+  int cap_side(std::int32_t cap) const {
+    return clips_.has_cap_behind(cap) ? -1 : 1;
   }
-  /// Narrows a range to where the other clip planes leave the cap of one, for
-  /// an eye on its negative side, and `covered` as narrow_to_sides() does.
+  /// Positive at points whose sight rays meet the plane of a cap on the
+  /// positive side of another clip plane.
+  Form cap_limit(std::int32_t cap, std::int32_t other) const {
+    const Form form = sight_.meet_form_of(clips_.form(cap), clips_.form(other));
+    return cap_side(cap) > 0 ? -form : form;
+  }
+  /// Positive at points whose sight rays meet the plane of a cap beyond the
+  /// near limit, if they meet it before the point.
+  Form cap_near_limit(std::int32_t cap) const {
+    const Form form = sight_.near_form_of(clips_.form(cap));
+    return cap_side(cap) > 0 ? form : -form;
+  }
+  /// Narrows a range to where the other clip planes leave the cap of one, and
+  /// `covered` as narrow_to_sides() does.
   bool narrow_to_cap(const Line& line, std::int32_t cap, Cut& from, Cut& to,
                      int& covered);
   /// The winding number that a polygon adds where rays pass a cap's plane.
-  void turn(const Line& line, const Cut& low, const Cut& high,
-            std::int32_t cap, PolygonId polygon);
+  void turn(const Line& line, const Cut& low, const Cut& high, std::int32_t cap,
+            PolygonId polygon);
   void find_cap(const Line& line, const Cut& low, const Cut& high,
                 std::int32_t cap, const Box& box);
   /// Where caps meet along the line of two clip planes (S9.8).
@@ -196,6 +208,18 @@ class Hiding {
   /// The sign at a point of how far it is behind a polygon's plane.
   int behind(const SpacePoint& p, PolygonId polygon, Bounded& value);
   bool is_hidden_by(const SpacePoint& p, PolygonId polygon);
+  /// Whether clip planes leave a polygon that hides a point, where it does.
+  bool is_left_at(const SpacePoint& p, PolygonId polygon) const;
+  bool has_area_left(PolygonId polygon) const;
+  /// Whether a cap hides a point.
+  bool is_behind_a_cap(const SpacePoint& p);
+  bool is_behind_cap(const SpacePoint& p, std::int32_t cap);
+  /// The sign of a form that holds the eye beside a point, at the image's
+  /// sample there (S4.4).
+  int sign_at_sample(const Form& form, const SpacePoint& p) const;
+  /// The winding number that a polygon adds where a point's ray passes a cap's
+  /// plane.
+  int turns_at(const SpacePoint& p, std::int32_t cap, PolygonId polygon);
   Ends side_ends(const Line& line, PolygonId polygon, std::size_t side);
   Box box_of(const SpacePoint& p) const;
   Box box_of(PolygonId polygon) const;

@@ -49,10 +49,10 @@ bool Hiding::narrow_to_kept(const Line& line, Cut& low, Cut& high) {
 }
 
 bool Hiding::narrow_to_clip(const Line& line, PolygonId polygon,
-                            std::int32_t clip, Cut& from, Cut& to,
+                            std::int32_t clip, int side, Cut& from, Cut& to,
                             int& covered) {
   const Form form = sight_.cut_form(polygon, clips_.form(clip));
-  const int eye = eye_sign(polygon);
+  const int eye = side * eye_sign(polygon);
   Ends ends = exact_ends(line, form);
   ends.from *= eye;
   ends.to *= eye;
@@ -90,7 +90,7 @@ void Hiding::turn(const Line& line, const Cut& low, const Cut& high,
   int covered = kLeft | kRight;
   if (!narrow_to_sides(line, polygon, from, to, covered)) return;
   if (clips_.is_cut_by(polygon, cap) &&
-      !narrow_to_clip(line, polygon, cap, from, to, covered))
+      !narrow_to_clip(line, polygon, cap, cap_side(cap), from, to, covered))
     return;
   // Rays leave the solid where the eye is on a polygon's negative side.
   const int turns = -eye_sign(polygon);
@@ -111,12 +111,18 @@ void Hiding::turn(const Line& line, const Cut& low, const Cut& high,
 void Hiding::find_cap(const Line& line, const Cut& low, const Cut& high,
                       std::int32_t cap, const Box& box) {
   // Nothing of a line in the plane is behind the cap.
-  const Ends on = exact_ends(line, clips_.form(cap));
+  Ends on = exact_ends(line, clips_.form(cap));
   if (on.from == 0 && on.to == 0) return;
   Cut from = low;
   Cut to = high;
+  if (kGivenInSections && line.is_whole) {
+    // Only what is on the other side than the eye is.
+    on.from *= cap_side(cap);
+    on.to *= cap_side(cap);
+    if (!narrow(line, on, {0, 0, CutKind::kClip, cap, -1}, from, to)) return;
+  }
   if (sight_.camera().near) {
-    const Ends ends = exact_ends(line, sight_.near_form_of(clips_.form(cap)));
+    const Ends ends = exact_ends(line, cap_near_limit(cap));
     if (ends.from <= 0 && ends.to <= 0) return;
     if (!narrow(line, ends, {0, 0, CutKind::kClipNear, cap, -1}, from, to))
       return;
@@ -136,7 +142,7 @@ void Hiding::find_cap(const Line& line, const Cut& low, const Cut& high,
   Box all = box;
   all.high[2] = std::numeric_limits<float>::max();
   cap_tree_->find(all, [&](std::int32_t polygon) {
-    if (!clips_.is_removed_by(polygon, cap))
+    if (clips_.is_beyond(PolygonId{polygon}, cap))
       turn(line, from, to, cap, PolygonId{polygon});
   });
 }

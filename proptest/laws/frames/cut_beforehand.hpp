@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "definition/definition.hpp"
@@ -11,6 +12,7 @@
 /// What clip planes leave of polygons, by the definition (S10.2).
 namespace halfspace::cut_beforehand {
 
+using definition::Fraction;
 using definition::Integer;
 
 inline definition::Plane to_plane(const ClipPlane& clip) {
@@ -52,6 +54,41 @@ inline std::vector<definition::Point> cut(
   }
   if (some_negative && !some_positive) left.clear();
   return left;
+}
+
+/// The winding number next to a point of the plane, on its positive side;
+/// nothing where another polygon's plane holds the point.
+inline std::optional<int> winding_beside(
+    const std::vector<definition::Facet>& facets, const definition::Point& p,
+    const definition::Plane& plane) {
+  Fraction step = 1;
+  for (const definition::Facet& facet : facets) {
+    const definition::Plane& h = facet.support;
+    const Fraction value = Fraction(value_at(h, p)) / Fraction(p.w);
+    const Fraction slope =
+        Fraction(Integer(h.a * plane.a + h.b * plane.b + h.c * plane.c));
+    if (value == 0) {
+      const bool same = h.a * plane.b == h.b * plane.a &&
+                        h.b * plane.c == h.c * plane.b &&
+                        h.a * plane.c == h.c * plane.a;
+      if (!same) return std::nullopt;
+      continue;
+    }
+    if (slope == 0) continue;
+    const Fraction t = -value / slope;
+    if (t > 0 && t / 2 < step) step = t / 2;
+  }
+  const Fraction q[3] = {
+      Fraction(p.x) / Fraction(p.w) + step * Fraction(plane.a),
+      Fraction(p.y) / Fraction(p.w) + step * Fraction(plane.b),
+      Fraction(p.z) / Fraction(p.w) + step * Fraction(plane.c)};
+  Integer w = 1;
+  for (const Fraction& x : q) w = lcm(w, denominator(x));
+  const auto whole = [&](const Fraction& x) -> Integer {
+    return numerator(x) * (w / denominator(x));
+  };
+  return definition::winding(facets,
+                             {whole(q[0]), whole(q[1]), whole(q[2]), w});
 }
 
 }  // namespace halfspace::cut_beforehand

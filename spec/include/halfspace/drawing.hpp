@@ -45,6 +45,8 @@ struct DrawingOptions {
   /// Clip planes as make_clips() makes them (S9.8).
   std::vector<ClipPlane> clips;
   bool caps = false;  ///< whether clip planes have caps
+  /// Whether clip planes take nothing of given lines and points away.
+  bool whole = false;
 };
 
 }  // namespace halfspace

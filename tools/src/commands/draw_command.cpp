@@ -199,11 +199,6 @@ std::string complaint_of(const DrawArguments& arguments) {
     return "--alpha: is one number for all, or one a FILE";
   const std::string scalars = scalars_complaint(arguments, asks_for_shade);
   if (!scalars.empty()) return scalars;
-  if (arguments.clip.is_used() &&
-      (arguments.axes || !arguments.notes.empty())) {
-    return "--clip cuts regions and edges, not axes or notes; cut the model by "
-           "csg with half()";
-  }
   std::vector<NamedFile> inputs;
   for (const std::string& path : arguments.paths)
     inputs.push_back({"FILE", path});
@@ -268,7 +263,8 @@ void add_note_options(CLI::App& app, DrawArguments& arguments) {
   const std::string group = "Notes";
   app.add_flag("--axes", arguments.axes,
                "Draw axes along edges of the box round the model, with ticks, "
-               "numbers and names, hidden where the model hides them")
+               "numbers and names, hidden where the model hides them, and "
+               "whole where --clip cuts it")
       ->group(group);
   app.add_option(
          "--notes", arguments.notes,

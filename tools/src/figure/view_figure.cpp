@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "cli/long_work.hpp"
-#include "figure/notes.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/image/transparent_map.hpp"
@@ -53,7 +52,7 @@ Result<Done> ViewFigure::add(const Camera& camera, const Placing& placing,
     if (const Result<Done> done = add_map(camera, placing, on_sheet); !done)
       return done;
   }
-  if (const Result<Done> done = add_notes_of(camera, placing, on_sheet); !done)
+  if (const auto done = add_axes_and_notes(camera, placing, on_sheet); !done)
     return done;
   if (arguments_.lines != "edges") return Done{};
   return add_edges(camera, placing, on_sheet);
@@ -88,21 +87,37 @@ StrokeStyle ViewFigure::stroke_style(bool on_sheet) const {
   return style;
 }
 
-Result<Done> ViewFigure::add_notes_of(const Camera& camera,
-                                      const Placing& placing, bool on_sheet) {
-  Notes notes;
-  if (!arguments_.notes.empty()) {
-    Result<Notes> read = read_notes(arguments_.notes, scene_.scene());
-    if (!read) return io::error_about(arguments_.notes, read.error());
-    notes = std::move(*read);
+Result<Done> ViewFigure::add_axes_and_notes(const Camera& camera,
+                                            const Placing& placing,
+                                            bool on_sheet) {
+  if (arguments_.axes) {
+    Notes axes;
+    add_axes(axes, scene_.scene(), camera);
+    const auto done = add_given(axes, true, camera, placing, on_sheet);
+    if (!done) return done;
   }
-  if (arguments_.axes) add_axes(notes, scene_.scene(), camera);
+  if (arguments_.notes.empty()) return Done{};
+  const Result<Notes> notes = read_notes(arguments_.notes, scene_.scene());
+  if (!notes) return io::error_about(arguments_.notes, notes.error());
+  return add_given(*notes, false, camera, placing, on_sheet);
+}
+
+Result<Done> ViewFigure::add_given(const Notes& notes, bool whole,
+                                   const Camera& camera, const Placing& placing,
+                                   bool on_sheet) {
   if (notes.empty()) return Done{};
+  ImageOptions section;
+  const Result<Done> clipped =
+      add_clips(scene_.scene(), camera, arguments_.clip, section);
+  if (!clipped) return clipped.error();
   DrawingOptions options;
   options.cull = image_.cull;
   options.edges = false;
   options.lines = notes.lines;
   options.points = notes.points;
+  options.clips = section.clips;
+  options.caps = section.caps.has_value();
+  options.whole = whole;
   const Result<fast::Drawing> drawing =
       fast::draw(scene_.scene(), camera, options);
   if (!drawing) return drawing.error();

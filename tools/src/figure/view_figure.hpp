@@ -8,6 +8,7 @@
 
 #include "figure/figure_scene.hpp"
 #include "figure/figures.hpp"
+#include "figure/notes.hpp"
 #include "figure/sheet.hpp"
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/build.hpp"
@@ -74,8 +75,11 @@ class ViewFigure {
  private:
   StrokeStyle stroke_style(bool on_sheet) const;
   /// Axes, and what the file of notes says.
-  Result<Done> add_notes_of(const Camera& camera, const Placing& placing,
-                            bool on_sheet);
+  Result<Done> add_axes_and_notes(const Camera& camera, const Placing& placing,
+                                  bool on_sheet);
+  /// Notes, of which clip planes take nothing away if they are whole.
+  Result<Done> add_given(const Notes& notes, bool whole, const Camera& camera,
+                         const Placing& placing, bool on_sheet);
   Result<Done> add_edges(const Camera& camera, const Placing& placing,
                          bool on_sheet);
   Result<Done> add_map(const Camera& camera, const Placing& placing,
