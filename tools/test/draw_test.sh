@@ -123,6 +123,37 @@ expect 0 ' regions' draw cubes.off cubes.off --size 48x36 --ortho -o two.svg \
   --alpha 120,0
 same one.svg two.svg
 expect 2 'one a FILE' draw cubes.off --alpha 120,0 -o none.svg
+# A file may say how opaque each face is, or its corners in the mean.
+ply() { # ply VERTEX-PROPERTIES FACE-PROPERTIES, then vertices and faces
+  printf 'ply\nformat ascii 1.0\nelement vertex 8\n'
+  for name in x y z; do echo "property float $name"; done
+  for name in $1; do echo "property uchar $name"; done
+  echo 'element face 2'
+  echo 'property list uchar int vertex_indices'
+  for name in $2; do echo "property uchar $name"; done
+  echo end_header
+}
+corners='0 0 0,4 0 0,4 4 0,0 4 0,1 1 2,5 1 2,5 5 2,1 5 2'
+rgba='red green blue alpha'
+{ ply '' "$rgba"; tr , '\n' <<<"$corners"
+  echo; echo '4 0 1 2 3 255 0 0 255'; echo '4 4 5 6 7 0 0 255 102'; } |
+  grep . >faces.ply
+{ ply "$rgba" ''; k=0; tr , '\n' <<<"$corners" | while read -r p; do
+    [ $k -lt 4 ] && echo "$p 255 0 0 255"
+    [ $k -ge 4 ] && echo "$p 0 0 255 $((k % 2 == 0 ? 94 : 110))"
+    k=$((k + 1)); done
+  echo '4 0 1 2 3'; echo '4 4 5 6 7'; } | grep . >corners.ply
+for file in faces corners; do
+  expect 0 ' 4 regions' draw $file.ply --view top --ortho -o own.svg
+  # 102 of 255 parts of blue over red, and over white, in light from above.
+  for color in e80000 8b005d 9999f6; do
+    grep -q "fill=\"#$color\"" own.svg || wrong "$file: no #$color"
+  done
+  expect 0 ' 3 regions' draw $file.ply --view top --ortho -o own.svg --alpha 255
+  expect 0 ' 3 regions' draw $file.ply --view top --ortho -o own.svg --by polygon
+done
+expect 0 ' 4 regions' draw faces.ply corners.ply --view top --ortho -o own.svg \
+  --lines regions
 # Numbers are bands of one colour, those of the picture, and have a legend.
 printf 'n\n' >tent.csv
 for k in 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do

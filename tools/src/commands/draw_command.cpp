@@ -363,8 +363,9 @@ void add_draw(CLI::App& program, Status& status) {
              "whole numbers of at least 0 and at most 255, with commas",
              arguments->alphas, parse_alphas,
              "Polygons that let what is behind them through: 0 is not seen, "
-             "255 hides it; one for all, or one a FILE. A region is what has "
-             "one composed colour");
+             "255 hides it; one for all, or one a FILE; if not said, what the "
+             "FILEs say of their faces. A region is what has one composed "
+             "colour");
   app->add_option("--most-cells", arguments->most_cells,
                   "Give up where the map needs more cells")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))

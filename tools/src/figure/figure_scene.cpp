@@ -1,6 +1,7 @@
 #include "figure/figure_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,60 @@ void extend(std::vector<std::optional<Rgb>>& colors,
   colors.resize(before);
   colors.insert(colors.end(), more.begin(), more.end());
   colors.resize(before + count);
+}
+
+/// How opaque a file says that its faces are, of 255: their materials times
+/// they themselves or, in the mean, their corners. Corners of face f begin at
+/// first_corner[f].
+std::vector<std::uint8_t> alphas_of(
+    const io::Attributes& attributes,
+    const std::vector<std::uint32_t>& first_corner) {
+  // The fourth number of colours, or what a PLY calls alpha, of 255 or of 1.
+  const auto opacities = [](const std::vector<io::Channel>& channels) {
+    const io::Channel* color = io::channel_named(channels, "color");
+    if (color != nullptr && color->width == 4) return color;
+    const io::Channel* alpha = io::channel_named(channels, "alpha");
+    return alpha != nullptr && alpha->width == 1 ? alpha : nullptr;
+  };
+  const auto opacity = [](const io::Channel& channel, std::size_t place) {
+    const double scale = channel.width == 1 && channel.is_integer ? kOpaque : 1;
+    const double value = channel.at(place).back() / scale;
+    return value >= 0 && value <= 1 ? value : 1;  // also where there is none
+  };
+  const io::Channel* faces = opacities(attributes.faces);
+  const io::Channel* corners = opacities(attributes.corners);
+  std::vector<std::uint8_t> alphas;
+  for (std::size_t f = 0; f + 1 < first_corner.size(); ++f) {
+    double share = 1;
+    if (!attributes.face_materials.empty() && attributes.face_materials[f] >= 0)
+      share =
+          attributes
+              .materials[static_cast<std::size_t>(attributes.face_materials[f])]
+              .opacity;
+    if (faces != nullptr) {
+      share *= opacity(*faces, f);
+    } else if (corners != nullptr) {
+      double sum = 0;
+      for (std::uint32_t c = first_corner[f]; c < first_corner[f + 1]; ++c)
+        sum += opacity(*corners, c);
+      share *= sum / (first_corner[f + 1] - first_corner[f]);
+    }
+    share = std::clamp(share, 0.0, 1.0);
+    alphas.push_back(
+        static_cast<std::uint8_t>(std::floor(kOpaque * share + 0.5)));
+  }
+  return alphas;
+}
+
+/// Gives polygons what the faces have that they are of; nothing where all are
+/// opaque.
+void set_alphas(const std::vector<std::uint8_t>& alphas,
+                const std::vector<PolygonId>& faces, FigureScene& figure) {
+  if (std::all_of(alphas.begin(), alphas.end(),
+                  [](std::uint8_t alpha) { return alpha == kOpaque; }))
+    return;
+  for (const PolygonId face : faces)
+    figure.alphas.push_back(alphas[static_cast<std::size_t>(face)]);
 }
 
 /// Adds a mesh to others.
@@ -39,6 +94,7 @@ Result<FigureScene> load_meshes(const std::vector<std::string>& paths,
                                 const io::ImportOptions& options) {
   io::Mesh all;
   std::vector<std::int32_t> file_of_face;
+  std::vector<std::uint8_t> alphas;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     if (io::is_scene_name(paths[k])) {
       return Error{ErrorCode::kUnknownFormat,
@@ -47,6 +103,8 @@ Result<FigureScene> load_meshes(const std::vector<std::string>& paths,
     const Result<io::Mesh> mesh = read_mesh_file(paths[k]);
     if (!mesh) return io::error_about(paths[k], mesh.error());
     append(all, *mesh);
+    const auto own = alphas_of(mesh->attributes, mesh->first_corner);
+    alphas.insert(alphas.end(), own.begin(), own.end());
     file_of_face.resize(all.face_count(), static_cast<std::int32_t>(k));
   }
   FigureScene figure;
@@ -58,6 +116,7 @@ Result<FigureScene> load_meshes(const std::vector<std::string>& paths,
   for (const PolygonId face : imported->faces) {
     figure.files.push_back(file_of_face[static_cast<std::size_t>(face)]);
   }
+  set_alphas(alphas, imported->faces, figure);
   return figure;
 }
 
@@ -74,7 +133,12 @@ Result<FigureScene> load_figure(const std::vector<std::string>& paths,
     return nothing;
   }
   if (!loaded) return loaded.error();
-  return figure_of(paths[0], std::move(loaded->file));
+  FigureScene figure = figure_of(paths[0], std::move(loaded->file));
+  if (const auto faces = loaded->attributed) {
+    set_alphas(alphas_of(faces->attributes, faces->first_corner),
+               loaded->polygons, figure);
+  }
+  return figure;
 }
 
 FigureScene figure_of(const std::string& path, SceneFile file) {

@@ -18,8 +18,10 @@ namespace halfspace::tools {
 
 /// A scene of several files, and how its figures show it.
 struct FigureScene {
-  SceneFile file;                       ///< with the camera of a .scene
-  std::vector<std::int32_t> files;      ///< by polygon
+  SceneFile file;                   ///< with the camera of a .scene
+  std::vector<std::int32_t> files;  ///< by polygon
+  /// By polygon how opaque the file says that it is, of 255; empty: all of it.
+  std::vector<std::uint8_t> alphas;
   std::string name;                     ///< of the first file
   std::optional<ShownScalars> scalars;  ///< what colours show, if numbers
   const Scene& scene() const { return file.scene; }

@@ -156,15 +156,28 @@ Result<Done> ViewFigure::add_hatched(const Camera& camera,
   return Done{};
 }
 
+bool ViewFigure::composes() const {
+  if (!arguments_.alphas.empty()) return true;
+  return !scene_.alphas.empty() && arguments_.by == "colour" &&
+         image_.shading == Shading::kFlat && !scene_.scalars;
+}
+
 TransparentOptions ViewFigure::transparency(const ImageOptions& section) const {
   const std::vector<std::uint8_t>& given = arguments_.alphas;
-  TransparentOptions options = {image_.cull, given[0], image_.background};
-  if (given.size() == 1) return options;
-  for (const std::int32_t file : scene_.files)
-    options.alphas.push_back(given[static_cast<std::size_t>(file)]);
+  TransparentOptions options = {image_.cull, kOpaque, image_.background};
+  if (given.empty()) {
+    options.alphas = scene_.alphas;
+  } else if (given.size() == 1) {
+    options.alpha = given[0];
+    return options;
+  } else {
+    for (const std::int32_t file : scene_.files)
+      options.alphas.push_back(given[static_cast<std::size_t>(file)]);
+  }
   if (!section.caps) return options;
   // Caps are like what they are of, and where several are like what hides most.
-  const std::uint8_t most = *std::max_element(given.begin(), given.end());
+  const std::uint8_t most =
+      *std::max_element(options.alphas.begin(), options.alphas.end());
   options.cap_alphas.assign(1, most);
   if (!section.parts) return options;
   options.cap_alphas.assign(section.parts->count() + 1, 0);
@@ -185,7 +198,7 @@ Result<fast::VisibleMap> ViewFigure::filled_map(const Camera& camera,
   const Result<Done> clipped =
       add_clips(scene_.scene(), camera, arguments_.clip, section);
   if (!clipped) return clipped.error();
-  if (!arguments_.alphas.empty()) {
+  if (composes()) {
     return fast::transparent_section(scene_.scene(), *made, camera,
                                      transparency(section), section, limits);
   }
@@ -204,7 +217,7 @@ Result<Done> ViewFigure::add_map(const Camera& camera, const Placing& placing,
   arcs_ += map->arcs.size();
   if (arguments_.fill != "none") {
     FillStyle style;
-    style.by = arguments_.alphas.empty() ? arguments_.by : "composed";
+    style.by = composes() ? "composed" : arguments_.by;
     style.background = image_.background;
     style.has_background = !on_sheet;
     style.smooth_view = smooth_ ? &camera : nullptr;

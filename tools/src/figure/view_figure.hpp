@@ -89,6 +89,9 @@ class ViewFigure {
                            double width);
   /// The tree, built when it is first asked for; nothing if interrupted.
   const fast::BspTree* tree();
+  /// Whether polygons let something through: all as --alpha says, or each as
+  /// its file does, where regions have the polygons' own colours.
+  bool composes() const;
   /// What of polygons and caps is not seen through, if something is.
   TransparentOptions transparency(const ImageOptions& section) const;
   /// `section` becomes what clip planes and caps there are.
