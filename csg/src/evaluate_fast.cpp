@@ -283,6 +283,8 @@ Outcome exact_outcome(fast::Solid solid, const Plan& plan,
   if (!note_closed(solid, result)) return result;
   const OriginParts parts(plan, operands);
   parts.expand(solid);
+  // What has no face conforms, whatever was known of that on the way.
+  solid.is_conforming = solid.is_conforming || solid.faces.empty();
   solid = fast::canonical(
       merged_by(in_order_for(options.merge, std::move(solid)), options.merge),
       true);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "exact/lean.hpp"
+#include "exact/part_names.hpp"
 #include "halfspace/csg/closing.hpp"
 #include "halfspace/csg/fault.hpp"
 #include "halfspace/csg/measure.hpp"
@@ -361,6 +362,18 @@ std::string Operands::name_in_files(std::int32_t leaf) const {
   // make the same solid.
   if (file.path.empty()) return file.name.substr(0, file.name.find(" at "));
   return std::filesystem::path(file.path).filename().string();
+}
+
+std::string Operands::part_name(std::int32_t leaf) const {
+  const Leaf& at = plan_->leaves[static_cast<std::size_t>(leaf)];
+  const File& file = script_->files[static_cast<std::size_t>(at.file)];
+  return file.mesh ? primitive_name(name_in_files(leaf), *file.mesh)
+                   : name_in_files(leaf);
+}
+
+bool Operands::is_primitive(std::int32_t leaf) const {
+  const Leaf& at = plan_->leaves[static_cast<std::size_t>(leaf)];
+  return script_->files[static_cast<std::size_t>(at.file)].mesh != nullptr;
 }
 
 /// Makes `polygons` those in the file that the scene's are parts of.

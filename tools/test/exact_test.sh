@@ -91,6 +91,27 @@ done
 python3 "${0%/*}/../../examples/read_solid.py" slit.hsolid | grep -q ' 22$' ||
   wrong "read_solid.py: slit.hsolid"
 
+# Nor does it matter how often a solid is named, which is named first, or where
+# half-spaces stand: whole = X1 OP X2, by one script and by three commands.
+chain() { # X1 OP X2, of A and b.off
+  expect 0 closed csg "$1" A=a.off -o x1.hsolid
+  expect 0 closed csg "$3" A=a.off -o x2.hsolid --format hsolid-text
+  for format in off stl hsolid; do
+    expect 0 closed csg "($1) $2 ($3)" A=a.off -o whole.$format
+    expect 0 closed csg "X1 $2 X2" X1=x1.hsolid X2=x2.hsolid -o chained.$format
+    same chained.$format whole.$format
+  done
+}
+moved='translate(A, 1, 0, 0)'
+chain '"b.off" | A | translate("b.off", 0, 0, 0)' '|' 'A - "b.off"'
+chain 'A & "b.off"' '|' 'A | "b.off"'
+chain '"b.off" - A & half(x < 4)' '|' \
+  'A & half(x < 2) & half(z > 1) | "b.off" & half(x < 4)'
+chain "A | $moved | box(1) | half(z < 2) & \"b.off\"" '-' "$moved & half(x < 2)"
+chain 'mirror(A & half(x < 2) | box(1, 2, 9), 1, 0, 0)' '|' \
+  'mirror(A, 1, 0, 0) | "b.off" & half(x > -2)'
+chain "translate(translate(A, -1, 0, 0) | $moved, 1, 0, 0)" '^' 'A | box(1)'
+
 # Primitives are called by what they are, not by where they stood, and have no
 # colour; a colour of a file goes on.
 expect 0 closed csg 'box(3)' -o one.hsolid

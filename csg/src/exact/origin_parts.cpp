@@ -1,50 +1,107 @@
 #include "origin_parts.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "part_names.hpp"
+
 namespace halfspace::csg {
+namespace {
+
+/// What tells parts apart. Solids that were written and read again are known by
+/// their names alone; what has attributes of its own stays by itself, for
+/// those depend on where a part is from.
+struct Key {
+  std::string name;
+  std::int32_t alone = -1;  ///< the operand, if it stays by itself
+  friend auto operator<=>(const Key&, const Key&) = default;
+};
+
+}  // namespace
 
 OriginParts::OriginParts(const Plan& plan, const Operands& operands) {
-  const auto add = [this](const std::string& name, const SolidData* data) {
+  std::vector<Key> keys;  // by part of an operand
+  const auto add = [&](std::string name, const SolidData* data,
+                       const Matrix* matrix, bool is_alone) {
     const auto operand = static_cast<std::int32_t>(first_.size());
-    first_.push_back(static_cast<std::int32_t>(names_.size()));
+    first_.push_back(static_cast<std::int32_t>(keys.size()));
     data_.push_back(data);
     auto& places = places_.emplace_back();
     if (data == nullptr) {
-      names_.push_back(name);
+      if (matrix != nullptr) name = placed_name(name, *matrix);
+      keys.push_back({std::move(name), is_alone ? operand : -1});
     } else {
-      names_.insert(names_.end(), data->parts.begin(), data->parts.end());
+      for (const std::string& part : data->parts)
+        keys.push_back({placed_name(part, *matrix), -1});
       for (std::size_t i = 0; i < data->origins.size(); ++i) {
         places.try_emplace({data->origins[i].part, data->origins[i].polygon},
                            static_cast<PolygonId>(i));
       }
     }
-    operands_.resize(names_.size(), operand);
+    operands_.resize(keys.size(), operand);
   };
+  std::map<std::string, std::string> paths;  // of the first file of a name
   for (std::size_t i = 0; i < plan.leaves.size(); ++i) {
     const auto leaf = static_cast<std::int32_t>(i);
-    add(operands.name_in_files(leaf), operands.parts_of(leaf));
+    const std::string name = operands.part_name(leaf);
+    const SolidData* const data = operands.parts_of(leaf);
+    const std::string& path = operands.path_of(leaf);
+    const bool is_other = data == nullptr && !operands.is_primitive(leaf) &&
+                          paths.try_emplace(name, path).first->second != path;
+    add(name, data,
+        &plan.matrices[static_cast<std::size_t>(plan.leaves[i].matrix)],
+        is_other || operands.attributed(leaf) != nullptr);
   }
-  for (std::size_t i = 0; i < plan.planes.size(); ++i) add("half", nullptr);
+  for (const Plane& plane : plan.planes)
+    add(half_name(plane.points), nullptr, nullptr, false);
+
+  // Parts by name.
+  std::vector<std::int32_t> order(keys.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&keys](std::int32_t part) -> const Key& {
+    return keys[static_cast<std::size_t>(part)];
+  };
+  std::stable_sort(
+      order.begin(), order.end(),
+      [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+  part_.resize(keys.size());
+  for (const std::int32_t at : order) {
+    if (same_.empty() || key(same_.back().front()) != key(at)) {
+      names_.push_back(key(at).name);
+      same_.emplace_back();
+    }
+    part_[static_cast<std::size_t>(at)] =
+        static_cast<std::int32_t>(names_.size()) - 1;
+    same_.back().push_back(at);
+  }
 }
 
 void OriginParts::expand(fast::Solid& solid) const {
   for (fast::Face& face : solid.faces) {
     const auto operand = static_cast<std::size_t>(face.part);
-    face.part = first_[operand];
-    if (data_[operand] == nullptr) continue;
-    const SolidData::Origin& origin =
-        data_[operand]->origins[static_cast<std::size_t>(face.polygon)];
-    face.part += static_cast<std::int32_t>(origin.part);
-    face.polygon = static_cast<PolygonId>(origin.polygon);
+    std::int32_t part = first_[operand];
+    if (data_[operand] != nullptr) {
+      const SolidData::Origin& origin =
+          data_[operand]->origins[static_cast<std::size_t>(face.polygon)];
+      part += static_cast<std::int32_t>(origin.part);
+      face.polygon = static_cast<PolygonId>(origin.polygon);
+    }
+    face.part = part_[static_cast<std::size_t>(part)];
   }
 }
 
 Origin OriginParts::of_operand(const Origin& origin) const {
-  const std::int32_t operand = operands_[static_cast<std::size_t>(origin.leaf)];
-  const auto at = static_cast<std::size_t>(operand);
-  if (data_[at] == nullptr) return {operand, origin.polygon};
-  const auto part = static_cast<std::uint32_t>(origin.leaf - first_[at]);
-  return {operand,
-          places_[at].at({part, static_cast<std::uint32_t>(origin.polygon)})};
+  for (const std::int32_t part : same_[static_cast<std::size_t>(origin.leaf)]) {
+    const std::int32_t operand = operands_[static_cast<std::size_t>(part)];
+    const auto at = static_cast<std::size_t>(operand);
+    if (data_[at] == nullptr) return {operand, origin.polygon};
+    const auto found =
+        places_[at].find({static_cast<std::uint32_t>(part - first_[at]),
+                          static_cast<std::uint32_t>(origin.polygon)});
+    if (found != places_[at].end()) return {operand, found->second};
+  }
+  return origin;  // not reached: a face has its origin from some operand
 }
 
 }  // namespace halfspace::csg

@@ -239,6 +239,14 @@ void Canonizer::find_planes_at_vertices() {
                      at_vertices_.end());
 }
 
+/// What names a plane without a vertex on the grid: a plane across an axis the
+/// point of the axis, wherever it came from; another the point that it has.
+GridPoint naming_point(const Vector3<Int128>& normal, GridPoint origin) {
+  const bool x = normal.x != 0, y = normal.y != 0, z = normal.z != 0;
+  if (int{x} + int{y} + int{z} != 1) return origin;
+  return {x ? origin.x : 0, y ? origin.y : 0, z ? origin.z : 0};
+}
+
 /// Adds the planes of faces, by their first vertices on the grid.
 void Canonizer::add_planes() {
   const GeometryTable& table = *from_.table;
@@ -255,20 +263,22 @@ void Canonizer::add_planes() {
   GeometryTable& to = lease_.table();
   to.reserve(vertices_.size(), planes_.size());
   for (std::size_t i = 0; i < planes_.size(); ++i) {
+    const Vector3<Int128> normal = table.normal(planes_[i]);
     const GridPoint origin =
         first[i] < 0
-            ? table.plane(planes_[i]).origin
+            ? naming_point(normal, table.plane(planes_[i]).origin)
             : table.vertex(vertices_[static_cast<std::size_t>(first[i])])
                   .point();
-    new_planes_.push_back(to.add_plane(table.normal(planes_[i]), origin).plane);
+    new_planes_.push_back(to.add_plane(normal, origin).plane);
   }
 }
 
 /// The new id of a plane, of a face or not.
 std::int32_t Canonizer::plane_id(std::int32_t old) {
   const GeometryTable& table = *from_.table;
+  const Vector3<Int128> normal = table.normal(old);
   return lease_.table()
-      .add_plane(table.normal(old), table.plane(old).origin)
+      .add_plane(normal, naming_point(normal, table.plane(old).origin))
       .plane;
 }
 

@@ -229,6 +229,13 @@ class Operands {
   /// folders; or that of the function that made it.
   std::string name_in_files(std::int32_t leaf) const;
 
+  /// The same, before the leaf is moved, so that one name is one solid:
+  /// primitives have a hash of their meshes.
+  std::string part_name(std::int32_t leaf) const;
+
+  /// Whether a function of the script made the leaf.
+  bool is_primitive(std::int32_t leaf) const;
+
   /// The file of a leaf.
   const std::string& path_of(std::int32_t leaf) const;
 
