@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "generate/clip_planes.hpp"
 #include "generate/random_scenes.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/scene_file.hpp"
 #include "halfspace/shadow/check.hpp"
 #include "halfspace/shadow/render.hpp"
+#include "laws/frames/cap_looks.hpp"
 
 namespace halfspace::agree {
 namespace {
@@ -27,7 +29,26 @@ View random_view(Kind kind, int grid_bits, Draws& draws) {
   view.camera = random_camera(kind, view.scene, 31, 23, draws);
   view.options.cull = draws.one_in(3);
   view.options.shading = draws.one_in(2) ? Shading::kGouraud : Shading::kFlat;
+  if (draws.one_in(3)) {
+    view.options.clips =
+        generate::clip_planes(view.scene, draws.next(),
+                              static_cast<std::uint64_t>(draws.from_to(1, 3)));
+  }
   return view;
+}
+
+/// Boxes that are cut, with caps, which may be told apart by parts.
+View capped_view(Draws& draws) {
+  SceneFile file = cut_boxes(draws.next(), 3, 24, 16);
+  if (draws.one_in(2)) {
+    file.options.clips =
+        generate::clip_planes(file.scene, draws.next(),
+                              static_cast<std::uint64_t>(draws.from_to(1, 3)));
+  }
+  if (draws.one_in(2)) tell_parts_apart(file);
+  file.options.cull = draws.one_in(3);
+  return {std::move(file.scene), std::move(*file.camera),
+          std::move(file.options)};
 }
 
 template <class Check>
@@ -41,6 +62,11 @@ void for_all_views(int rounds, const Check& check) {
         check(random_view(kind, bits, draws), draws);
         if (::testing::Test::HasFatalFailure()) return;
       }
+    }
+    for (int number = 0; number < 8; ++number) {
+      SCOPED_TRACE("caps, round " + std::to_string(round));
+      check(capped_view(draws), draws);
+      if (::testing::Test::HasFatalFailure()) return;
     }
   }
 }
@@ -77,7 +103,8 @@ TEST(AgreeShadow, EveryWrongPixelIsFound) {
     ItemImage items = right.items;
     ColorImage colors = right.colors;
     std::vector<shadow::Mismatch> expected;
-    const auto last = static_cast<std::int64_t>(view.scene.polygon_count()) - 1;
+    const auto last = static_cast<std::int64_t>(view.scene.polygon_count()) -
+                      1 + (view.options.caps ? 40 : 0);
     for (std::int32_t j = 0; j < items.height_px; ++j) {
       for (std::int32_t i = 0; i < items.width_px; ++i) {
         if (!draws.one_in(9)) continue;

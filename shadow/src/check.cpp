@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/cap_parts.hpp"
+#include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/shade.hpp"
 #include "halfspace/scene_file.hpp"
@@ -159,13 +161,15 @@ class Checker {
         shown_(shown),
         how_(how),
         polygons_(scene, camera, options),
-        samples_(shown, how) {}
+        samples_(shown, how),
+        has_caps_(options.caps && !options.clips.empty()) {}
 
   Report run() {
     if (!how_.by_reference_only) {
       judge_shown();
       samples_.sort();
       judge_others();
+      if (has_caps_) find_walls();
     }
     std::sort(rivals_.begin(), rivals_.end());
     report_.pixels = samples_.all().size();
@@ -224,6 +228,30 @@ class Checker {
     }
   }
 
+  /// Collects for each sample all polygons that a cap there may depend on.
+  void find_walls() {
+    for (PolygonId id = 0; id < polygon_count(); ++id) {
+      samples_.within(polygons_.bounds_of(id), HUGE_VAL, [&](Sample& sample) {
+        walls_.push_back({&sample, id});
+      });
+    }
+    std::sort(walls_.begin(), walls_.end());
+  }
+
+  /// Of pairs with samples, in order, those of one.
+  using Pairs = std::vector<std::pair<const Sample*, PolygonId>>;
+  static std::vector<PolygonId> ids_of(const Pairs& pairs,
+                                       const Sample& sample) {
+    const auto first = std::lower_bound(
+        pairs.begin(), pairs.end(), std::pair(&sample, PolygonId{0}),
+        [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<PolygonId> ids;
+    for (auto pair = first; pair != pairs.end() && pair->first == &sample;
+         ++pair)
+      ids.push_back(pair->second);
+    return ids;
+  }
+
   void judge(Sample& sample, PolygonId id, const Prepared& polygon) {
     if (polygons_.covers(polygon, sample.i, sample.j) == Verdict::kNo) return;
     if (polygon.certain) {
@@ -239,27 +267,34 @@ class Checker {
   PolygonId seen_at(const Sample& sample) {
     ++report_.by_reference;
     if (how_.by_reference_only) return cast_at_all(sample);
-    std::vector<PolygonId> ids;
+    std::vector<PolygonId> ids = ids_of(rivals_, sample);
     if (is_id(sample.shown)) ids.push_back(sample.shown);
-    const auto first = std::lower_bound(
-        rivals_.begin(), rivals_.end(), std::pair(&sample, PolygonId{0}),
-        [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (auto rival = first; rival != rivals_.end() && rival->first == &sample;
-         ++rival) {
-      ids.push_back(rival->second);
-    }
     std::sort(ids.begin(), ids.end());
     const PolygonId seen =
         ref::raycast_at(scene_, camera_, options_, sample.i, sample.j, ids);
-    // The rivals were chosen as those not behind `shown`. If another polygon
-    // is seen, that choice excluded too many.
-    return seen == sample.shown ? seen : cast_at_near(sample);
+    // The rivals were chosen as those not behind `shown`, if that is a polygon.
+    // If another one is seen, that choice excluded too many.
+    return seen == sample.shown || !is_id(sample.shown) ? seen
+                                                        : cast_at_near(sample);
   }
 
-  PolygonId cast_at_all(const Sample& sample) const {
+  std::vector<PolygonId> all_ids() const {
     std::vector<PolygonId> ids(scene_.polygon_count());
     std::iota(ids.begin(), ids.end(), PolygonId{0});
-    return ref::raycast_at(scene_, camera_, options_, sample.i, sample.j, ids);
+    return ids;
+  }
+  PolygonId cast_at_all(const Sample& sample) const {
+    return ref::raycast_at(scene_, camera_, options_, sample.i, sample.j,
+                           all_ids());
+  }
+
+  /// What the sample shows, caps too, where polygons alone show `seen`.
+  PolygonId with_caps(const Sample& sample, PolygonId seen) {
+    if (!has_caps_) return seen;
+    ++report_.by_reference;
+    return ref::with_caps_at(
+        scene_, camera_, options_, sample.i, sample.j, seen,
+        how_.by_reference_only ? all_ids() : ids_of(walls_, sample));
   }
 
   /// The same, without the polygons that certainly do not cover the sample.
@@ -289,6 +324,11 @@ class Checker {
 
   Rgb color_of(const Sample& sample, PolygonId seen, Rgb shown) {
     if (seen == kBackground) return options_.background;
+    if (seen >= polygon_count()) {
+      return cap_color_at_sample(
+          options_, cap_item(static_cast<std::size_t>(seen - polygon_count())),
+          sample.i, sample.j, 1);
+    }
     const bool is_certain =
         seen == sample.shown && !how_.by_reference_only && is_shaded(seen) &&
         polygons_.has_color(seen, prepared(seen), sample.i, sample.j, shown);
@@ -301,7 +341,8 @@ class Checker {
   void conclude(const Sample& sample) {
     const bool is_right = !how_.by_reference_only && sample.is_sure &&
                           (sample.shown == kBackground || sample.is_covered);
-    const PolygonId seen = is_right ? sample.shown : seen_at(sample);
+    const PolygonId seen =
+        with_caps(sample, is_right ? sample.shown : seen_at(sample));
     Mismatch found{sample.i, sample.j, sample.shown, seen, {}, {}};
     if (!shown_.colors.pixels.empty()) {
       found.shown_color = sample.color;
@@ -322,12 +363,14 @@ class Checker {
   const Options& how_;
   Polygons polygons_;
   Samples samples_;
+  bool has_caps_;
   /// The index in `prepared_` of each polygon, or kNotPrepared. Only polygons
   /// that samples show are kept: memory traffic dominates the time.
   std::vector<std::int32_t> number_;
   std::vector<Prepared> prepared_;
   /// For each sample, the polygons that may hide the shown one.
-  std::vector<std::pair<const Sample*, PolygonId>> rivals_;
+  Pairs rivals_;
+  Pairs walls_;  ///< those that caps depend on
   Report report_;
 };
 

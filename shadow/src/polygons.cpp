@@ -79,6 +79,18 @@ Polygons::Polygons(const Scene& scene, const Camera& camera,
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t k = 0; k < 3; ++k) rows_[r][k] = rows[r][k] / volume_;
   }
+  const Bounded step = exactly(1 << kLatticeBits);
+  for (const ClipPlane& clip : options.clips) {
+    const Vector normal = {shadow::bounded(clip.a), shadow::bounded(clip.b),
+                           shadow::bounded(clip.c)};
+    const auto along = [&](const Vector& v) {
+      return normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2];
+    };
+    const Bounded offset = step * shadow::bounded(clip.d);
+    const Bounded at_eye = along(bounded(eye));
+    clips_.push_back({camera->perspective ? at_eye + offset : at_eye,
+                      {along(bounded(s0)) + offset, along(sx), along(sy)}});
+  }
   vertices_.reserve(scene.data().vertices.size());
   for (const GridPoint& p : scene.data().vertices)
     vertices_.push_back(project(p));
@@ -170,6 +182,16 @@ Affine Polygons::beyond_near(const Affine& nearness,
                               : -(unit * nearness) + -(near * constant);
 }
 
+/// The point at T has the value C(e) + T (C(s) - C(e)) or C(s) - T C(e), with T
+/// = scale / nearness or -nearness / scale: times nearness, or scale.
+Affine Polygons::kept_by(const Clip& clip, const Affine& nearness,
+                         const Bounded& scale) const {
+  const Affine from_eye{clip.at_image.c - clip.at_eye, clip.at_image.dx,
+                        clip.at_image.dy};
+  return clip.at_eye * nearness +
+         scale * (camera_->perspective ? from_eye : clip.at_image);
+}
+
 Prepared Polygons::prepare(PolygonId polygon) {
   Prepared prepared;
   const auto corners = scene_.corners(polygon);
@@ -223,6 +245,8 @@ Prepared Polygons::prepare(PolygonId polygon) {
   }
   if (camera_->near && (*camera_->near != 0 || !camera_->perspective))
     lines_.push_back(beyond_near(nearness, scale));
+  for (const Clip& clip : clips_)
+    lines_.push_back(kept_by(clip, nearness, scale));
   for (const Affine& line : lines_) insides_.push_back(plain(line));
   prepared.count = static_cast<std::uint32_t>(lines_.size());
   prepared.nearness = plain(nearness / scale);

@@ -90,6 +90,14 @@ class Polygons {
  private:
   Projected project(const GridPoint& p) const;
   Plain plain(const Affine& f) const;
+  /// A clip plane's values (S10.1): at the eye, or along it, and at the image.
+  struct Clip {
+    Bounded at_eye;
+    Affine at_image;
+  };
+  /// Positive where the polygon is on the plane's positive side.
+  Affine kept_by(const Clip& clip, const Affine& nearness,
+                 const Bounded& scale) const;
   /// Positive where a plane of this nearness lies beyond the near distance.
   Affine beyond_near(const Affine& nearness, const Bounded& scale) const;
 
@@ -99,6 +107,7 @@ class Polygons {
   LatticeVector origin_;
   Bounded rows_[3][3];  ///< X, Y and T from the point less the origin
   Bounded volume_;      ///< of sx, sy and the depth
+  std::vector<Clip> clips_;
   std::vector<Projected> vertices_;
   std::vector<Plain> insides_;
   /// Edge functions of the polygon that is being prepared.

@@ -34,6 +34,12 @@ for how in fast ref; do
 done
 same glass-fast.png glass-ref.png
 same glass-fast.npy span.npy
+# The reference beside the image checks what planes leave, and caps.
+for cap in hatch part; do
+  expect 0 ' 0 mismatches' render cubes.off "${cut[@]}" --cap $cap --shadow 1 \
+    -o shadowed.png
+  grep -q ' 1200 pixels checked' stdout || wrong "not all pixels were checked"
+done
 # Exact areas of what is left, too.
 for how in fast ref; do
   expect 0 'by exact' render cube.off --clip 1,2,0,-1 --clip 0,0,1,-0.3 \

@@ -1,6 +1,7 @@
 #include "caps.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "../vector.hpp"
@@ -47,11 +48,25 @@ Affine crossed(const SeenPlane& p, const SeenPlane& q) {
   return p.at_eye * q.at_image - q.at_eye * p.at_image;
 }
 
+namespace {
+
+std::vector<PolygonId> all_ids(const Scene& scene) {
+  std::vector<PolygonId> ids(scene.polygon_count());
+  std::iota(ids.begin(), ids.end(), PolygonId{0});
+  return ids;
+}
+
+}  // namespace
+
 Caps::Caps(const Scene& scene, const Camera& camera,
            const ImageOptions& options, std::int32_t samples)
+    : Caps(scene, camera, options, samples, all_ids(scene)) {}
+
+Caps::Caps(const Scene& scene, const Camera& camera,
+           const ImageOptions& options, std::int32_t samples,
+           std::span<const PolygonId> ids)
     : cull_(options.cull), parts_(options.parts) {
-  const auto polygons = static_cast<PolygonId>(scene.polygon_count());
-  for (PolygonId id = 0; id < polygons; ++id) {
+  for (const PolygonId id : ids) {
     walls_.push_back(wall_of(whole(scene, id), camera, samples));
     if (parts_)
       walls_.back().part = parts_->part_of[static_cast<std::size_t>(id)];
@@ -153,6 +168,35 @@ int cap_sign_at_sample(const Affine& f, std::int32_t i, std::int32_t j) {
 
 }  // namespace
 
+namespace {
+
+/// The item at a pixel's sample: the nearest cap, or `seen` if that is in front
+/// of all.
+template <class PlaneOf>
+PolygonId with_caps(const Caps& caps, const PlaneOf& plane_of_item,
+                    PolygonId count, std::int32_t i, std::int32_t j,
+                    PolygonId seen, const std::vector<bool>& are_asked) {
+  const auto sign_of = [&](const Affine& f) {
+    return cap_sign_at_sample(f, i, j);
+  };
+  for (std::size_t k = 0; k < caps.count(); ++k) {
+    if (!are_asked[k]) continue;
+    const auto part = caps.part_at(k, sign_of);
+    if (!part) continue;
+    const PolygonId id = count + number_of({k, *part, false});
+    if (seen == kBackground) {
+      seen = id;
+      continue;
+    }
+    const SeenPlane& p = plane_of_item(id);
+    const SeenPlane& q = plane_of_item(seen);
+    if (sign(p.at_eye) * sign(q.at_eye) * sign_of(crossed(p, q)) > 0) seen = id;
+  }
+  return seen;
+}
+
+}  // namespace
+
 void add_caps(const Scene& scene, const Camera& camera,
               const ImageOptions& options, ItemImage& items,
               std::int32_t samples, std::optional<Side> eye) {
@@ -167,28 +211,33 @@ void add_caps(const Scene& scene, const Camera& camera,
     if (item < count) return planes[static_cast<std::size_t>(item)];
     return caps.plane(cap_item(static_cast<std::size_t>(item - count)).plane);
   };
-  const auto is_in_front = [&](PolygonId cap, PolygonId seen,
-                               const Caps::SignOf& sign_of) {
-    if (seen == kBackground) return true;
-    const SeenPlane& p = plane_of_item(cap);
-    const SeenPlane& q = plane_of_item(seen);
-    return sign(p.at_eye) * sign(q.at_eye) * sign_of(crossed(p, q)) > 0;
-  };
+  std::vector<bool> are_asked;
+  for (const ClipPlane& clip : options.clips)
+    are_asked.push_back(!eye || side_of_eye(function_of(clip), camera) == *eye);
   for (std::int32_t j = 0; j < items.height_px; ++j) {
     for (std::int32_t i = 0; i < items.width_px; ++i) {
-      const auto sign_of = [&](const Affine& f) {
-        return cap_sign_at_sample(f, i, j);
-      };
-      for (std::size_t k = 0; k < caps.count(); ++k) {
-        if (eye && side_of_eye(function_of(options.clips[k]), camera) != *eye)
-          continue;
-        const auto part = caps.part_at(k, sign_of);
-        if (!part) continue;
-        const PolygonId id = count + number_of({k, *part, false});
-        if (is_in_front(id, items.at(i, j), sign_of)) items.at(i, j) = id;
-      }
+      items.at(i, j) = with_caps(caps, plane_of_item, count, i, j,
+                                 items.at(i, j), are_asked);
     }
   }
+}
+
+PolygonId with_caps_at(const Scene& scene, const Camera& camera,
+                       const ImageOptions& options, std::int32_t i,
+                       std::int32_t j, PolygonId seen,
+                       std::span<const PolygonId> ids) {
+  if (!options.caps || options.clips.empty()) return seen;
+  const Caps caps(scene, camera, options, 1, ids);
+  const auto count = static_cast<PolygonId>(scene.polygon_count());
+  std::optional<SeenPlane> own;
+  if (seen != kBackground)
+    own.emplace(plane_of(whole(scene, seen).vertices), camera, 1);
+  const auto plane_of_item = [&](PolygonId item) -> const SeenPlane& {
+    if (item < count) return *own;
+    return caps.plane(cap_item(static_cast<std::size_t>(item - count)).plane);
+  };
+  return with_caps(caps, plane_of_item, count, i, j, seen,
+                   std::vector<bool>(caps.count(), true));
 }
 
 }  // namespace halfspace::ref

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "../covering.hpp"
@@ -55,6 +56,9 @@ class Caps {
   /// Requires: a closed scene; options.caps.
   Caps(const Scene& scene, const Camera& camera, const ImageOptions& options,
        std::int32_t samples);
+  /// The same where rays meet none but these polygons.
+  Caps(const Scene& scene, const Camera& camera, const ImageOptions& options,
+       std::int32_t samples, std::span<const PolygonId> ids);
 
   std::size_t count() const { return planes_.size(); }
   const SeenPlane& plane(std::size_t k) const { return planes_[k].plane; }

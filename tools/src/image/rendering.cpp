@@ -200,8 +200,6 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
     return "--background: --shadow checks pictures with one colour behind";
   if (style != Background::Style::kColor && arguments.anti_aliasing)
     return "--background: a gradient or none has no samples; leave out --aa";
-  if (arguments.clip.caps && arguments.shadow)
-    return "--shadow: checks no caps; leave out --cap";
   if (arguments.screen &&
       (method != Method::kSpan || arguments.anti_aliasing || arguments.rows)) {
     return "--screen: is for whole pictures by --method span; leave out --aa "

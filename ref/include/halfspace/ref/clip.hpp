@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "halfspace/camera.hpp"
@@ -36,5 +37,17 @@ std::optional<Fragment> clipped(Fragment fragment, const ImageOptions& options);
 void add_caps(const Scene& scene, const Camera& camera,
               const ImageOptions& options, ItemImage& items,
               std::int32_t samples = 1, std::optional<Side> eye = std::nullopt);
+
+/// What pixel (i, j) of the clipped scene shows, caps too, where polygons alone
+/// show `seen` there.
+///
+/// Requires: as add_caps(); `ids` are all polygons that cover the pixel's
+/// sample
+///           where nothing is clipped or culled, and maybe others.
+/// Exact:    yes.
+PolygonId with_caps_at(const Scene& scene, const Camera& camera,
+                       const ImageOptions& options, std::int32_t i,
+                       std::int32_t j, PolygonId seen,
+                       std::span<const PolygonId> ids);
 
 }  // namespace halfspace::ref
