@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "generate/clip_planes.hpp"
+#include "generate/cut_boxes.hpp"
 #include "generate/random_scenes.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/scene_file.hpp"
 #include "halfspace/shadow/check.hpp"
 #include "halfspace/shadow/render.hpp"
-#include "laws/frames/cap_looks.hpp"
 
 namespace halfspace::agree {
 namespace {
