@@ -4,6 +4,7 @@
 #include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/image/depth_sort.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
@@ -118,6 +119,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   expect_fast(fast::render(view.scene,
                            fast::build_display_tree(view.scene, display),
                            *view.camera, view.options, portable));
+  fast::LazyTreeOptions lazy;
+  lazy.tree = display;
+  lazy.cell_size = 1 + static_cast<std::size_t>(options.seed % 3);
+  lazy.most_in_cell = 1 + static_cast<std::size_t>(options.seed % 5);
+  lazy.most_listed = 4;
+  const fast::LazyTree opened(view.scene, lazy);
+  expect_fast(fast::render(opened, *view.camera, view.options, portable));
+  expect_fast(fast::paint(opened, *view.camera, view.options));
   const auto screen = static_cast<ScreenKind>(options.seed % 4);
   expect_fast(
       fast::render_on(view.scene, other, *view.camera, view.options, screen));

@@ -10,6 +10,7 @@
 #include "display_state.hpp"
 #include "halfspace/csg/exact.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/predicate.hpp"
 #include "halfspace/fast/traverse.hpp"
 #include "halfspace/io/import.hpp"
@@ -216,6 +217,19 @@ const fast::BspTree* Display::State::picture_tree(const View& view) {
   return &*tree;
 }
 
+const fast::LazyTree* Display::State::lazy_tree(const View& view) {
+  if (!view.lazy || view.anti_aliasing == AntiAliasing::kExactArea)
+    return nullptr;
+  const Lock lock(mutex);
+  if (tree) return nullptr;
+  if (!lazy) {
+    fast::LazyTreeOptions options;
+    options.tree.threads = std::max(view.threads, 0);
+    lazy.emplace(scene, options);
+  }
+  return &*lazy;
+}
+
 const fast::BspTree* Display::State::ordered_tree(const View& view) {
   const fast::BspTree* made = picture_tree(view);
   if (made == nullptr) return nullptr;
@@ -403,6 +417,7 @@ Result<Done> Display::remove(std::span<const std::int32_t> polygons) {
     state.built_count = faces.size();
     state.changes = 0;
   }
+  state.lazy.reset();
   state.scene = *std::move(left);
   state.faces = std::move(faces);
   state.closed.reset();

@@ -9,6 +9,7 @@
 #include "halfspace/clip.hpp"
 #include "halfspace/display.hpp"
 #include "halfspace/fast/build.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/mesh.hpp"
@@ -35,6 +36,7 @@ struct [[gnu::visibility("hidden")]] Display::State {
   Mutex mutex;
   std::optional<fast::BspTree> tree;
   std::optional<fast::BspTree> ordered;
+  std::optional<fast::LazyTree> lazy;  ///< of this scene
   std::optional<bool> closed;
   /// The solid of each polygon of the scene, for caps that tell them apart, and
   /// whether each is closed.
@@ -47,6 +49,8 @@ struct [[gnu::visibility("hidden")]] Display::State {
   const fast::BspTree* picture_tree(const View& view);
   const fast::BspTree& picture_tree() { return *picture_tree(View{}); }
   const fast::BspTree* ordered_tree(const View& view);
+  /// Null where the view asks for none, or there is a whole one.
+  const fast::LazyTree* lazy_tree(const View& view);
   /// The polygon of the display that a polygon of the scene is part of, and its
   /// solid. Solids without polygons begin where the next one does.
   std::int32_t polygon_of(PolygonId id) const;

@@ -164,13 +164,22 @@ Result<fast::Rendering> Display::State::rendered(
                      std::to_string(kMaxImageSize / samples) +
                      " columns and rows"};
   }
-  const fast::BspTree* made = picture_tree(view);
-  if (made == nullptr) return detail::stopped();
-  fast::Rendering image =
-      !is_opaque ? fast::blend(scene, *made, *camera, *options, view.alpha, how)
-      : samples == 1
-          ? fast::render(scene, *made, *camera, *options, how)
-          : fast::render_samples(scene, *made, *camera, *options, samples, how);
+  fast::Rendering image;
+  if (const fast::LazyTree* opened = lazy_tree(view)) {
+    image =
+        !is_opaque ? fast::blend(*opened, *camera, *options, view.alpha, how)
+        : samples == 1
+            ? fast::render(*opened, *camera, *options, how)
+            : fast::render_samples(*opened, *camera, *options, samples, how);
+  } else {
+    const fast::BspTree* made = picture_tree(view);
+    if (made == nullptr) return detail::stopped();
+    image = !is_opaque
+                ? fast::blend(scene, *made, *camera, *options, view.alpha, how)
+            : samples == 1 ? fast::render(scene, *made, *camera, *options, how)
+                           : fast::render_samples(scene, *made, *camera,
+                                                  *options, samples, how);
+  }
   if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {
     const fast::BspTree* divided = ordered_tree(view);
     if (divided == nullptr) return detail::stopped();

@@ -449,6 +449,41 @@ TEST(FaceDisplay, PolygonsMayBeTransparent) {
                           [&](const SeenRegion& r) { return r.color == cut; }));
 }
 
+TEST(FaceDisplay, LazyTreesGiveTheSamePictures) {
+  const Mesh ball = *Solid::sphere(1, 64).mesh();
+  const Display eager = *Display::of(ball);
+  Display lazy = *Display::of(ball);
+  View view = small_view();
+  const auto expect_same = [&](const Display& one, const Display& other) {
+    for (const std::uint8_t alpha : {kOpaque, std::uint8_t{90}}) {
+      for (const double x : {9.0, -9.0, 0.5}) {
+        view.eye = Point{x, 3, 2};
+        view.target = Point{0, 0, 0};
+        view.alpha = alpha;
+        view.lazy = false;
+        const Picture expected = *one.render(view);
+        view.lazy = true;
+        const Picture picture = *other.render(view);
+        EXPECT_TRUE(picture.polygons == expected.polygons);
+        EXPECT_TRUE(picture.colors == expected.colors);
+      }
+    }
+    view.alpha = kOpaque;
+  };
+  expect_same(eager, lazy);
+  view.anti_aliasing = AntiAliasing::k4;
+  EXPECT_TRUE(lazy.render(view)->colors == eager.render(view)->colors);
+  view.anti_aliasing = AntiAliasing::kNone;
+  // What has changed is not what was opened; a whole tree is taken when there.
+  const std::vector<std::int32_t> some = {5, 6, 7, 900};
+  Display less = *Display::of(ball);
+  ASSERT_TRUE(less.remove(some));
+  ASSERT_TRUE(lazy.remove(some));
+  expect_same(less, lazy);
+  EXPECT_TRUE(lazy.pick(view, 10, 10));
+  expect_same(less, lazy);
+}
+
 TEST(FaceDisplay, SeenAreasAreThoseOfTheImage) {
   // A face of a cube that fills a quarter of the image, and half of it hidden.
   View view;

@@ -7,7 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "generate/clip_planes.hpp"
 #include "generate/random_scenes.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
+#include "halfspace/fast/render.hpp"
 #include "halfspace/ref/split.hpp"
 
 /// The display tree is followed from its root with the reference's fragments,
@@ -236,6 +239,65 @@ TEST(AgreeDisplayTree, PiecesOfALargeSceneFitTogether) {
   Seen seen;
   follow(*scene, fast::build_display_tree(*scene, options), seen);
   EXPECT_GT(seen.cuts, 1000u);
+}
+
+/// The same images as the eager tree's, whatever was displayed before.
+TEST(AgreeDisplayTree, LazyTreesGiveTheImagesOfEagerOnes) {
+  std::size_t partly = 0;
+  std::size_t cut = 0;
+  std::size_t again = 0;
+  for (const Kind kind : kKinds) {
+    for (const int bits : kGridBits) {
+      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        SCOPED_TRACE(std::string(name_of(kind)) + ", " + std::to_string(bits) +
+                     " bits, seed " + std::to_string(seed));
+        Draws draws(seed * 1000 + static_cast<std::uint64_t>(bits));
+        const Scene scene = random_scene(
+            kind, bits, static_cast<int>(draws.from_to(1, 90)), draws, true);
+        fast::LazyTreeOptions options;
+        options.tree.leaf_size = static_cast<std::size_t>(draws.from_to(1, 20));
+        options.cell_size = static_cast<std::size_t>(draws.from_to(1, 9));
+        options.most_listed = 4;
+        options.most_in_cell = static_cast<std::size_t>(draws.from_to(1, 40));
+        const fast::BspTree eager = fast::build_display_tree(scene);
+        options.tree.threads = 1;
+        const fast::LazyTree one(scene, options);
+        options.tree.threads = 3;
+        const fast::LazyTree three(scene, options);
+        const fast::LazyTreeStats opened = one.stats();
+        ASSERT_TRUE(opened == three.stats());
+        ASSERT_EQ(opened.polygons_built, 0u);
+        for (int view = 0; view < 5; ++view) {
+          const Camera camera = random_camera(kind, scene, 61, 43, draws);
+          ImageOptions image;
+          image.cull = draws.one_in(3);
+          image.shading = draws.one_in(2) ? Shading::kGouraud : Shading::kFlat;
+          image.clips = draws.one_in(3)
+                            ? generate::clip_planes(scene, draws.next(), 2)
+                            : std::vector<ClipPlane>();
+          fast::RenderOptions how;
+          const auto expected = fast::render(scene, eager, camera, image, how);
+          const auto expect_same = [&](const fast::Rendering& made) {
+            ASSERT_TRUE(made.items == expected.items);
+            ASSERT_TRUE(made.colors == expected.colors);
+            ASSERT_EQ(made.pixels_painted, expected.pixels_painted);
+          };
+          expect_same(fast::render(one, camera, image, how));
+          how.threads = 3;
+          how.simd = fast::SimdLevel::kPortable;
+          expect_same(fast::render(three, camera, image, how));
+          if (HasFatalFailure()) return;
+          partly += one.stats().cells_built < one.stats().cells ? 1u : 0u;
+        }
+        const fast::LazyTreeStats built = one.stats();
+        cut += built.fragments > built.polygons_built ? 1u : 0u;
+        again += built.cells > opened.cells ? 1u : 0u;
+      }
+    }
+  }
+  EXPECT_GT(partly, 70u);
+  EXPECT_GT(cut, 50u);
+  EXPECT_GT(again, 10u) << "cells that were divided again";
 }
 
 }  // namespace

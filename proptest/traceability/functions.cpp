@@ -12,6 +12,7 @@
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/image/behind.hpp"
 #include "halfspace/fast/image/depth_sort.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/image/seen_areas.hpp"
@@ -179,6 +180,16 @@ void take_all() {
   take(&fast::count_behind);  // S3.10
   take(&ref::remove);  // S3.11
   take(&fast::remove);  // S3.11
+  {  // S3.12
+    using namespace fast;
+    using Kind = Rendering(const LazyTree&, const Camera&, const ImageOptions&, const RenderOptions&);
+    take<Kind>(&fast::render);
+  }
+  {  // S3.12
+    using namespace fast;
+    using Kind = Rendering(const LazyTree&, const Camera&, const ImageOptions&, std::int32_t, const RenderOptions&);
+    take<Kind>(&fast::render_samples);
+  }
   take(&make_camera);  // S4.1
   take(&ref::side_of_eye);  // S4.2
   take(&fast::side_of_eye);  // S4.2
@@ -409,5 +420,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 202 ? 0 : 1;
+  return halfspace::taken == 204 ? 0 : 1;
 }

@@ -35,6 +35,12 @@ expect 2 '\-\-priority depthsort.*exact' render cube.off -o a.png \
   --priority depthsort --aa exact
 expect 2 '\-\-tree.*depthsort needs none' render cube.off -o a.png \
   --priority depthsort --tree a.tree
+expect 2 '\-\-lazy.*leave out --tree' render cube.off -o a.png --lazy --tree a.tree
+expect 2 '\-\-lazy.*--heuristic' render cube.off -o a.png --lazy --heuristic h1
+expect 2 '\-\-lazy.*whole trees' render cube.off -o a.png --lazy --screen list
+expect 2 '\-\-lazy.*whole trees' render cube.off -o a.png --lazy --aa exact
+expect 2 '\-\-lazy.*ref' render cube.off -o a.png --lazy --impl ref
+expect 2 '\-\-lazy.*no tree' render cube.off -o a.png --lazy --method zbuffer
 expect 2 'output' csg
 expect 2 'say what' csg -o c.off
 expect 2 'NAME=FILE.*cube.off' csg xor cube.off cube.off -o c.off

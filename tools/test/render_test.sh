@@ -94,6 +94,32 @@ for method in span zbuffer; do
     [ -n "$(number a.json $name)" ] || wrong "$method: no $name in --stats"
   done
 done
+
+# A tree of which images build what they come to: the same bytes, and where the
+# camera looks away or one side hides the other, less of it.
+"$make_model" sphere --count 60 -o ball.off || exit 1
+for how in "--shade gouraud" "--alpha 80" "--method painter" "--aa 2" \
+  "--clip 1,0,0,0 --cap hatch" "--rows 3:30 --threads 2"; do
+  expect 0 'tree' render ball.off "${size[@]}" -o a.png --ids a.npy $how
+  expect 0 'built: [0-9]* of [0-9]* cells' render ball.off "${size[@]}" \
+    -o b.png --ids b.npy $how --lazy
+  same a.png b.png
+  same a.npy b.npy
+done
+expect 0 'span' render ball.off "${size[@]}" --lazy --stats a.json \
+  --eye 3,0,0 --target 1,0,0 --fov 5
+for name in cells cells_built polygons_built fragments_built bytes_built; do
+  [ -n "$(number a.json $name)" ] || wrong "no $name in --stats of --lazy"
+done
+[ "$(number a.json polygons_built)" -lt "$(number a.json polygons)" ] ||
+  wrong "what is outside of the image was built"
+[ "$(number a.json polygons_built)" -gt 0 ] || wrong "nothing was built"
+expect 0 'built: 0 of' render ball.off "${size[@]}" -o b.png --lazy \
+  --eye 0,0,900 --target 0,0,999
+expect 0 '4 frames' render ball.off "${size[@]}" -o f%d.png --turntable 4
+expect 0 '4 frames' render ball.off "${size[@]}" -o g%d.png --turntable 4 --lazy
+for k in 0 1 2 3; do same f$k.png g$k.png; done
+
 # A share of the pixels, or all, checked against the reference.
 expect 0 'shadow: 1728 pixels checked, .*, 0 mismatches' render pinwheel.off \
   "${size[@]}" -o a.png --shadow 1

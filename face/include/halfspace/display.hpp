@@ -68,6 +68,11 @@ struct View {
   int threads = 0;  ///< 0: as many as the machine has
   /// Of the display's tree, which the first view makes.
   Progress progress = {};
+  /// Makes of the tree what render() comes to, as it does, where there is no
+  /// whole one yet (S3.12): the first picture of many polygons is there sooner,
+  /// and the same. `progress` is not called then. Exact areas need a whole
+  /// tree.
+  bool lazy = false;
 };
 
 /// A picture: at each pixel its colour, and the polygon that is seen at its

@@ -57,6 +57,11 @@ class Gate {
   bool has_boxes_;
 };
 
+/// What shows the cells of a tree that has none.
+struct NoCells {
+  void operator()(NodeId) const {}
+};
+
 /// Shows the frame's tree front to back on what is unlit of the band.
 ///
 /// A leaf without fragments is a cell that is kept free: show_cell(id) shows

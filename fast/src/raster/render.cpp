@@ -11,6 +11,7 @@
 #include "raster/caps.hpp"
 #include "raster/layers/layer_walk.hpp"
 #include "raster/layers/leaf_layers.hpp"
+#include "raster/lazy_walk.hpp"
 #include "raster/polygon_rasterizer.hpp"
 #include "raster/render_pass.hpp"
 #include "raster/tile_buffer.hpp"
@@ -28,35 +29,77 @@ struct BandResult {
 };
 
 template <int kBits>
-BandResult render_band(const Frame& frame, TileBuffer& buffer) {
-  TileView& screen = buffer.view();
-  PolygonRasterizer<kBits> rasterizer(frame, screen);
-  FilterStats stats;
-  show_front_to_back(frame, buffer, rasterizer, stats, [](NodeId) {});
+BandResult found_by(const PolygonRasterizer<kBits>& rasterizer,
+                    std::size_t pixels, const TileView& screen,
+                    FilterStats stats) {
+  stats.add(rasterizer.stats());
+  return {pixels, rasterizer.fragments(),
+          static_cast<std::size_t>(screen.touches), stats};
+}
+
+/// Fills what is unlit after the walk.
+template <int kBits>
+BandResult finish_band(const Frame& frame, TileView& screen,
+                       PolygonRasterizer<kBits>& rasterizer,
+                       const FilterStats& stats) {
   const std::int64_t unlit = rasterizer.fill_rest(frame.image.background);
   const std::int64_t all =
       std::int64_t{screen.columns.end - screen.columns.first} *
       (screen.lines.end - screen.lines.first);
-  stats.add(rasterizer.stats());
-  return {static_cast<std::size_t>(all - unlit), rasterizer.fragments(),
-          static_cast<std::size_t>(screen.touches), stats};
+  return found_by(rasterizer, static_cast<std::size_t>(all - unlit), screen,
+                  stats);
+}
+
+template <int kBits>
+BandResult render_band(const Frame& frame, TileBuffer& buffer,
+                       const LazyTree::State* lazy) {
+  FilterStats stats;
+  if constexpr (kLazyTrees) {
+    if (lazy != nullptr) {
+      LazyWalk<kBits> walk(frame, *lazy, buffer);
+      walk.show_front_to_back(stats);
+      return finish_band(frame, buffer.view(), walk.rasterizer(), stats);
+    }
+  }
+  PolygonRasterizer<kBits> rasterizer(frame, buffer.view());
+  show_front_to_back(frame, buffer, rasterizer, stats, NoCells());
+  return finish_band(frame, buffer.view(), rasterizer, stats);
 }
 
 /// `add_under()` adds what is behind all polygons, before the background.
-template <int kBits, class AddUnder>
-BandResult paint_band(const Frame& frame, TileBuffer& buffer,
-                      const AddUnder& add_under) {
-  TileView& screen = buffer.view();
-  PolygonRasterizer<kBits> rasterizer(frame, screen);
+template <int kBits, class AddUnder, class Walk>
+BandResult paint_with(const Frame& frame, TileView& screen,
+                      PolygonRasterizer<kBits>& rasterizer,
+                      const AddUnder& add_under, Walk&& walk) {
   rasterizer.fill_rest(frame.image.background);
   add_under();
   LeafLayers layers(frame, screen, rasterizer);
   FilterStats stats;
-  show_back_to_front(frame, buffer, rasterizer, layers, stats);
-  stats.add(rasterizer.stats());
+  walk(layers, stats);
   stats.add(layers.stats());
-  return {rasterizer.pixels() + layers.pixels(), rasterizer.fragments(),
-          static_cast<std::size_t>(screen.touches), stats};
+  return found_by(rasterizer, rasterizer.pixels() + layers.pixels(), screen,
+                  stats);
+}
+
+template <int kBits, class AddUnder>
+BandResult paint_band(const Frame& frame, TileBuffer& buffer,
+                      const LazyTree::State* lazy, const AddUnder& add_under) {
+  TileView& screen = buffer.view();
+  if constexpr (kLazyTrees) {
+    if (lazy != nullptr) {
+      LazyWalk<kBits> lazy_walk(frame, *lazy, buffer);
+      return paint_with(lazy_walk.frame(), screen, lazy_walk.rasterizer(),
+                        add_under, [&](LeafLayers& layers, FilterStats& stats) {
+                          lazy_walk.show_back_to_front(layers, stats);
+                        });
+    }
+  }
+  PolygonRasterizer<kBits> rasterizer(frame, screen);
+  return paint_with(frame, screen, rasterizer, add_under,
+                    [&](LeafLayers& layers, FilterStats& stats) {
+                      show_back_to_front(frame, buffer, rasterizer, layers,
+                                         stats);
+                    });
 }
 
 }  // namespace
@@ -82,7 +125,7 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
   resize_image(result.colors, options.colors ? width : 0,
                options.colors ? height : 0);
 
-  const bool leaves = has_leaves(tree);
+  const bool leaves = pass.lazy != nullptr || has_leaves(tree);
   const TreeReader reader(scene, tree);
   const View view =
       make_view(camera, extent_of(tree, scene.grid_bits()), pass.samples);
@@ -106,8 +149,8 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
                       leaves && pass.order == Order::kFrontToBack);
     found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
       return pass.order == Order::kFrontToBack
-                 ? render_band<bits()>(frame, buffer)
-                 : paint_band<bits()>(frame, buffer, add_under);
+                 ? render_band<bits()>(frame, buffer, pass.lazy)
+                 : paint_band<bits()>(frame, buffer, pass.lazy, add_under);
     });
   };
   if (threads == 1) {
@@ -168,6 +211,43 @@ Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
   run(scene, tree, camera, image, options, {Order::kBackToFront, alpha},
       result);
   return result;
+}
+
+namespace {
+
+Rendering run_lazy(const LazyTree& tree, const Camera& camera,
+                   const ImageOptions& image, const RenderOptions& options,
+                   Pass pass) {
+  pass.lazy = &tree.state();
+  Rendering result;
+  run(tree.scene(), tree.state().root.tree, camera, image, options, pass,
+      result);
+  return result;
+}
+
+}  // namespace
+
+Rendering render(const LazyTree& tree, const Camera& camera,
+                 const ImageOptions& image, const RenderOptions& options) {
+  return run_lazy(tree, camera, image, options, {});
+}
+
+Rendering render_samples(const LazyTree& tree, const Camera& camera,
+                         const ImageOptions& image, std::int32_t samples,
+                         const RenderOptions& options) {
+  return run_samples(tree.scene(), tree.state().root.tree, camera, image,
+                     samples, options, &tree.state());
+}
+
+Rendering paint(const LazyTree& tree, const Camera& camera,
+                const ImageOptions& image, const RenderOptions& options) {
+  return run_lazy(tree, camera, image, options, {Order::kBackToFront});
+}
+
+Rendering blend(const LazyTree& tree, const Camera& camera,
+                const ImageOptions& image, std::uint8_t alpha,
+                const RenderOptions& options) {
+  return run_lazy(tree, camera, image, options, {Order::kBackToFront, alpha});
 }
 
 }  // namespace halfspace::fast

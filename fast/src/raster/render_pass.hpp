@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "raster/caps.hpp"
 
@@ -10,18 +11,32 @@ namespace halfspace::fast {
 enum class Order : std::uint8_t { kFrontToBack, kBackToFront };
 
 /// In which order a tree is displayed, what of a polygon is not seen through,
-/// how many samples a pixel has each way, and the caps' changes where those of
-/// all rows are known.
+/// how many samples a pixel has each way, the caps' changes where those of all
+/// rows are known, and of which lazy tree it is the root, if of one.
 struct Pass {
   Order order = Order::kFrontToBack;
   std::uint8_t alpha = kOpaque;
   int samples = 1;
   const CapChanges* caps = nullptr;
+  const LazyTree::State* lazy = nullptr;
 };
+
+/// Lazy trees are not part of the module for the web, for its size.
+#if defined(__wasm__)
+constexpr bool kLazyTrees = false;
+#else
+constexpr bool kLazyTrees = true;
+#endif
 
 /// Displays a tree. The images, and a rectangle, are of samples.
 void run(const Scene& scene, const BspTree& tree, const Camera& camera,
          const ImageOptions& image, const RenderOptions& options, Pass pass,
          Rendering& result);
+
+/// The image of samples (S5.7).
+Rendering run_samples(const Scene& scene, const BspTree& tree,
+                      const Camera& camera, const ImageOptions& image,
+                      std::int32_t samples, const RenderOptions& options,
+                      const LazyTree::State* lazy);
 
 }  // namespace halfspace::fast

@@ -32,7 +32,7 @@ class SampledImage {
   SampledImage(const Scene& scene, const BspTree& tree, const Camera& camera,
                const ImageOptions& image, std::int32_t samples,
                const RenderOptions& options, const Rectangle& rectangle,
-               Rendering& result)
+               const LazyTree::State* lazy, Rendering& result)
       : scene_(scene),
         tree_(tree),
         camera_(camera),
@@ -42,7 +42,8 @@ class SampledImage {
         result_(result),
         reader_(scene, tree),
         view_(make_view(camera, extent_of(tree, scene.grid_bits()), samples)),
-        samples_(samples) {
+        samples_(samples),
+        lazy_(lazy) {
     const bool has_caps = image.caps && !image.clips.empty();
     if (has_caps) find_caps();
     by_colors_ = kMeansOfColors && samples > 1 && !has_caps && options.colors &&
@@ -60,6 +61,7 @@ class SampledImage {
     Pass pass;
     pass.samples = samples_;
     pass.caps = image_.caps ? &caps_ : nullptr;
+    pass.lazy = lazy_;
     run(scene_, tree_, camera_, image_, own, pass, strip);
     const std::int64_t stride = own.rectangle->right - own.rectangle->left;
     const std::int32_t line = top - rectangle_.top;
@@ -130,6 +132,7 @@ class SampledImage {
   TreeReader reader_;
   View view_;
   std::int32_t samples_;
+  const LazyTree::State* lazy_;
   CapChanges caps_;
   bool by_colors_ = false;
   Mutex mutex_;
@@ -137,9 +140,10 @@ class SampledImage {
 
 }  // namespace
 
-Rendering render_samples(const Scene& scene, const BspTree& tree,
-                         const Camera& camera, const ImageOptions& image,
-                         std::int32_t samples, const RenderOptions& options) {
+Rendering run_samples(const Scene& scene, const BspTree& tree,
+                      const Camera& camera, const ImageOptions& image,
+                      std::int32_t samples, const RenderOptions& options,
+                      const LazyTree::State* lazy) {
   HALFSPACE_ASSERT(options.threads >= 0);
   const int threads = thread_count(options.threads);
   HALFSPACE_ASSERT(samples == 1 || samples == 2 || samples == 4 ||
@@ -155,7 +159,7 @@ Rendering render_samples(const Scene& scene, const BspTree& tree,
     result.items = ItemImage(width * samples, height * samples, kBackground);
   if (options.colors) result.colors = ColorImage(width, height, Rgb{});
   SampledImage sampled(scene, tree, camera, image, samples, options, rectangle,
-                       result);
+                       lazy, result);
   // Whole rows of tiles: 8 samples high.
   const std::int32_t lines =
       std::max(8, kStripSamples / (width * samples * samples) / 8 * 8);
@@ -179,6 +183,12 @@ Rendering render_samples(const Scene& scene, const BspTree& tree,
     });
   });
   return result;
+}
+
+Rendering render_samples(const Scene& scene, const BspTree& tree,
+                         const Camera& camera, const ImageOptions& image,
+                         std::int32_t samples, const RenderOptions& options) {
+  return run_samples(scene, tree, camera, image, samples, options, nullptr);
 }
 
 }  // namespace halfspace::fast

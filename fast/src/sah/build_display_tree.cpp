@@ -25,9 +25,6 @@ constexpr std::size_t kJobRegions = 0;
 constexpr std::size_t kJobRegions = 64;
 #endif
 
-/// This many cuts are always allowed: they take some megabytes.
-constexpr double kFreeCuts = 100'000;
-
 /// Polygons that a thread reads at a time. Untuned.
 constexpr std::size_t kBlock = 4096;
 

@@ -34,6 +34,8 @@ BuildState::BuildState(const Scene& a_scene,
   if (scene.data().vertices.empty()) return;
   GridBox box(scene.data().vertices.front());
   for (const GridPoint& p : scene.data().vertices) box.add(p);
+  range = {{box.low.x, box.low.y, box.low.z},
+           {box.high.x, box.high.y, box.high.z}};
   const GridPoint size = {box.high.x - box.low.x, box.high.y - box.low.y,
                           box.high.z - box.low.z};
   const double half =

@@ -1,14 +1,24 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/threads.hpp"
+#include "sah/cell_division.hpp"
 #include "sah/cell_tree.hpp"
 #include "sah/primitive.hpp"
 
 namespace halfspace::fast {
+
+/// This many cuts are always allowed in a tree: they take some megabytes.
+constexpr double kFreeCuts = 100'000;
+
+inline std::array<double, 3> to_doubles(const GridPoint& p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y),
+          static_cast<double>(p.z)};
+}
 
 /// The state that all threads of one build share.
 class BuildState {
@@ -26,6 +36,7 @@ class BuildState {
   const Scene& scene;
   const DisplayTreeOptions& options;
   KeptCells* cells;  ///< boxes that no splitter cuts, or null
+  GridRange range;   ///< of the scene's vertices
   GridPoint origin;  ///< of the primitives' frame: the middle of the scene
   /// The area of the scene's box as seen from a random direction, on average;
   /// above 0. Units: squares of grid steps.

@@ -39,11 +39,6 @@ float sum_below(double a, double b) {
                 : sum);
 }
 
-std::array<double, 3> to_doubles(const GridPoint& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y),
-          static_cast<double>(p.z)};
-}
-
 std::int64_t coordinate_of(const GridPoint& p, std::size_t axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }

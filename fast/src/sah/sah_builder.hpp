@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sah/build_state.hpp"
+#include "sah/cell_division.hpp"
 #include "sah/polygon_split.hpp"
 #include "sah/primitive.hpp"
 #include "tree/fragment_splitter.hpp"
@@ -50,6 +51,10 @@ struct BuildJob {
 class SahBuilder {
  public:
   SahBuilder(BuildState& state, BuildJob& job);
+
+  /// Leaves in the job what is of its polygons in the region, whose faces are
+  /// the splitters above. Requires: whole polygons, a part of each box in it.
+  void cut_to(const CellRegion& region);
 
   /// Builds the whole subtree.
   void build_subtree();
@@ -108,6 +113,7 @@ class SahBuilder {
   Primitive primitive_of(const Primitive& whole, const FragmentRef& part,
                          int side, const AxisSplit* axis);
   FragmentRef fragment_of(const Primitive& primitive);
+  bool keep_side(Primitive& primitive, const Splitter& splitter, int side);
 
   Box box_of(const ObjectRegion& region) const;
   void keep_cell(const Task& task, std::int32_t region);

@@ -129,7 +129,7 @@ class BlockMaker {
 
 }  // namespace
 
-void add_blocks(BspTree& tree, const Scene& scene) {
+void add_blocks(BspTree& tree, const Scene& scene, int threads) {
   FirstBlocks end;
   std::vector<FirstBlocks> first_blocks = {end};
   for (const Node& node : tree.nodes) {
@@ -143,19 +143,23 @@ void add_blocks(BspTree& tree, const Scene& scene) {
   tree.first_blocks = std::move(first_blocks);
   const TreeReader reader(scene, tree);
   const BlockMaker maker(reader);
+  const auto fill = [&](std::size_t n) {
+    const FirstBlocks& at = tree.first_blocks[n];
+    if (at == tree.first_blocks[n + 1]) return;
+    const Node& node = tree.nodes[n];
+    const Runs runs = runs_of(tree, node);
+    maker.fill(tree.triangles, at.triangles, node.first_fragment,
+               runs.triangles);
+    maker.fill(tree.quadrangles, at.quadrangles,
+               node.first_fragment + runs.triangles, runs.quadrangles);
+  };
+  if (threads == 1) {
+    for (std::size_t n = 0; n < tree.nodes.size(); ++n) fill(n);
+    return;
+  }
   const TsanForkJoin shared;
-  threads::for_each_index(tree.nodes.size(), [&](std::size_t n) {
-    shared.task([&] {
-      const FirstBlocks& at = tree.first_blocks[n];
-      if (at == tree.first_blocks[n + 1]) return;
-      const Node& node = tree.nodes[n];
-      const Runs runs = runs_of(tree, node);
-      maker.fill(tree.triangles, at.triangles, node.first_fragment,
-                 runs.triangles);
-      maker.fill(tree.quadrangles, at.quadrangles,
-                 node.first_fragment + runs.triangles, runs.quadrangles);
-    });
-  });
+  threads::for_each_index(
+      tree.nodes.size(), [&](std::size_t n) { shared.task([&] { fill(n); }); });
 }
 
 }  // namespace halfspace::fast

@@ -323,6 +323,10 @@ void add_tree_options(CLI::App& app, RenderArguments& arguments) {
                  "The tree that `build -o` saved, instead of building one")
       ->type_name("FILE.tree")
       ->group("Tree");
+  app.add_flag("--lazy", arguments.lazy,
+               "Build of the tree what images come to, as they do: the first "
+               "one is there sooner. The same bytes")
+      ->group("Tree");
 }
 
 void add_shadow_options(CLI::App& app, RenderArguments& arguments) {

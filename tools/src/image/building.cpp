@@ -106,10 +106,11 @@ int working_threads(const BuildArguments& arguments) {
 std::optional<BuildMeasure> build_measured(Engine& engine, Library library,
                                            const Scene& scene,
                                            const BuildArguments& arguments,
-                                           bool leaves) {
+                                           bool leaves, bool lazy) {
   TreeRequest request;
   if (asks_for_rule(arguments)) request.rule = build_options(arguments);
   request.leaves = leaves;
+  request.lazy = lazy;
   request.threads = working_threads(arguments);
   progress(tree_cost_warning(scene, library, request));
   LongWork work("tree");
@@ -125,7 +126,8 @@ std::optional<BuildMeasure> build_measured(Engine& engine, Library library,
   if (measure.bytes == 0) measure.bytes = allocated_bytes() - before;
   measure.stats = engine.stats();
   measure.library = word_of(kLibraryWords, library);
-  measure.kind = kind_of(arguments, library);
+  measure.kind = lazy ? "lazy" : kind_of(arguments, library);
+  measure.is_lazy = lazy;
   return measure;
 }
 
@@ -173,6 +175,9 @@ nlohmann::json stats_of(const io::LoadedScene& loaded,
 }
 
 std::string to_string(const BuildMeasure& measure, std::size_t polygons) {
+  if (measure.is_lazy)
+    return fmt::format("{} bytes, opened in {:.3f} ms", measure.bytes,
+                       measure.build_ms);
   return fmt::format(
       "{} nodes, height {}, {} fragments, {} splits, {} bytes ({:.0f} a "
       "polygon, {:.0f} a fragment), {} in {:.3f} ms",

@@ -53,15 +53,17 @@ struct BuildMeasure {
   double wall_ms = 0;      ///< time as it passed
   std::size_t bytes = 0;   ///< memory of the tree
   bool is_loaded = false;  ///< read from a file
+  bool is_lazy = false;    ///< opened; images build what they come to
 };
 
 /// Builds the scene's tree in `engine`, of `library`, and measures it: by a
 /// rule of the papers if the arguments say anything of one, else the library's
-/// usual tree, without leaves if need be. Nothing, where Ctrl-C stopped that.
+/// usual tree, without leaves or lazy if need be. Nothing, where Ctrl-C stopped
+/// that.
 std::optional<BuildMeasure> build_measured(Engine& engine, Library library,
                                            const Scene& scene,
                                            const BuildArguments& arguments,
-                                           bool leaves);
+                                           bool leaves, bool lazy = false);
 
 /// Loads the tree in the file instead.
 /// Errors: those of Engine::load_tree().

@@ -88,6 +88,9 @@ struct TreeRequest {
   /// Whether leaves will do, lists of fragments that no plane orders: images of
   /// tiles need no more.
   bool leaves = true;
+  /// Whether images shall build what of the tree they come to, and build() no
+  /// more than planes between.
+  bool lazy = false;
   int threads = 0;  ///< 0: as many as the machine has
   /// Gets the share that is done; where it returns false, the work stops.
   std::function<bool(double)> progress;
@@ -115,6 +118,15 @@ struct Shot {
   fast::SimdLevel simd = fast::SimdLevel::kBest;
 };
 
+/// How much of a lazy tree is there (S3.12).
+struct BuiltCells {
+  std::size_t cells = 0;
+  std::size_t cells_built = 0;
+  std::size_t polygons_built = 0;
+  std::size_t fragments = 0;
+  std::size_t bytes = 0;
+};
+
 /// An image, or the wanted rows of it, and what it took. Items are those of
 /// samples, as many each way as there are in a pixel.
 struct Picture {
@@ -135,6 +147,8 @@ struct Picture {
   std::size_t fragments_behind = 0;
   /// Pixels of exact areas that rationals decided.
   std::size_t exact_pixels = 0;
+  /// After the image, of a lazy tree.
+  std::optional<BuiltCells> cells = std::nullopt;
 };
 
 /// What of a tree is behind the viewer (S3.10).
@@ -158,6 +172,9 @@ class Engine {
   /// What the tree takes; 0 where the library does not tell. Units: bytes.
   virtual std::size_t tree_bytes() const = 0;
 
+  /// What is there of the tree, if it is lazy.
+  virtual std::optional<BuiltCells> built_cells() const { return std::nullopt; }
+
   /// Whether trees can be saved and loaded.
   virtual bool has_tree_files() const = 0;
 
@@ -179,7 +196,8 @@ class Engine {
                            ColorScale scale) = 0;
 
   /// Requires: has(shot.method); the span buffer for anti-aliasing, with a
-  /// number of samples that the camera has room for; where the method needs a
+  /// number of samples that the camera has room for; of a lazy tree neither a
+  /// screen nor exact areas; where the method needs a
   /// tree and depth sort does not make a list instead, that is this scene's,
   /// and without leaves for a screen; an alpha for the painter alone.
   virtual Picture render(const Scene& scene, const Camera& camera,

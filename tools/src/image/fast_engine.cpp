@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "cli/outputs.hpp"
@@ -9,6 +10,7 @@
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/image/behind.hpp"
 #include "halfspace/fast/image/depth_sort.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
@@ -31,6 +33,12 @@ class FastEngine : public Engine {
     bool stopped = false;
     fast::DisplayTreeOptions options;
     options.threads = request.threads;
+    if (request.lazy) {
+      fast::LazyTreeOptions lazy;
+      lazy.tree = options;
+      lazy_.emplace(scene, lazy);
+      return true;
+    }
     if (!request.leaves) options.leaf_size = kDividedLeaf;
     options.progress = [&](double share) {
       stopped = stopped || !request.progress(share);
@@ -43,7 +51,15 @@ class FastEngine : public Engine {
   }
 
   TreeStats stats() const override { return fast::stats(tree_); }
-  std::size_t tree_bytes() const override { return fast::bytes_of(tree_); }
+  std::size_t tree_bytes() const override {
+    return lazy_ ? lazy_->stats().bytes : fast::bytes_of(tree_);
+  }
+  std::optional<BuiltCells> built_cells() const override {
+    if (!lazy_) return std::nullopt;
+    const fast::LazyTreeStats built = lazy_->stats();
+    return BuiltCells{built.cells, built.cells_built, built.polygons_built,
+                      built.fragments, built.bytes};
+  }
   bool has_tree_files() const override { return true; }
 
   Result<Done> save_tree(const std::string& path,
@@ -83,6 +99,8 @@ class FastEngine : public Engine {
       picture.moves = sort.moves;
       picture.cuts = sort.cuts;
       image = image_of(scene, sort.list, camera, shot, how);
+    } else if (lazy_) {
+      image = image_of(*lazy_, camera, shot, how);
     } else {
       image = image_of(scene, tree_, camera, shot, how);
     }
@@ -171,6 +189,22 @@ class FastEngine : public Engine {
     return fast::blend(scene, tree, camera, shot.options, shot.alpha, how);
   }
 
+  static fast::Rendering image_of(const fast::LazyTree& tree,
+                                  const Camera& camera, const Shot& shot,
+                                  const fast::RenderOptions& how) {
+    HALFSPACE_ASSERT(!shot.screen);
+    if (const auto samples = samples_of(shot.anti_aliasing); samples > 1) {
+      fast::RenderOptions own = how;
+      own.items = shot.items || shot.by_scalars;
+      return fast::render_samples(tree, camera, shot.options, samples, own);
+    }
+    if (shot.method == Method::kSpan)
+      return fast::render(tree, camera, shot.options, how);
+    if (shot.alpha == kOpaque)
+      return fast::paint(tree, camera, shot.options, how);
+    return fast::blend(tree, camera, shot.options, shot.alpha, how);
+  }
+
   void color(const Scene& scene, const Camera& camera, const Shot& shot,
              fast::Rendering& image) const {
     fast::ScalarOptions how;
@@ -182,6 +216,7 @@ class FastEngine : public Engine {
   }
 
   fast::BspTree tree_;
+  std::optional<fast::LazyTree> lazy_;  ///< instead of that
   fast::ScalarColors scalars_;
 };
 

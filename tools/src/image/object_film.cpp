@@ -28,6 +28,7 @@ std::string object_complaint(const RenderArguments& arguments) {
   };
   if (arguments.anti_aliasing) return not_for("--aa");
   if (arguments.screen) return not_for("--screen");
+  if (arguments.lazy) return not_for("--lazy");
   if (arguments.priority) return not_for("--priority");
   if (arguments.scalars.source) return not_for("--scalar");
   if (arguments.lines.edges) return not_for("--lines");

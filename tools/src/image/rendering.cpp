@@ -48,6 +48,23 @@ std::string tree_complaint(const RenderArguments& arguments,
   return {};
 }
 
+/// What is wrong with a lazy tree among the other options.
+std::string lazy_complaint(const RenderArguments& arguments) {
+  if (!arguments.lazy) return {};
+  if (!needs_tree(arguments)) return "--lazy: no tree is needed";
+  if (library_of(arguments) != Library::kFast)
+    return "--lazy: --impl ref builds whole trees";
+  const BuildArguments& build = arguments.build;
+  if (arguments.tree_file || build.rule || build.candidates || build.seed ||
+      build.cut_weight) {
+    return "--lazy: is a display tree that is begun here; leave out --tree, "
+           "--heuristic, --candidates, --seed and --cut-weight";
+  }
+  if (arguments.screen || arguments.anti_aliasing == AntiAliasing::kExact)
+    return "--lazy: --screen and --aa exact take whole trees";
+  return {};
+}
+
 std::string simd_complaint(const RenderArguments& arguments) {
   if (!arguments.simd) return {};
   if (library_of(arguments) != Library::kFast) {
@@ -207,7 +224,8 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   }
   for (const std::string& wrong :
        {priority_complaint(arguments), scalars_complaint(arguments),
-        lines_complaint(arguments), back_color_complaint(arguments)}) {
+        lines_complaint(arguments), back_color_complaint(arguments),
+        lazy_complaint(arguments)}) {
     if (!wrong.empty()) return wrong;
   }
   const std::string simd = simd_complaint(arguments);
@@ -231,8 +249,8 @@ Status make_tree(Engine& engine, const Scene& scene,
     tree = *std::move(loaded);
     return Status::kFine;
   }
-  std::optional<BuildMeasure> built =
-      build_measured(engine, library, scene, arguments.build, leaves);
+  std::optional<BuildMeasure> built = build_measured(
+      engine, library, scene, arguments.build, leaves, arguments.lazy);
   if (!built) return stop("interrupted; nothing was written");
   tree = *std::move(built);
   progress("tree: " + to_string(tree, scene.polygon_count()));
@@ -318,7 +336,8 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
     times_ms.push_back(watch.elapsed_ms());
   }
   frame.frame_ms = median(std::move(times_ms));
-  if (arguments.build.stats_file && needs_tree(arguments)) {
+  frame.picture.cells = engine.built_cells();
+  if (arguments.build.stats_file && needs_tree(arguments) && !arguments.lazy) {
     const auto count = engine.count_behind(loaded.file.scene, camera);
     frame.picture.subtrees_behind = count.subtrees;
     frame.picture.fragments_behind = count.fragments;
@@ -372,6 +391,11 @@ void print_summary(const io::LoadedScene& loaded, const BuildMeasure& tree,
   const Method method = method_of(arguments);
   if (needs_tree(arguments)) {
     say("tree: {}\n", to_string(tree, polygons));
+    if (const auto& cells = frame.picture.cells) {
+      say("built: {} of {} cells with {} polygons, {} fragments, {} bytes\n",
+          cells->cells_built, cells->cells, cells->polygons_built,
+          cells->fragments, cells->bytes);
+    }
   } else if (arguments.priority) {
     say("depth sort: {} fragments, {} moved, {} cuts\n", frame.picture.listed,
         frame.picture.moves, frame.picture.cuts);
@@ -406,7 +430,13 @@ nlohmann::json stats_of(const io::LoadedScene& loaded, const BuildMeasure& tree,
   stats["fragments_displayed"] = frame.picture.fragments_displayed;
   stats["tiles_touched"] = frame.picture.tiles_touched;
   stats["exact_decisions"] = frame.picture.exact_decisions;
-  if (needs_tree(arguments)) {
+  if (const auto& cells = frame.picture.cells) {
+    stats["cells"] = cells->cells;
+    stats["cells_built"] = cells->cells_built;
+    stats["polygons_built"] = cells->polygons_built;
+    stats["fragments_built"] = cells->fragments;
+    stats["bytes_built"] = cells->bytes;
+  } else if (needs_tree(arguments)) {
     stats["subtrees_behind"] = frame.picture.subtrees_behind;
     stats["fragments_behind"] = frame.picture.fragments_behind;
   }

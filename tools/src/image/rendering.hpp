@@ -24,6 +24,7 @@ struct RenderArguments {
   std::optional<std::string> picture_file;
   std::optional<std::string> ids_file;
   std::optional<std::string> tree_file;
+  bool lazy = false;  ///< build of the tree what is looked at
   std::optional<std::string> camera_path_file;
   std::optional<std::uint32_t> turntable;  ///< so many frames once round
   std::optional<Range> frames;

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "halfspace/camera.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/render.hpp"
+#include "halfspace/image.hpp"
+#include "halfspace/scene.hpp"
+
+namespace halfspace::fast {
+
+/// The options of a LazyTree.
+struct LazyTreeOptions {
+  /// Of the cells' trees; `threads` is of the opening. Its `progress` is not
+  /// called.
+  DisplayTreeOptions tree;
+  /// Cells are divided down to about this many polygons.
+  std::size_t cell_size = 512;
+  /// A cell with more polygons is divided into cells again when it is asked
+  /// for.
+  std::size_t most_in_cell = 16384;
+  /// In how many cells a polygon may be, on average: where polygons are large
+  /// cells are larger. Divisions of cells add less, each half of the one
+  /// before.
+  double most_listed = 1.5;
+};
+
+/// How much of a LazyTree is there.
+struct LazyTreeStats {
+  std::size_t cells = 0;           ///< that are known
+  std::size_t cells_built = 0;     ///< of them
+  std::size_t polygons_built = 0;  ///< with a part in a cell that is built
+  std::size_t fragments = 0;       ///< of what is built
+  std::size_t bytes = 0;           ///< in all, lists of what is not built too
+  friend bool operator==(const LazyTreeStats&, const LazyTreeStats&) = default;
+};
+
+/// A display tree of which that part is built that is looked at (S3.12).
+///
+/// It opens with planes across axes alone, at borders of a grid that counts
+/// where polygons are, and lists of the polygons that reach the cells between
+/// them. The first image whose walk comes to a cell while pixels in front of
+/// its box are unlit builds its tree: cuts the polygons at the cell's faces and
+/// divides what is in it, as build_display_tree() does. Cells that are hidden
+/// or outside the image stay lists.
+///
+/// Images are those of every other tree (S5.3), whatever was built before.
+/// May be used from several threads at once: a cell is built by one of them.
+/// Requires: the scene outlives it, and does not change or move;
+///           options.tree.leaf_size >= 1, options.tree.threads >= 0,
+///           options.cell_size >= 1, options.most_in_cell >= 1,
+///           1 <= options.most_listed <= 64.
+/// Exact:    yes: lists are made by comparing integers, cuts as by any tree.
+/// Cost:     two passes over the polygons to open; a cell n log n, once.
+class LazyTree {
+ public:
+  explicit LazyTree(const Scene& scene, const LazyTreeOptions& options = {});
+  LazyTree(LazyTree&&) noexcept;
+  LazyTree& operator=(LazyTree&&) noexcept;
+  ~LazyTree();
+
+  const Scene& scene() const;
+
+  /// Not while an image is made. Cost: linear in what is built.
+  LazyTreeStats stats() const;
+
+  struct State;
+  const State& state() const { return *state_; }
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+/// The images of the tree's scene: as those of the same names with a BspTree,
+/// in render.hpp and painter.hpp, to which the options are explained. What goes
+/// back to front builds all that is in the image.
+Rendering render(const LazyTree& tree, const Camera& camera,
+                 const ImageOptions& image, const RenderOptions& options = {});
+Rendering render_samples(const LazyTree& tree, const Camera& camera,
+                         const ImageOptions& image, std::int32_t samples,
+                         const RenderOptions& options = {});
+Rendering paint(const LazyTree& tree, const Camera& camera,
+                const ImageOptions& image, const RenderOptions& options = {});
+Rendering blend(const LazyTree& tree, const Camera& camera,
+                const ImageOptions& image, std::uint8_t alpha,
+                const RenderOptions& options = {});
+
+}  // namespace halfspace::fast
