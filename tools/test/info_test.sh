@@ -33,11 +33,16 @@ expect 0 '^surface    not closed: 4 bad edges' info open.off
 # Several, and as JSON.
 expect 0 '^file       b.off' info a.off b.off
 expect 2 'none.off' info a.off none.off
-"$program" info --json --check a.off two.off inwards.off >all.json ||
+box 12 21 32 15 22 33 | awk 'NR > 2 && NF == 5 {
+  print $1, $2 + 8, $3 + 8, $4 + 8, $5 + 8; next } NR > 2' >through
+{ echo OFF; echo '16 12 0'; sed -n '3,10p' a.off; head -8 through
+  sed -n '11,$p' a.off; tail -6 through; } >crossed.off
+"$program" info --json --check a.off two.off inwards.off open.off crossed.off \
+  >all.json ||
   wrong 'info --json'
 python3 - <<'PYTHON' || wrong 'the JSON is not as it should be'
 import json
-a, two, inwards = json.load(open("all.json"))
+a, two, inwards, gap, crossed = json.load(open("all.json"))
 assert a["volume"] == 24 and a["exact_volume"] == "24" and a["area"] == 52
 assert a["from"] == [10, 20, 30] and a["to"] == [12, 23, 34]
 assert a["size"] == [2, 3, 4]
@@ -45,5 +50,9 @@ assert a["closed"] and a["solid"] and "fault" not in a
 assert [part["genus"] for part in two["components"]] == [1, 0]
 assert [part["volume"] for part in two["components"]] == [72, 1]
 assert not inwards["solid"] and "inside out" in inwards["fault"]
+assert [part.get("code") for part in (a, two, inwards, gap, crossed)] == [
+    None, None, "INSIDE_OUT", "OPEN", "SELF_CROSSING"]
+assert [part.get("polygon") for part in (a, inwards, gap)] == [None, 0, 2]
+assert crossed["polygon"] == 5 and "cross" in crossed["fault"]
 PYTHON
 finish

@@ -34,8 +34,8 @@ struct Facts {
   std::size_t bad_edges = 0;
   std::size_t corners_added = 0;  ///< with which it is closed
   std::string exact_volume;       ///< of a closed surface
-  /// The result of --check: what keeps it from being a solid, or nothing.
-  std::optional<std::string> fault;
+  bool is_checked = false;        ///< by --check
+  std::optional<Error> fault;  ///< found by it: why the surface is no solid's
 
   const Scene& scene() const { return loaded.file.scene; }
   bool is_closed() const { return bad_edges == 0 || corners_added != 0; }
@@ -43,7 +43,7 @@ struct Facts {
 
 Facts facts_of(const std::string& path, const io::LoadedScene& loaded,
                const InfoArguments& arguments) {
-  Facts facts{path, loaded, {}, 0, 0, {}, {}};
+  Facts facts{path, loaded, {}, 0, 0, {}, false, {}};
   Scene scene = loaded.file.scene;
   facts.bad_edges = bad_edges(scene).size();
   if (facts.bad_edges != 0) {
@@ -53,15 +53,16 @@ Facts facts_of(const std::string& path, const io::LoadedScene& loaded,
   }
   facts.measures = csg::measures_of(scene);
   if (facts.is_closed()) facts.exact_volume = csg::exact_volume(scene);
+  facts.is_checked = arguments.check;
   if (!arguments.check) return facts;
   const Result<GridSolid> solid = make_solid(std::move(scene));
   if (!solid) {
-    facts.fault = csg::open_error(loaded.file.scene, loaded.polygons).message;
+    facts.fault = csg::open_error(loaded.file.scene, loaded.polygons);
     return facts;
   }
   const Result<Done> fine = fast::check_operand(
       csg::numbered(fast::to_solid(*solid), loaded.polygons));
-  facts.fault = fine ? "" : fine.error().message;
+  if (!fine) facts.fault = fine.error();
   return facts;
 }
 
@@ -163,11 +164,11 @@ void print_surface(const Facts& facts, bool exact) {
     say("\nvolume     {}\n", volume_text(facts, exact));
   }
   print_components(facts.measures.components);
-  if (facts.fault) {
-    say("solid      {}\n", facts.fault->empty()
-                               ? "yes: it crosses itself nowhere, and faces "
-                                 "outwards"
-                               : "no: " + one_line(*facts.fault));
+  if (facts.is_checked) {
+    say("solid      {}\n", facts.fault
+                               ? "no: " + one_line(facts.fault->message)
+                               : "yes: it crosses itself nowhere, and faces "
+                                 "outwards");
   }
 }
 
@@ -190,6 +191,15 @@ void print_facts(const Facts& facts, const InfoArguments& arguments) {
   }
   print_surface(facts, arguments.exact);
   print_camera(facts.loaded.file);
+}
+
+/// The code of a surface that is no solid's, as the packages for Python and the
+/// web name it.
+std::string code_name(ErrorCode code) {
+  if (code == ErrorCode::kOpen) return "OPEN";
+  if (code == ErrorCode::kSelfCrossing) return "SELF_CROSSING";
+  if (code == ErrorCode::kInsideOut) return "INSIDE_OUT";
+  return std::string(to_string(code));
 }
 
 nlohmann::ordered_json json_of(const Facts& facts) {
@@ -232,9 +242,11 @@ nlohmann::ordered_json json_of(const Facts& facts) {
                                     : nlohmann::ordered_json();
     json["components"].push_back(std::move(component));
   }
+  if (facts.is_checked) json["solid"] = !facts.fault;
   if (facts.fault) {
-    json["solid"] = facts.fault->empty();
-    if (!facts.fault->empty()) json["fault"] = *facts.fault;
+    json["code"] = code_name(facts.fault->code);
+    json["fault"] = facts.fault->message;
+    if (facts.fault->index >= 0) json["polygon"] = facts.fault->index;
   }
   return json;
 }
