@@ -217,6 +217,17 @@ expect 0 'result' csg difference red.off green.off -o out.off
   wrong "colours of A in out.off"
 [ "$(grep -c ' 40 50 60$' out.off)" = 3 ] || wrong "colours of B in out.off"
 
+# What has no colour has none after a PLY, and no material comes of it.
+expect 0 'result' csg difference red.off b.off -o some.ply
+expect 0 'result' csg A A=some.ply -o again.ply
+same some.ply again.ply
+expect 0 'result' csg A A=some.ply -o out.off
+[ "$(grep -c ' 10 20 30$' out.off)" = 15 ] || wrong "colours of out.off"
+[ "$(grep -c '^4 [0-9]* [0-9]* [0-9]* [0-9]*$' out.off)" = 3 ] ||
+  wrong "what has no colour has one in out.off"
+expect 0 'result' csg A A=some.ply -o out.obj
+[ "$(grep -c '^newmtl' out.mtl)" = 1 ] || wrong "materials of out.mtl"
+
 # Any number of threads writes the same bytes; a share is checked.
 for i in $(seq 0 69); do
   printf 'translate(scale(A, 0.5), %d, %d, 0.25) |\n' $((i % 10)) $((i / 7))

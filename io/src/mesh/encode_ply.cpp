@@ -180,6 +180,14 @@ std::string one_line_of(std::string text) {
   return text;
 }
 
+/// Whether only some faces have a colour: all get one in the file then, and
+/// which have it of their own is beside it.
+bool some_lack_colors(const Faces& faces) {
+  return !faces.colors.empty() && faces.has_color != nullptr &&
+         std::count(faces.has_color->begin(), faces.has_color->end(), false) >
+             0;
+}
+
 std::string ply_header(std::size_t points, const Faces& faces,
                        const PlyColumns& columns, std::string_view encoding) {
   std::string text = "ply\nformat ";
@@ -199,6 +207,8 @@ std::string ply_header(std::size_t points, const Faces& faces,
   text += " int vertex_indices\n";
   if (!faces.colors.empty())
     text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (some_lack_colors(faces))
+    text += "property uchar " + std::string(kPlyHasColor) + "\n";
   for (const PlyColumn& column : columns.face) add(column);
   for (const PlyColumn& list : columns.lists) {
     text += std::string("property list ") +
@@ -295,7 +305,8 @@ void put_value(const PlyColumn& column, std::size_t place, Sink& sink) {
 
 template <class Sink>
 void put_face(const Faces& faces, std::size_t face, const PlyColumns& columns,
-              const std::vector<bool>& short_lists, Sink& sink) {
+              const std::vector<bool>& short_lists, bool some_lack,
+              Sink& sink) {
   const auto corners = faces.corners_of(face);
   sink.length(corners.size(), short_lists[0]);
   for (const VertexId corner : corners) sink.integer(corner);
@@ -305,6 +316,7 @@ void put_face(const Faces& faces, std::size_t face, const PlyColumns& columns,
     for (const std::uint8_t value : {color.r, color.g, color.b})
       sink.byte(value);
   }
+  if (some_lack) sink.byte(faces.is_colored(face) ? 1 : 0);
   for (const PlyColumn& column : columns.face) put_value(column, face, sink);
   for (std::size_t i = 0; i < columns.lists.size(); ++i) {
     const PlyColumn& list = columns.lists[i];
@@ -335,8 +347,9 @@ std::string ply_of(const Points& points, const Faces& faces,
   std::vector<bool> short_lists = {lengths_fit_bytes(faces, 1)};
   for (const PlyColumn& list : columns.lists)
     short_lists.push_back(lengths_fit_bytes(faces, list.stride));
+  const bool some_lack = some_lack_colors(faces);
   for (std::size_t face = 0; face < faces.count(); ++face)
-    put_face(faces, face, columns, short_lists, sink);
+    put_face(faces, face, columns, short_lists, some_lack, sink);
   return bytes;
 }
 

@@ -10,6 +10,9 @@
 
 namespace halfspace::io {
 
+/// The property of a face that is 0 where its colour stands for none.
+constexpr const char* kPlyHasColor = "halfspace_has_color";
+
 /// What a line `comment halfspace material ...` says of one: the colour or
 /// `none`, the opacity, and the name; and the reverse.
 std::string ply_material_comment(std::size_t index, const Material& material);

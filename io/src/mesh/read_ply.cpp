@@ -161,6 +161,7 @@ struct Places {
   std::array<int, 3> point = {-1, -1, -1};
   std::array<int, 3> color = {-1, -1, -1};
   int indices = -1;
+  int has_color = -1;
 
   explicit Places(const PlyElement& element) {
     color = {element.find({"red", "diffuse_red", "r"}),
@@ -176,6 +177,10 @@ struct Places {
       point = {element.find({"x"}), element.find({"y"}), element.find({"z"})};
     } else if (element.name == "face") {
       indices = element.find({"vertex_indices", "vertex_index"});
+      has_color = element.find({kPlyHasColor});
+      if (has_color >= 0 &&
+          element.properties[static_cast<std::size_t>(has_color)].is_list)
+        has_color = -1;
     } else {
       color = {-1, -1, -1};
     }
@@ -214,6 +219,7 @@ class BodyReader {
   struct Values {
     std::array<Number, 3> point;
     std::array<Number, 3> color;
+    double has_color = 1;
   };
 
   std::optional<Error> read_element(const PlyElement& element) {
@@ -245,6 +251,8 @@ class BodyReader {
       }
       if (places.indices >= 0)
         is_read[static_cast<std::size_t>(places.indices)] = true;
+      if (places.has_color >= 0)
+        is_read[static_cast<std::size_t>(places.has_color)] = true;
       channels_->begin(element, is_read);
     }
     for (std::int64_t i = 0; i < element.count; ++i) {
@@ -282,7 +290,11 @@ class BodyReader {
       return builder_.add_vertex(std::move(values.point));
     }
     if (places.indices >= 0) {
-      if (color) mesh.face_colors.push_back(color);
+      if (values.has_color == 0 && color) {
+        mesh.face_colors.emplace_back();
+      } else if (color) {
+        mesh.face_colors.push_back(color);
+      }
       builder_.end_face();
       face_channels_.end_face(mesh);
     }
@@ -318,6 +330,8 @@ class BodyReader {
       return source_.number(property.type,
                             values.color[static_cast<std::size_t>(part)]);
     }
+    if (place == places.has_color)
+      return source_.real(property.type, values.has_color);
     if (channels_ == nullptr || !channels_->wants(place))
       return source_.skip(property.type, 1);
     double value = 0;

@@ -431,5 +431,30 @@ TEST(WriteMesh, CutsFansForAnStl) {
   EXPECT_EQ(corners, want);
 }
 
+TEST(WriteMesh, WhatHasNoColourHasNoneInPlyEither) {
+  OutputMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  mesh.first_corner = {0, 3, 6, 9, 12};
+  mesh.colors = {{1, 2, 3}, kUsualSurface, kUsualSurface, {4, 5, 6}};
+  const samples::TemporaryFile file("a.ply");
+  for (const bool some_lack : {false, true}) {
+    if (some_lack) mesh.has_color = {true, false, true, true};
+    ASSERT_TRUE(write_mesh(file.path(), mesh));
+    const Result<Mesh> back = read_mesh(file.path());
+    ASSERT_TRUE(back) << back.error().message;
+    ASSERT_EQ(back->face_colors.size(), 4u);
+    EXPECT_EQ(back->face_colors[0], mesh.colors[0]);
+    EXPECT_EQ(back->face_colors[1].has_value(), !some_lack);
+    // A colour of its own may be the usual one.
+    EXPECT_EQ(back->face_colors[2], kUsualSurface);
+    EXPECT_EQ(back->face_colors[3], mesh.colors[3]);
+    EXPECT_TRUE(back->attributes.empty());
+    const std::string bytes = *samples::raw_bytes(file.path());
+    EXPECT_EQ(bytes.find("halfspace_has_color") != std::string::npos,
+              some_lack);
+  }
+}
+
 }  // namespace
 }  // namespace halfspace::io
