@@ -19,10 +19,16 @@ struct Extent {
   Rational least, greatest;
 };
 
+/// How far an image reaches.
+struct ImageExtents {
+  Extent x, y;
+};
+
 /// A fragment that is not listed yet.
 struct Unlisted {
   Fragment fragment;
   Extent depth;
+  std::optional<ImageExtents> image;  ///< unless it reaches behind the eye
   bool is_marked = false;
 };
 
@@ -68,7 +74,7 @@ class Sorter {
       if (ref::is_behind(plane(polygon), camera, far)) continue;
       const Extent w = extent_of(polygon, projection_.w);
       if (sign(w.greatest) <= 0) continue;
-      unlisted_.push_back({polygon, extent_of(polygon, depth_)});
+      add(polygon);
     }
     sort();
   }
@@ -96,6 +102,12 @@ class Sorter {
     return side_of_eye(plane(fragment), camera_);
   }
 
+  void add(Fragment fragment) {
+    const Extent depth = extent_of(fragment, depth_);
+    std::optional<ImageExtents> image = image_extents_of(fragment);
+    unlisted_.push_back({std::move(fragment), depth, std::move(image)});
+  }
+
   void sort() {
     std::stable_sort(unlisted_.begin(), unlisted_.end(),
                      [](const Unlisted& a, const Unlisted& b) {
@@ -118,25 +130,26 @@ class Sorter {
                                               : Relation::kNegative);
   }
 
+  std::optional<ImageExtents> image_extents_of(const Fragment& fragment) const {
+    if (sign(extent_of(fragment, projection_.w).least) <= 0)
+      return std::nullopt;
+    std::vector<Rational> x, y;
+    for (const Point& vertex : fragment.vertices) {
+      const ImagePoint point = image_of(vertex, projection_);
+      x.push_back(point.x);
+      y.push_back(point.y);
+    }
+    return ImageExtents{extent_of(x), extent_of(y)};
+  }
+
   /// Whether the images have no common x or no common y, inner points' that is.
-  bool have_apart_extents(const Fragment& p, const Fragment& q) const {
-    for (const Fragment* fragment : {&p, &q}) {
-      if (sign(extent_of(*fragment, projection_.w).least) <= 0) return false;
-    }
-    const auto image = [&](const Fragment& fragment, bool of_x) {
-      std::vector<Rational> values;
-      for (const Point& vertex : fragment.vertices) {
-        const ImagePoint point = image_of(vertex, projection_);
-        values.push_back(of_x ? point.x : point.y);
-      }
-      return extent_of(values);
+  static bool have_apart_extents(const Unlisted& p, const Unlisted& q) {
+    if (!p.image || !q.image) return false;
+    const auto are_apart = [](const Extent& a, const Extent& b) {
+      return a.greatest <= b.least || b.greatest <= a.least;
     };
-    for (const bool of_x : {true, false}) {
-      const Extent a = image(p, of_x);
-      const Extent b = image(q, of_x);
-      if (a.greatest <= b.least || b.greatest <= a.least) return true;
-    }
-    return false;
+    return are_apart(p.image->x, q.image->x) ||
+           are_apart(p.image->y, q.image->y);
   }
 
   /// The plane through the eye and two points.
@@ -168,8 +181,7 @@ class Sorter {
 
   /// Step 1: whether `p` may be listed before `q`.
   bool may_precede(const Unlisted& p, const Unlisted& q) const {
-    return q.depth.greatest < p.depth.least ||
-           have_apart_extents(p.fragment, q.fragment) ||
+    return q.depth.greatest < p.depth.least || have_apart_extents(p, q) ||
            is_behind(p.fragment, q.fragment) ||
            is_before(q.fragment, p.fragment) ||
            have_apart_images(p.fragment, q.fragment);
@@ -217,10 +229,8 @@ class Sorter {
       return false;
     SplitResult parts = split(unlisted_[a].fragment, plane(by), by.source);
     unlisted_.erase(unlisted_.begin() + static_cast<std::ptrdiff_t>(a));
-    for (Fragment* part : {&parts.positive, &parts.negative}) {
-      const Extent depth = extent_of(*part, depth_);
-      unlisted_.push_back({std::move(*part), depth});
-    }
+    add(std::move(parts.positive));
+    add(std::move(parts.negative));
     for (Unlisted& each : unlisted_) each.is_marked = false;
     sort();
     ++cuts_;
