@@ -21,13 +21,15 @@ constexpr double kRounding = 0x1p-53;
 /// How far rounding can put a plane's value at an exact point of the scene off,
 /// for a plane whose normal's components have sizes that add up to 1.
 ///
-/// Let M = 2^(n-1) bound the coordinates, N = |a| + |b| + |c|, u = 2^-53.
-/// |d| = |n.p0| <= N M. Each coefficient is off by 2u at most, each product
-/// adds u, and the three sums 3u, so the value is off by at most
-/// 6.01 u (N M + |d|) <= 12.02 u N M. 16 leaves room for the roundings of the
-/// bound itself, and for those of a new vertex (see meet()).
+/// Let M, `most`, bound the sizes of coordinates, of the points that planes go
+/// through and of those that they are asked about, N = |a| + |b| + |c|, u =
+/// 2^-53. |d| = |n.p0| <= N M. Each coefficient is off by 2u at most, each
+/// product adds u, and the three sums 3u, so the value is off by at most 6.01 u
+/// (N M + |d|) <= 12.02 u N M. 16 leaves room for the roundings of the bound
+/// itself, and for those of a new vertex (see meet()).
+inline double rounding_of_values(double most) { return 16 * kRounding * most; }
 inline double rounding_of_values(int grid_bits) {
-  return 16 * kRounding * std::ldexp(1.0, grid_bits - 1);
+  return rounding_of_values(std::ldexp(1.0, grid_bits - 1));
 }
 
 /// A value with a bound on how far it is off.

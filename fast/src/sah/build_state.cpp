@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <span>
 
 namespace halfspace::fast {
@@ -23,6 +25,11 @@ struct GridBox {
     high = {std::max(high.x, p.x), std::max(high.y, p.y),
             std::max(high.z, p.z)};
   }
+  double most() const {
+    return static_cast<double>(
+        std::max({std::abs(low.x), std::abs(low.y), std::abs(low.z),
+                  std::abs(high.x), std::abs(high.y), std::abs(high.z)}));
+  }
 };
 
 }  // namespace
@@ -30,7 +37,10 @@ struct GridBox {
 BuildState::BuildState(const Scene& a_scene,
                        const DisplayTreeOptions& the_options,
                        KeptCells* the_cells)
-    : scene(a_scene), options(the_options), cells(the_cells) {
+    : scene(a_scene),
+      options(the_options),
+      cells(the_cells),
+      most(std::ldexp(1.0, scene.grid_bits() - 1)) {
   if (scene.data().vertices.empty()) return;
   GridBox box(scene.data().vertices.front());
   for (const GridPoint& p : scene.data().vertices) box.add(p);
@@ -44,6 +54,10 @@ BuildState::BuildState(const Scene& a_scene,
   scene_size = std::max(1.0, half / 2);
   origin = {box.low.x + size.x / 2, box.low.y + size.y / 2,
             box.low.z + size.z / 2};
+  // Cells reach beyond the scene. Boxes of floats round outwards, and free
+  // planes are in them.
+  if (cells == nullptr || cells->count() == 0)
+    most = std::min(most, box.most() * (1 + 0x1p-20) + 1);
 }
 
 Primitive BuildState::primitive_of(PolygonId polygon) const {

@@ -38,6 +38,8 @@ class BuildState {
   KeptCells* cells;  ///< boxes that no splitter cuts, or null
   GridRange range;   ///< of the scene's vertices
   GridPoint origin;  ///< of the primitives' frame: the middle of the scene
+  /// Bounds the sizes of the coordinates of vertices and of free planes.
+  double most;
   /// The area of the scene's box as seen from a random direction, on average;
   /// above 0. Units: squares of grid steps.
   double scene_size = 1;

@@ -55,7 +55,7 @@ void sort_by_source(std::vector<Primitive>::iterator first,
 SahBuilder::SahBuilder(BuildState& state, BuildJob& job)
     : state_(state),
       job_(job),
-      splitter_(state.scene, *job.tree, job.stats),
+      splitter_(state.scene, *job.tree, job.stats, state.most),
       primitives_(job.primitives) {}
 
 void SahBuilder::build_subtree() {

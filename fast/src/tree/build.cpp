@@ -64,6 +64,14 @@ class ProgressReporter {
   bool stopped_ = false;
 };
 
+/// Bounds the sizes of the vertices' coordinates.
+double largest_coordinate(const Scene& scene) {
+  std::int64_t most = 0;
+  for (const GridPoint& p : scene.data().vertices)
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return static_cast<double>(most);
+}
+
 /// Makes the tree whose splitters are planes of its polygons.
 class Autopartition {
  public:
@@ -72,7 +80,7 @@ class Autopartition {
       : options_(options),
         tree_(tree),
         reporter_(progress),
-        splitter_(scene, tree, stats),
+        splitter_(scene, tree, stats, largest_coordinate(scene)),
         table_(intern_planes(scene)) {
     for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
       const auto id = static_cast<PolygonId>(p);

@@ -48,10 +48,11 @@ struct FragmentPair {
 class FragmentSplitter {
  public:
   FragmentSplitter(const Scene& scene, BspTree& tree, FilterStats& stats)
-      : planes_(scene, tree),
-        vertex_count_(static_cast<std::int32_t>(scene.data().vertices.size())),
-        tree_(tree),
-        stats_(stats) {}
+      : FragmentSplitter(scene, tree, stats, ScenePlanes(scene, tree)) {}
+  /// `most`: as of ScenePlanes.
+  FragmentSplitter(const Scene& scene, BspTree& tree, FilterStats& stats,
+                   double most)
+      : FragmentSplitter(scene, tree, stats, ScenePlanes(scene, tree, most)) {}
 
   const ScenePlanes& planes() const { return planes_; }
 
@@ -79,6 +80,13 @@ class FragmentSplitter {
   }
 
  private:
+  FragmentSplitter(const Scene& scene, BspTree& tree, FilterStats& stats,
+                   const ScenePlanes& planes)
+      : planes_(planes),
+        vertex_count_(static_cast<std::int32_t>(scene.data().vertices.size())),
+        tree_(tree),
+        stats_(stats) {}
+
   int exact_sign(const FragmentRef& fragment, std::size_t k, PlaneId id);
   std::int32_t add_crossing(const FragmentRef& fragment, std::size_t k,
                             const FilterPlane& plane);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,13 +43,17 @@ Plane rounded(const ExactPlane<kBits>& plane) {
 /// A scene and the free planes of its tree: what signs are decided from.
 class ScenePlanes {
  public:
+  /// `most` bounds the sizes of the coordinates of vertices and free planes.
   /// Requires: `tree` outlives it, and keeps its slanted faces.
-  ScenePlanes(const Scene& scene, const BspTree& tree)
+  ScenePlanes(const Scene& scene, const BspTree& tree, double most)
       : scene_(scene),
         free_planes_(tree.free_planes),
         slanted_(tree.slanted.get()),
         polygon_count_(static_cast<PlaneId>(scene.polygon_count())),
-        rounding_(rounding_of_values(scene.grid_bits())) {}
+        rounding_(rounding_of_values(most)) {}
+  /// For all of the grid.
+  ScenePlanes(const Scene& scene, const BspTree& tree)
+      : ScenePlanes(scene, tree, std::ldexp(1.0, scene.grid_bits() - 1)) {}
 
   const Scene& scene() const { return scene_; }
   double rounding() const { return rounding_; }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/moving.hpp"
@@ -69,6 +70,24 @@ TEST(DisplayTree, DoesNotDependOnTheNumberOfThreads) {
     options.threads = threads;
     expect_same(one, build_display_tree(scene, options));
   }
+}
+
+/// The same polygons on another grid.
+Scene on_grid(const Scene& scene, int grid_bits) {
+  SceneData data = scene.data();
+  data.grid_bits = grid_bits;
+  return made(std::move(data));
+}
+
+TEST(DisplayTree, CutsAreAsSureOnAGridThatTheSceneTakesLittleOf) {
+  const Scene scene = strewn(5000, 1 << 20, 26);
+  const BspTree coarse = build_display_tree(on_grid(scene, 40));
+  const BspTree fine = build_display_tree(on_grid(scene, 54));
+  EXPECT_GT(coarse.cut_vertices.size(), 500u);
+  expect_same(coarse, fine);
+  const BspTree papers = build(on_grid(scene, 40), {});
+  EXPECT_TRUE(same_bytes(papers.cut_vertices,
+                         build(on_grid(scene, 54), {}).cut_vertices));
 }
 
 TEST(DisplayTree, OfNothingHasNoNodes) {
