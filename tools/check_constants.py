@@ -15,7 +15,7 @@ CONSTANTS = (
     ("fast/src/exact/filter.hpp", r"kRounding = 0x1p-(\d+);",
      "spec/coq/Filter.v", r"kRounding : Q := Eval cbv in 1 # 2 \^ (\d+)\."),
     ("fast/src/exact/filter.hpp",
-     r"return (\d+) \* kRounding \* std::ldexp\(1\.0, grid_bits - 1\);",
+     r"return (\d+) \* kRounding \* most;",
      "spec/coq/Filter.v", r"values_factor : Q := (\d+)\."),
     ("fast/src/exact/filter.hpp",
      r"f\.size \* \(v\.error \* \(1 \+ 0x1p-(\d+)\) \+ rounding\)",
