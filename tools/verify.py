@@ -38,8 +38,9 @@ BROKEN = re.compile(r"^.*: not so: .*$", re.MULTILINE)
 FAILED = re.compile(r"^\[  FAILED  \] (\S+\.\S+?)(?:,.*)?(?: \(\d+ ms\))?$",
                     re.MULTILINE)
 # Views and pairs are tried in rounds of so many times what ctest tries: enough
-# for every trouble to come up in each.
-ROUND = 3
+# for every trouble to come up in each. Rounds of a law become twice as long, up to
+# the second number: each begins with a program and with the saved scenes.
+ROUND, LONGEST_ROUND = 3, 192
 
 
 def mixed(*numbers):
@@ -88,15 +89,16 @@ def chosen(tests, laws, implementation):
 class Round:
     """One run of the program on one test, with a seed of its own."""
 
-    def __init__(self, program, test, seed, folder):
+    def __init__(self, program, test, seed, folder, length):
         self.test, self.seed, self.folder = test, seed, folder
+        self.length = length
         folder.mkdir(parents=True, exist_ok=True)
         self.report = folder / "report.json"
         self.log = open(folder / "log", "w+")
         environment = dict(
             os.environ, RC_PARAMS=f"seed={seed}", HALFSPACE_REPORT=self.report,
             HALFSPACE_COUNTEREXAMPLES=folder,
-            HALFSPACE_PROPTEST_RUNS=str(ROUND))
+            HALFSPACE_PROPTEST_RUNS=str(length))
         self.process = subprocess.Popen(
             [program, f"--gtest_filter={test}"], stdout=self.log,
             stderr=subprocess.STDOUT, env=environment)
@@ -162,8 +164,10 @@ class Campaign:
             self.rounds += 1
             seed = mixed(self.arguments.seed, self.arguments.shard[0],
                          self.arguments.shard[1], self.rounds)
+            before = (self.turn - 1) // len(self.tests)
+            length = min(LONGEST_ROUND, ROUND << min(before, 32))
             self.running.append(Round(self.program, test, seed,
-                                      self.folder / str(self.rounds)))
+                                      self.folder / str(self.rounds), length))
 
     def finish(self, one):
         """Takes the counts of a round that has ended, or is ended."""
@@ -179,7 +183,8 @@ class Campaign:
         saved, broken = SAVED.findall(text), BROKEN.findall(text)
         scenes = sorted(str(p) for p in one.folder.glob("*.scene"))
         failure = {"test": one.test, "law": law_of(one.test),
-                   "seed": one.seed, "log": one.log.name,
+                   "seed": one.seed, "length": one.length,
+                   "log": one.log.name,
                    "scene": saved[-1] if saved else (scenes or [None])[0],
                    "message": broken[-1] if broken else
                               f"exit status {status}; see the log"}
@@ -194,7 +199,7 @@ class Campaign:
         if failure["scene"]:
             return f"HALFSPACE_REPLAY={failure['scene']} {filter_}"
         return (f"RC_PARAMS=seed={failure['seed']} "
-                f"HALFSPACE_PROPTEST_RUNS={ROUND} {filter_}")
+                f"HALFSPACE_PROPTEST_RUNS={failure['length']} {filter_}")
 
     def say(self, text):
         if sys.stdout.isatty():
