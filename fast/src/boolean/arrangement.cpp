@@ -6,11 +6,10 @@
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
-#include "base/threads.hpp"
 #include "boolean/common_faces.hpp"
 #include "boolean/conform.hpp"
 #include "halfspace/assert.hpp"
-#include "intersect/face_intersection.hpp"
+#include "intersect/meet_pairs.hpp"
 
 namespace halfspace::fast {
 
@@ -42,37 +41,15 @@ void Arrangement::find_contacts() {
   prepare(operands[0], operands[1], scratch);
   if constexpr (kFindsCommonFaces)
     find_common_faces(operands[0], operands[1], scratch);
-  auto pairs = candidate_pairs(operands[0], operands[1], threads_);
-  if (threads_ > 1) drop_disjoint_pairs(pairs);
-  for (Operand& operand : operands) add_edges(operand, table);
-  FaceIntersector contact(operands[0], operands[1], table, segments);
-  for (const auto& [f, g] : pairs) contact.meet(f, g);
+  const auto pairs = candidate_pairs(operands[0], operands[1], threads_);
+  for_blocks(threads_, 2, 1, [&](std::size_t o, std::size_t, std::size_t) {
+    add_edges(operands[o], table);
+  });
+  meet_pairs(operands[0], operands[1], pairs, table, segments, threads_);
   for (std::size_t o = 0; o < 2; ++o) {
     conforms_[o] =
         is_conforming_[o] || conform_contacts(o, operands, segments, table);
   }
-}
-
-/// Drops the pairs of faces that have nothing in common, which are most, by
-/// several threads. The others add points to the table, one after another, so
-/// that ids do not depend on threads.
-void Arrangement::drop_disjoint_pairs(
-    std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
-  threads::PerThread<FaceIntersector> contacts([this] {
-    return FaceIntersector(operands[0], operands[1], table, segments);
-  });
-  std::vector<std::uint8_t> stays(pairs.size());
-  for_blocks(threads_, pairs.size(), 1024,
-             [&](std::size_t, std::size_t first, std::size_t last) {
-               FaceIntersector& contact = contacts.local();
-               for (std::size_t i = first; i < last; ++i)
-                 stays[i] = contact.may_meet(pairs[i].first, pairs[i].second);
-             });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (stays[i] != 0) pairs[kept++] = pairs[i];
-  }
-  pairs.resize(kept);
 }
 
 /// Brings the cuts and covers of each edge together.
@@ -149,9 +126,11 @@ std::span<const EdgeInFace> Arrangement::covers_of(std::size_t o,
 
 void Arrangement::index() {
   HALFSPACE_ASSERT(conforms_[0] && conforms_[1]);
-  for (std::size_t o = 0; o < 2; ++o) {
+  for_blocks(threads_, 2, 1, [&](std::size_t o, std::size_t, std::size_t) {
     sort_records(o);
     mark_touched(o);
+  });
+  for (std::size_t o = 0; o < 2; ++o) {
     for (const EdgeFaceIntersection& cut : operands[o].cuts)
       HALFSPACE_CHECK(is_touched(1 - o, cut.face));
     for (const EdgeInFace& cover : operands[o].covers)

@@ -55,6 +55,8 @@ class Arrangement {
                                                 std::int32_t edge,
                                                 std::int32_t vertex) const;
   std::span<const EdgeInFace> covers_of(std::size_t o, std::int32_t edge) const;
+  /// How many threads may work on it.
+  int threads() const { return threads_; }
   /// Whether operand `o`'s face meets the other operand.
   bool is_touched(std::size_t o, std::int32_t face) const {
     return operands[o].touched[static_cast<std::size_t>(face)] != 0;
@@ -73,11 +75,9 @@ class Arrangement {
   GeometryTable& table;
   BooleanScratch& scratch;
   std::array<Operand, 2> operands;
-  std::vector<IntersectionSegment> segments;
+  List<IntersectionSegment> segments;
 
  private:
-  void drop_disjoint_pairs(
-      std::vector<std::pair<std::int32_t, std::int32_t>>& pairs);
   void sort_records(std::size_t o);
   void mark_touched(std::size_t o);
   void touch_faces_at(std::size_t o, const OperandEdge& edge);

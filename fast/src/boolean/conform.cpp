@@ -42,7 +42,7 @@ Box box_of(const GeometryTable& table, std::int32_t low, std::int32_t high) {
 class Conformer {
  public:
   Conformer(std::size_t o, std::array<Operand, 2>& operands,
-            std::vector<IntersectionSegment>& segments, GeometryTable& table)
+            List<IntersectionSegment>& segments, GeometryTable& table)
       : o_(o),
         operand_(operands[o]),
         other_(operands[1 - o]),
@@ -82,7 +82,7 @@ class Conformer {
   std::size_t o_;
   Operand& operand_;
   const Operand& other_;
-  std::vector<IntersectionSegment>& segments_;
+  List<IntersectionSegment>& segments_;
   GeometryTable& table_;
   LineFaceSection section_;
   std::vector<SolidEdge> near_edges_;  ///< of the current face
@@ -116,7 +116,7 @@ bool Conformer::cut_covered_edges() {
 
 /// Cuts the edges at the points, where they are covered.
 void Conformer::add_cuts() {
-  std::vector<EdgeFaceIntersection>& cuts = operand_.cuts;
+  List<EdgeFaceIntersection>& cuts = operand_.cuts;
   std::sort(points_.begin(), points_.end());
   for (const EdgeInFace& cover : operand_.covers) {
     const int axis = operand_.edge(cover.edge).axis;
@@ -188,7 +188,7 @@ bool Conformer::add_points(std::int32_t id, std::int32_t f) {
   // At an end there is a vertex of the edge.
   if (low * high > 0 || (low == 0) != (high == 0)) return true;
   const std::array<std::int32_t, 2> planes{
-      edge.plane, transversal_plane(edge, operand_, table_)};
+      edge.plane, transversal_plane(edge, table_)};
   const std::int32_t across = other_than(face.plane, planes);
   const auto edges = edges_near(f, across);
   if (low != 0) {
@@ -317,7 +317,7 @@ bool is_known_conforming(const Solid& solid) {
 }
 
 bool conform_contacts(std::size_t o, std::array<Operand, 2>& operands,
-                      std::vector<IntersectionSegment>& segments,
+                      List<IntersectionSegment>& segments,
                       GeometryTable& table) {
   return Conformer(o, operands, segments, table).run();
 }

@@ -28,7 +28,7 @@ bool is_known_conforming(const Solid& solid);
 /// does not have the edge.
 /// Requires: cuts, covers and segments have been found.
 bool conform_contacts(std::size_t o, std::array<Operand, 2>& operands,
-                      std::vector<IntersectionSegment>& segments,
+                      List<IntersectionSegment>& segments,
                       GeometryTable& table);
 
 /// The same solid, made conforming by resolving it; the faces' sources are the

@@ -108,7 +108,7 @@ void Emitter::emit_parts(std::size_t o, std::int32_t id) {
           half_face_of(o, use.face, use.forward != flipped ? 1 : -1));
     }
     const std::int32_t other =
-        transversal_plane(operands_[o].edge(id), operands_[o], table_);
+        transversal_plane(operands_[o].edge(id), table_);
     emit({points[i], points[i + 1], edge.axis, {edge.plane, other}}, member);
   }
 }

@@ -130,7 +130,7 @@ void Resolver::emit_edge(std::size_t e) {
     any = any || is_cut(operand_.uses[edge.first_use + u].face);
   if (!any) return;
   points_.clear();
-  const std::int32_t other = transversal_plane(edge, operand_, table_);
+  const std::int32_t other = transversal_plane(edge, table_);
   const Segment line{edge.low, edge.high, edge.axis, {edge.plane, other}};
   add_points(line);
   emit_segments(line);

@@ -26,8 +26,9 @@ void prepare(Operand& a, Operand& b, BooleanScratch& scratch) {
   b.reach = a.extent;
 }
 
-std::vector<std::pair<std::int32_t, std::int32_t>> candidate_pairs(
-    Operand& a, Operand& b, int threads) {
+List<std::pair<std::int32_t, std::int32_t>> candidate_pairs(Operand& a,
+                                                            Operand& b,
+                                                            int threads) {
   const auto near = [](const Operand& of) {
     std::vector<std::int32_t> items;
     for (std::size_t f = 0; f < of.solid->faces.size(); ++f) {
@@ -64,7 +65,10 @@ std::vector<std::pair<std::int32_t, std::int32_t>> candidate_pairs(
                }
              });
   // Step 2: all of them, and whose they are.
-  Pairs pairs;
+  std::size_t count = 0;
+  for (const Pairs& some : found) count += some.size();
+  List<std::pair<std::int32_t, std::int32_t>> pairs;
+  pairs.reserve(count);
   for (const Pairs& some : found)
     pairs.insert(pairs.end(), some.begin(), some.end());
   for (const auto& [f, g] : pairs) {
@@ -119,6 +123,7 @@ void add_edges(Operand& operand, const GeometryTable& table) {
   sort_by_key(keyed);
   // Step 2: name each once, in the direction of an axis.
   operand.uses.reserve(entries.size());
+  operand.edges.reserve(entries.size() / 2);  // nearly always all of them
   for (std::size_t i = 0; i < keyed.size();) {
     const std::uint64_t ends = keyed[i].key;
     const Entry& first = entries[keyed[i].index];
@@ -143,6 +148,9 @@ void add_edges(Operand& operand, const GeometryTable& table) {
           {entry.face, solid.edges[entry.edge].from == edge.low});
       operand.edge_of[entry.edge] = id;
       ++edge.use_count;
+      // Two planes of faces at one edge are equal, or meet along it.
+      const std::int32_t plane = operand.face(entry.face).plane;
+      if (edge.other < 0 && plane != edge.plane) edge.other = plane;
     }
     operand.edges.push_back(edge);
   }

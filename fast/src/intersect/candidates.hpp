@@ -14,8 +14,9 @@ namespace halfspace::fast {
 void prepare(Operand& a, Operand& b, BooleanScratch& scratch);
 
 /// The pairs of faces whose boxes overlap; fills in `active`.
-std::vector<std::pair<std::int32_t, std::int32_t>> candidate_pairs(
-    Operand& a, Operand& b, int threads = 1);
+List<std::pair<std::int32_t, std::int32_t>> candidate_pairs(Operand& a,
+                                                            Operand& b,
+                                                            int threads = 1);
 
 /// Fills in the near edges of the active faces.
 void add_edges(Operand& operand, const GeometryTable& table);

@@ -21,6 +21,76 @@ void FaceIntersector::meet(std::int32_t face_a, std::int32_t face_b) {
   }
 }
 
+void FaceIntersector::begin_block(PendingLines& pending) {
+  constexpr std::size_t kSlots = 1024;
+  pending.clear();
+  pending_ = &pending;
+  asked_cuts_.assign(kSlots, {});
+}
+
+void FaceIntersector::begin_meet(std::int32_t face_a, std::int32_t face_b) {
+  const std::size_t before = pending_->lines.size();
+  is_left_ = false;
+  meet(face_a, face_b);
+  if (!is_left_) return;
+  // What was asked for is what meet() asks for first: it gets the same ids.
+  pending_->shrink(before);
+  PendingLine line = pending_->ends();
+  line.faces = faces_;
+  line.is_left = true;
+  pending_->lines.push_back(line);
+}
+
+void FaceIntersector::end_meet(const PendingLines& pending, std::size_t i,
+                               ContactRecords& records) {
+  const PendingLine& line = pending.lines[i];
+  const PendingLine before = i == 0 ? PendingLine{} : pending.lines[i - 1];
+  pending_ = nullptr;
+  records_ = &records;
+  faces_ = line.faces;
+  axis_ = line.axis;
+  start_ = line.start;
+  for (std::size_t o = 0; o < 2; ++o) {
+    along_[o].assign(pending.along[o].begin() + before.along_end[o],
+                     pending.along[o].begin() + line.along_end[o]);
+  }
+  events_.assign(pending.events.begin() + before.event_end,
+                 pending.events.begin() + line.event_end);
+  for (SweepEvent& event : events_) {
+    if (event.vertex < 0)
+      event.vertex = pending.ids[static_cast<std::size_t>(-1 - event.vertex)];
+  }
+  end_line(static_cast<std::size_t>(line.operand), line.edge);
+}
+
+/// The line is that of an edge of face `o`, in the plane of both, or, if `edge`
+/// is -1, that of the faces' planes. In step 1 it is kept for step 2.
+void FaceIntersector::end_line(std::size_t o, std::int32_t edge) {
+  if (is_pending()) {
+    if (is_left_ || events_.empty()) return;
+    pending_->events.insert(pending_->events.end(), events_.begin(),
+                            events_.end());
+    for (std::size_t k = 0; k < 2; ++k) {
+      auto& along = pending_->along[k];
+      along.insert(along.end(), along_[k].begin(), along_[k].end());
+    }
+    PendingLine line = pending_->ends();
+    line.faces = faces_;
+    line.edge = edge;
+    line.operand = static_cast<std::int8_t>(o);
+    line.axis = static_cast<std::int8_t>(axis_);
+    line.start = start_;
+    pending_->lines.push_back(line);
+    return;
+  }
+  order_events();
+  if (edge < 0) {
+    report_across();
+  } else {
+    report_in_plane(o, edge);
+  }
+}
+
 bool FaceIntersector::may_meet(std::int32_t face_a, std::int32_t face_b) {
   faces_ = {face_a, face_b};
   const std::int32_t p = face(0).plane;
@@ -160,14 +230,45 @@ void FaceIntersector::add_events(std::size_t o, std::int32_t across) {
   }
 }
 
+std::int32_t FaceIntersector::ask(std::int32_t p, std::int32_t q,
+                                  std::int32_t r, bool computes) {
+  // After the first plane that is missing nothing is asked: meet() will, in
+  // its order.
+  if (is_left_) return 0;
+  const AskedMeet asked = table_.ask_meet(p, q, r, computes, pending_->words);
+  if (asked.known >= 0) return asked.known;
+  pending_->asked.push_back(asked);
+  return -static_cast<std::int32_t>(pending_->asked.size());
+}
+
+/// Asks where an edge of operand `o` meets a plane.
+std::int32_t FaceIntersector::asked_cut(std::size_t o, std::int32_t id,
+                                        std::int32_t across) {
+  const std::size_t mixed = static_cast<std::size_t>(id) * 0x9e3779b1 ^
+                            static_cast<std::size_t>(across) * 0x85ebca6b ^ o;
+  AskedCut& last = asked_cuts_[mixed % asked_cuts_.size()];
+  if (last.edge == id && last.across == across && last.o == o)
+    return last.vertex;
+  if (is_left_) return 0;
+  const OperandEdge& edge = operands_[o]->edge(id);
+  if (edge.other < 0) {
+    leave();
+    return 0;
+  }
+  // Each of the edge's faces asks, most often in other blocks if they are the
+  // first operand's. Its first face mostly does so first.
+  const bool computes = o != 0 || edge.owner == faces_[0];
+  last = {o, id, across, ask(edge.plane, edge.other, across, computes)};
+  return last.vertex;
+}
+
 /// Where the edge meets a plane. Each of its faces asks, and few planes cut it.
-std::int32_t FaceIntersector::cut_of(std::size_t o, OperandEdge& edge,
-                                     std::int32_t across) {
+std::int32_t FaceIntersector::cut_of(OperandEdge& edge, std::int32_t across) {
   for (const std::size_t k : {0u, 1u}) {
     if (edge.cut_by[k] == across) return edge.cut_at[k];
   }
-  const std::int32_t vertex = table_.meet(
-      edge.plane, transversal_plane(edge, *operands_[o], table_), across);
+  const std::int32_t vertex =
+      table_.meet(edge.plane, transversal_plane(edge, table_), across);
   edge.cut_by = {across, edge.cut_by[0]};
   edge.cut_at = {vertex, edge.cut_at[0]};
   return vertex;
@@ -194,12 +295,18 @@ void FaceIntersector::add_event(std::size_t o, const EdgeCrossing& crossing,
   }
   toggle(event.toggle[o], crossing.from, crossing.to);
   if (!event.toggle[o][0] && !event.toggle[o][1]) return;
-  if (id < 0 || crossing.from == 0 || crossing.to == 0) {
+  const bool crosses = crossing.from * crossing.to < 0;
+  if (is_pending() && crosses && id < 0) {
+    if (solid_edge.other < 0) return leave();
+    event.vertex =
+        ask(face(o).plane, solid_edge.other, across, /*computes=*/false);
+  } else if (id < 0 || !crosses) {
     event.vertex = line_crossing(face(o), solid_edge, crossing.from,
                                  crossing.to, across, table_);
   } else {
     event.edge[o] = id;
-    event.vertex = cut_of(o, operand.edge(id), across);
+    event.vertex = is_pending() ? asked_cut(o, id, across)
+                                : cut_of(operand.edge(id), across);
   }
   events_.push_back(event);
 }
@@ -265,7 +372,10 @@ std::pair<std::size_t, std::size_t> FaceIntersector::events_at(
 void FaceIntersector::meet_across() {
   begin_line();
   for (std::size_t o = 0; o < 2; ++o) add_events(o, face(1 - o).plane);
-  order_events();
+  end_line(0, -1);
+}
+
+void FaceIntersector::report_across() {
   report_cuts();
   for (std::size_t i = 0; i + 1 < events_.size(); ++i) {
     // Where no edge is along the line, both of its sides are alike.
@@ -274,7 +384,8 @@ void FaceIntersector::meet_across() {
       const std::int32_t high = events_[i + 1].vertex;
       HALFSPACE_CHECK(table_.compare(axis_, m.vertex, high) < 0);
       HALFSPACE_CHECK(face(0).plane != face(1).plane);
-      segments_.push_back({faces_[0], faces_[1], m.vertex, high, axis_});
+      (has_records() ? records_->segments : segments_)
+          .push_back({faces_[0], faces_[1], m.vertex, high, axis_});
     }
   }
   for (std::size_t o = 0; o < 2; ++o) {
@@ -317,8 +428,8 @@ void FaceIntersector::meet_in_plane(std::size_t o) {
 void FaceIntersector::meet_edge(std::size_t o, std::int32_t id) {
   Operand& operand = *operands_[o];
   const std::size_t p = 1 - o;
-  const std::int32_t across =
-      transversal_plane(operand.edge(id), operand, table_);
+  if (is_pending() && operand.edge(id).other < 0) return leave();
+  const std::int32_t across = transversal_plane(operand.edge(id), table_);
   const OperandEdge edge = operand.edge(id);
   const Vertex& low = table_.vertex(edge.low).approximate;
   const Vertex& high = table_.vertex(edge.high).approximate;
@@ -339,11 +450,17 @@ void FaceIntersector::meet_edge(std::size_t o, std::int32_t id) {
     event.present[o] = true;
     events_.push_back(event);
   }
-  order_events();
+  end_line(o, id);
+}
+
+void FaceIntersector::report_in_plane(std::size_t o, std::int32_t id) {
+  const std::size_t p = 1 - o;
   for (const SweepEvent& event : events_) {
     if (event.present[o] && event.has(p)) put_on_other(o, event.vertex);
   }
-  report_along(o, id, table_.cross_sign(edge.axis, across, face(p).plane) > 0);
+  const OperandEdge& edge = operands_[o]->edge(id);
+  report_along(o, id,
+               table_.cross_sign(edge.axis, edge.other, face(p).plane) > 0);
 }
 
 /// The points at which either face meets the other.
@@ -382,7 +499,8 @@ void FaceIntersector::report_along(std::size_t o, std::int32_t id,
     HALFSPACE_CHECK(table_.compare(edge.axis, cover.low, cover.high) < 0);
     // The faces are touched: this one has the edge's end, or a cut, at the
     // event where the cover begins, and the other one is there.
-    operands_[o]->covers.push_back(cover);
+    (has_records() ? records_->covers[o] : operands_[o]->covers)
+        .push_back(cover);
   }
 }
 
@@ -391,18 +509,23 @@ void FaceIntersector::cut(std::size_t o, std::int32_t edge,
   HALFSPACE_CHECK(table_.side(face(1 - o).plane, vertex) == 0);
   HALFSPACE_CHECK(vertex != operands_[o]->edge(edge).low &&
                   vertex != operands_[o]->edge(edge).high);
-  operands_[o]->touched[static_cast<std::size_t>(faces_[o])] = 1;
-  operands_[1 - o]->touched[static_cast<std::size_t>(faces_[1 - o])] = 1;
+  operands_[o]->touch(faces_[o]);
+  operands_[1 - o]->touch(faces_[1 - o]);
   if (operands_[o]->edge(edge).owner == faces_[o])
-    operands_[o]->cuts.push_back({edge, vertex, faces_[1 - o]});
+    (has_records() ? records_->cuts[o] : operands_[o]->cuts)
+        .push_back({edge, vertex, faces_[1 - o]});
 }
 
 void FaceIntersector::put_on_other(std::size_t o, std::int32_t vertex) {
   HALFSPACE_CHECK(table_.side(face(0).plane, vertex) == 0);
   HALFSPACE_CHECK(table_.side(face(1).plane, vertex) == 0);
-  operands_[o]->touched[static_cast<std::size_t>(faces_[o])] = 1;
-  operands_[1 - o]->touched[static_cast<std::size_t>(faces_[1 - o])] = 1;
-  operands_[o]->put_on_other(vertex);
+  operands_[o]->touch(faces_[o]);
+  operands_[1 - o]->touch(faces_[1 - o]);
+  if (has_records()) {
+    records_->on_other[o].push_back(vertex);
+  } else {
+    operands_[o]->put_on_other(vertex);
+  }
 }
 
 }  // namespace halfspace::fast

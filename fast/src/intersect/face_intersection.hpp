@@ -2,11 +2,12 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
+#include "base/threads.hpp"
 #include "intersect/candidates.hpp"
+#include "intersect/pending_lines.hpp"
 
 namespace halfspace::fast {
 
@@ -28,7 +29,7 @@ inline void toggle(std::array<bool, 2>& on, int from, int to) {
 class FaceIntersector {
  public:
   FaceIntersector(Operand& a, Operand& b, GeometryTable& table,
-                  std::vector<IntersectionSegment>& segments)
+                  List<IntersectionSegment>& segments)
       : operands_{&a, &b}, table_(table), segments_(segments) {}
 
   /// Whatever the two faces have in common is added to the operands' lists and
@@ -40,26 +41,19 @@ class FaceIntersector {
   /// theirs.
   bool may_meet(std::int32_t face_a, std::int32_t face_b);
 
+  /// meet() in two steps, with equal results. Both may run in several threads
+  /// on an object each, while nothing extends the table; PairMeeter calls them.
+  ///
+  /// Step 1: begin_block() for each `pending`, then begin_meet() for pairs.
+  void begin_block(PendingLines& pending);
+  void begin_meet(std::int32_t face_a, std::int32_t face_b);
+  /// Step 2, when ids are known: line number `i`, which is not left to meet().
+  void end_meet(const PendingLines& pending, std::size_t i,
+                ContactRecords& records);
+  /// From here on what is found is added to these instead; nullptr: no longer.
+  void record_in(ContactRecords* records) { records_ = records; }
+
  private:
-  /// A point on the line at which something happens to one of the faces.
-  struct SweepEvent {
-    std::int32_t vertex = 0;
-    std::array<std::int32_t, 2> edge{-1, -1};  ///< that crosses the line here
-    std::array<bool, 2> present{};             ///< in that face
-    /// Whether face `o` begins or ends here, beside the line: [o][side].
-    std::array<std::array<bool, 2>, 2> toggle{};
-    /// Whether it is there from here to the next event.
-    std::array<std::array<bool, 2>, 2> after{};
-    std::array<bool, 2>
-        along{};  ///< it has an edge from here to the next event
-    /// How many of its edges along the line begin here, less those that end.
-    std::array<std::int32_t, 2> begun{};
-
-    bool has(std::size_t o) const {
-      return present[o] || after[o][0] || after[o][1];
-    }
-  };
-
   /// An edge of a face that meets the plane that makes the line: the sides of
   /// its first end and its last, and from where to where it is on the line,
   /// in doubles.
@@ -70,8 +64,15 @@ class FaceIntersector {
     double low = 0;
     double high = 0;
   };
-  /// By face and side of the line.
-  using State = std::array<std::array<bool, 2>, 2>;
+  using State = SweepState;
+  /// What was asked for where an edge meets a plane, and whether it still
+  /// holds.
+  struct AskedCut {
+    std::size_t o = 0;
+    std::int32_t edge = -1;
+    std::int32_t across = -1;
+    std::int32_t vertex = 0;
+  };
 
   const Face& face(std::size_t o) const {
     return operands_[o]->face(faces_[o]);
@@ -86,10 +87,19 @@ class FaceIntersector {
                       std::uint32_t last);
   void measure(std::size_t o, std::int32_t plane);
   void add_events(std::size_t o, std::int32_t across);
-  std::int32_t cut_of(std::size_t o, OperandEdge& edge, std::int32_t across);
+  std::int32_t cut_of(OperandEdge& edge, std::int32_t across);
   void add_event(std::size_t o, const EdgeCrossing& crossing,
                  std::int32_t across);
+  std::int32_t asked_cut(std::size_t o, std::int32_t edge, std::int32_t across);
+  std::int32_t ask(std::int32_t p, std::int32_t q, std::int32_t r,
+                   bool computes);
+  void leave() { is_left_ = true; }
+  bool is_pending() const { return kManyThreads && pending_ != nullptr; }
+  bool has_records() const { return kManyThreads && records_ != nullptr; }
   void begin_line();
+  void end_line(std::size_t o, std::int32_t edge);
+  void report_across();
+  void report_in_plane(std::size_t o, std::int32_t edge);
   void order_events();
   std::pair<std::size_t, std::size_t> events_at(const OperandEdge& edge) const;
   void meet_across();
@@ -102,7 +112,7 @@ class FaceIntersector {
 
   std::array<Operand*, 2> operands_;
   GeometryTable& table_;
-  std::vector<IntersectionSegment>& segments_;
+  List<IntersectionSegment>& segments_;
   std::array<std::int32_t, 2> faces_{};
   int axis_ = 0;  ///< along the current line
   std::array<std::vector<EdgeCrossing>, 2> crossings_;
@@ -115,6 +125,11 @@ class FaceIntersector {
   std::array<std::vector<std::int32_t>, 2> along_;  ///< edges on the line
   std::array<EpochArray<std::uint8_t>, 2> is_along_;  ///< by edge
   std::vector<SweepEvent> events_;
+  ContactRecords* records_ = nullptr;
+  PendingLines* pending_ = nullptr;  ///< in step 1
+  bool is_left_ = false;             ///< the pair is left to meet()
+  /// The last answers in this block, by a hash: few, to stay in the cache.
+  std::vector<AskedCut> asked_cuts_;
 };
 
 }  // namespace halfspace::fast

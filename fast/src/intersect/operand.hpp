@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -22,9 +23,10 @@ struct OperandEdge {
   std::int32_t low = 0;
   std::int32_t high = 0;
   std::int32_t axis = 0;
-  std::int32_t plane = 0;   ///< of its first face
-  std::int32_t other = -1;  ///< a second plane through it; -1: not known yet
-  std::int32_t owner = 0;   ///< its first face, which reports what it meets
+  std::int32_t plane = 0;  ///< of its first face
+  /// A second plane through it; -1: not known yet, as all its faces are in one.
+  std::int32_t other = -1;
+  std::int32_t owner = 0;  ///< its first face, which reports what it meets
   std::uint32_t first_edge = 0;  ///< of the solid: the face's
   std::uint32_t first_use = 0;
   std::uint32_t use_count = 0;
@@ -97,11 +99,11 @@ struct Operand {
   /// empty: none.
   enum Common : std::uint8_t { kNotCommon, kSame, kOpposite };
   std::vector<Common> common;
-  std::vector<OperandEdge> edges;     ///< of the active faces, near ones
-  std::vector<EdgeUse> uses;          ///< by edge
-  std::vector<std::int32_t> edge_of;  ///< by edge of the solid; -1: not here
-  std::vector<EdgeFaceIntersection> cuts;
-  std::vector<EdgeInFace> covers;
+  List<OperandEdge> edges;     ///< of the active faces, near ones
+  List<EdgeUse> uses;          ///< by edge
+  List<std::int32_t> edge_of;  ///< by edge of the solid; -1: not here
+  List<EdgeFaceIntersection> cuts;
+  List<EdgeInFace> covers;
   /// By vertex: on both operands' surfaces.
   EpochArray<std::uint8_t>* on_other = nullptr;
 
@@ -116,6 +118,11 @@ struct Operand {
   }
   OperandEdge& edge(std::int32_t e) {
     return edges[static_cast<std::size_t>(e)];
+  }
+  /// Other threads may touch faces at the same time.
+  void touch(std::int32_t f) {
+    std::atomic_ref(touched[static_cast<std::size_t>(f)])
+        .store(1, std::memory_order_relaxed);
   }
   bool is_on_other(std::int32_t v) const { return on_other->get(v, 0) != 0; }
   void put_on_other(std::int32_t v) { on_other->set(v, 1); }

@@ -25,7 +25,8 @@ void begin(const Solid& solid, TableLease& lease, Operand& a, Operand& b) {
   prepare(a, b, lease.scratch<BooleanScratch>());
 }
 
-void find_contacts(Operand& a, Operand& b, const FacePairs& pairs,
+void find_contacts(Operand& a, Operand& b,
+                   std::span<const FacePairs::value_type> pairs,
                    TableLease& lease, SelfContacts& result) {
   add_edges(a, lease.table());
   add_edges(b, lease.table());

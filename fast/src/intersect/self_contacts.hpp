@@ -16,7 +16,7 @@ namespace halfspace::fast {
 /// vertices and edges that faces share.
 struct SelfContacts {
   Operand operand;
-  std::vector<IntersectionSegment> segments;  ///< each twice
+  List<IntersectionSegment> segments;  ///< each twice
 };
 
 /// Requires: the lease is of the solid's table.

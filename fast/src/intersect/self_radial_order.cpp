@@ -118,7 +118,7 @@ int SelfRadialOrder::winding_outside(std::int32_t f) {
   const Segment segment{edge.low,
                         edge.high,
                         edge.axis,
-                        {edge.plane, transversal_plane(edge, operand, table_)}};
+                        {edge.plane, transversal_plane(edge, table_)}};
   at(segment);
   int winding = winding_before_first(segment);
   for (const HalfFace& half_face : half_faces_) {

@@ -25,16 +25,10 @@ std::int32_t plane_along_axis(std::int32_t u, std::int32_t v,
 
 }  // namespace
 
-std::int32_t transversal_plane(OperandEdge& edge, const Operand& operand,
-                               GeometryTable& table) {
-  if (edge.other >= 0) return edge.other;
-  // Two planes of faces at one edge are equal, or meet along it.
-  for (std::uint32_t u = 0; u < edge.use_count; ++u) {
-    const auto at = static_cast<std::size_t>(edge.first_use + u);
-    const std::int32_t plane = operand.face(operand.uses[at].face).plane;
-    if (plane != edge.plane) return edge.other = plane;
-  }
-  return edge.other = plane_along_axis(edge.low, edge.high, edge.plane, table);
+std::int32_t transversal_plane(OperandEdge& edge, GeometryTable& table) {
+  if (edge.other < 0)
+    edge.other = plane_along_axis(edge.low, edge.high, edge.plane, table);
+  return edge.other;
 }
 
 std::int32_t transversal_plane(const SolidEdge& edge, const Face& face,

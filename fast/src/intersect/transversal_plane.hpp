@@ -7,8 +7,7 @@
 namespace halfspace::fast {
 
 /// For an operand's edge; stored in the edge for the next call.
-std::int32_t transversal_plane(OperandEdge& edge, const Operand& operand,
-                               GeometryTable& table);
+std::int32_t transversal_plane(OperandEdge& edge, GeometryTable& table);
 
 /// For an edge whose other faces are not known.
 std::int32_t transversal_plane(const SolidEdge& edge, const Face& face,

@@ -45,11 +45,6 @@ class AppendList {
     make_room(range.size());
     items_.insert(items_.end(), range.begin(), range.end());
   }
-  /// Takes back elements that no other thread knows of.
-  void shrink(std::size_t size) {
-    items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(size),
-                 items_.end());
-  }
   void reserve(std::size_t capacity) {
     if (capacity <= items_.capacity()) return;
     List<T> larger;

@@ -42,6 +42,19 @@ struct TableVertex {
   }
 };
 
+/// Where three planes meet, before it has an id: see
+/// GeometryTable::ask_meet().
+struct AskedMeet {
+  std::array<std::int32_t, 3> planes{-1, -1, -1};  ///< ascending
+  std::int32_t known = -1;                         ///< its id, if it has one
+  std::uint64_t triple_hash = 0;                   ///< of the planes
+  bool is_computed = false;                        ///< what follows is known
+  bool is_grid = false;
+  std::uint64_t hash = 0;  ///< of the point
+  Vertex approximate;
+  std::size_t first_word = 0;  ///< of its coordinates, if it is not on the grid
+};
+
 /// A plane with an orientation: `flipped` if against the table's.
 struct OrientedPlane {
   std::int32_t plane = -1;
@@ -83,6 +96,8 @@ class GeometryTable {
 
   /// Makes room for more points of the grid and planes.
   void reserve(std::size_t points, std::size_t planes);
+  /// The same for points where planes meet, most of them not on the grid.
+  void reserve_meets(std::size_t points);
   std::int32_t add_point(const GridPoint& point);
   /// The same for many at once, which takes less time; adds them to `ids`.
   void add_points(std::span<const GridPoint> points,
@@ -101,6 +116,19 @@ class GeometryTable {
   /// Where three planes meet.
   /// Requires: in one point.
   std::int32_t meet(std::int32_t p, std::int32_t q, std::int32_t r);
+  /// The same in two steps, so that threads may share the first one, while
+  /// nothing extends the table: whether the point is known, and if it is not
+  /// and `computes`, its coordinates, which are added to `words`.
+  AskedMeet ask_meet(std::int32_t p, std::int32_t q, std::int32_t r,
+                     bool computes, std::vector<std::uint64_t>& words) const;
+  /// Begins to fetch what add_asked() reads.
+  void prefetch_asked(const AskedMeet& asked) const {
+    triple_index_.prefetch(asked.triple_hash);
+    vertex_index_.prefetch(asked.hash);
+  }
+  /// The point's id. `words`: those that ask_meet() added to.
+  std::int32_t add_asked(const AskedMeet& asked,
+                         std::span<const std::uint64_t> words);
 
   /// -1, 0, 1: the side of the plane, as it stands in the table, that holds
   /// the point.
@@ -153,8 +181,14 @@ class GeometryTable {
   std::int32_t enter_point(const GridPoint& point, std::uint64_t hash);
   template <int kBits>
   OrientedPlane enter(const CanonicalPlane<kBits>& plane);
+  std::int32_t known_meet(const std::array<std::int32_t, 3>& planes,
+                          std::uint64_t hash) const;
+  std::int32_t note_triple(const std::array<std::int32_t, 3>& planes,
+                           std::uint64_t hash, std::int32_t vertex);
   template <int kBits>
-  std::uint64_t make_exact(const std::array<std::int32_t, 3>& planes);
+  std::uint64_t make_exact(
+      TableVertex& v,
+      std::array<typename Grid<kBits>::Determinant, 4>& c) const;
   template <int kBits>
   ExactPlane<kBits> exact_at(std::int32_t plane) const;
   template <int kBits>
@@ -165,6 +199,9 @@ class GeometryTable {
       TableVertex& v,
       const std::array<typename Grid<kBits>::Determinant, 4>& c) const;
   std::int32_t add_meet(const std::array<std::int32_t, 3>& planes);
+  template <class Append>
+  std::int32_t enter_meet(TableVertex& v, std::uint64_t hash,
+                          const Append& append);
 
   int grid_bits_;
   double rounding_;

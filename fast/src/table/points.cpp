@@ -16,7 +16,24 @@ std::uint64_t hash_of_grid(const GridPoint& point, int grid_bits) {
   return hash_of(cell(point.x), cell(point.y), cell(point.z));
 }
 
+std::uint64_t hash_of_triple(const std::array<std::int32_t, 3>& planes) {
+  const auto word = [&](std::size_t i) {
+    return static_cast<std::uint64_t>(planes[i]);
+  };
+  return hash_of(word(0), word(1), word(2));
+}
+
 }  // namespace
+
+void GeometryTable::reserve_meets(std::size_t points) {
+  const std::size_t words =
+      with_grid(grid_bits_, [](auto bits) { return 4 * Grid<bits()>::kWords; });
+  vertices_.reserve(vertices_.size() + points);
+  exact_.reserve(exact_.size() + words * points);
+  triples_.reserve(triples_.size() + points);
+  vertex_index_.reserve(vertices_.size() + points, 0);
+  triple_index_.reserve(triples_.size() + points, 0);
+}
 
 std::int32_t GeometryTable::add_point(const GridPoint& point) {
   return enter_point(point, hash_of_grid(point, grid_bits_));
@@ -60,53 +77,120 @@ std::int32_t GeometryTable::enter_point(const GridPoint& point,
   return v;
 }
 
+std::int32_t GeometryTable::known_meet(
+    const std::array<std::int32_t, 3>& planes, std::uint64_t hash) const {
+  const std::int32_t known = triple_index_.find(hash, [&](std::int32_t t) {
+    return triples_[static_cast<std::size_t>(t)].planes == planes;
+  });
+  return known < 0 ? -1 : triples_[static_cast<std::size_t>(known)].vertex;
+}
+
+std::int32_t GeometryTable::note_triple(
+    const std::array<std::int32_t, 3>& planes, std::uint64_t hash,
+    std::int32_t vertex) {
+  triple_index_.enter(hash, static_cast<std::int32_t>(triples_.size()));
+  triples_.push_back({planes, vertex});
+  return vertex;
+}
+
 std::int32_t GeometryTable::meet(std::int32_t p, std::int32_t q,
                                  std::int32_t r) {
   std::array<std::int32_t, 3> triple{p, q, r};
   std::sort(triple.begin(), triple.end());
-  const auto word = [&](std::size_t i) {
-    return static_cast<std::uint64_t>(triple[i]);
-  };
-  const std::uint64_t hash = hash_of(word(0), word(1), word(2));
-  const std::int32_t known = triple_index_.find(hash, [&](std::int32_t t) {
-    return triples_[static_cast<std::size_t>(t)].planes == triple;
+  const std::uint64_t hash = hash_of_triple(triple);
+  const std::int32_t known = known_meet(triple, hash);
+  return known >= 0 ? known : note_triple(triple, hash, add_meet(triple));
+}
+
+AskedMeet GeometryTable::ask_meet(std::int32_t p, std::int32_t q,
+                                  std::int32_t r, bool computes,
+                                  std::vector<std::uint64_t>& words) const {
+  AskedMeet asked;
+  asked.planes = {p, q, r};
+  std::sort(asked.planes.begin(), asked.planes.end());
+  asked.triple_hash = hash_of_triple(asked.planes);
+  asked.known = known_meet(asked.planes, asked.triple_hash);
+  if (asked.known >= 0 || !computes) return asked;
+  with_grid(grid_bits_, [&](auto bits) {
+    std::array<typename Grid<bits()>::Determinant, 4> c;
+    TableVertex v;
+    v.planes = asked.planes;
+    asked.hash = make_exact<bits()>(v, c);
+    asked.approximate = v.approximate;
+    asked.is_grid = v.is_grid();
+    asked.first_word = words.size();
+    if (asked.is_grid) return;
+    for (const auto& value : c)
+      words.insert(words.end(), value.words.begin(), value.words.end());
   });
-  if (known >= 0) return triples_[static_cast<std::size_t>(known)].vertex;
-  const std::int32_t v = add_meet(triple);
-  triple_index_.enter(hash, static_cast<std::int32_t>(triples_.size()));
-  triples_.push_back({triple, v});
-  return v;
+  asked.is_computed = true;
+  return asked;
+}
+
+std::int32_t GeometryTable::add_asked(const AskedMeet& asked,
+                                      std::span<const std::uint64_t> words) {
+  if (asked.known >= 0) return asked.known;
+  const std::int32_t known = known_meet(asked.planes, asked.triple_hash);
+  if (known >= 0) return known;
+  if (!asked.is_computed) {
+    return note_triple(asked.planes, asked.triple_hash, add_meet(asked.planes));
+  }
+  TableVertex v;
+  v.approximate = asked.approximate;
+  v.planes = asked.planes;
+  if (!asked.is_grid) v.exact = 0;
+  const std::size_t count =
+      with_grid(grid_bits_, [](auto bits) { return 4 * Grid<bits()>::kWords; });
+  return note_triple(asked.planes, asked.triple_hash,
+                     enter_meet(v, asked.hash, [&] {
+                       exact_.append(words.subspan(asked.first_word, count));
+                     }));
 }
 
 std::int32_t GeometryTable::add_meet(
     const std::array<std::int32_t, 3>& planes) {
-  // The new vertex is tried as the last one, and taken back if it is known.
-  const auto v = static_cast<std::int32_t>(vertices_.size());
-  const std::uint64_t hash = with_grid(
-      grid_bits_, [&](auto bits) { return make_exact<bits()>(planes); });
-  const std::int32_t known = vertex_index_.find(hash, [&](std::int32_t other) {
-    return std::all_of(planes.begin(), planes.end(),
-                       [&](std::int32_t p) { return side(p, other) == 0; });
+  return with_grid(grid_bits_, [&](auto bits) {
+    std::array<typename Grid<bits()>::Determinant, 4> c;
+    TableVertex v;
+    v.planes = planes;
+    const std::uint64_t hash = make_exact<bits()>(v, c);
+    return enter_meet(v, hash, [&] {
+      for (const auto& value : c) exact_.append(value.words);
+    });
   });
-  if (known >= 0) {
-    if (!vertices_.back().is_grid()) exact_.shrink(vertices_.back().exact);
-    vertices_.shrink(vertices_.size() - 1);
-    return known;
-  }
-  vertex_index_.enter(hash, v);
-  return v;
 }
 
-/// Adds the vertex; gives its hash.
+/// The id of a point, which is added if it is not known. `append()` adds its
+/// coordinates.
+template <class Append>
+std::int32_t GeometryTable::enter_meet(TableVertex& v, std::uint64_t hash,
+                                       const Append& append) {
+  const std::int32_t known = vertex_index_.find(hash, [&](std::int32_t other) {
+    return std::all_of(v.planes.begin(), v.planes.end(),
+                       [&](std::int32_t p) { return side(p, other) == 0; });
+  });
+  if (known >= 0) return known;
+  const auto id = static_cast<std::int32_t>(vertices_.size());
+  if (!v.is_grid()) {
+    v.exact = static_cast<std::uint32_t>(exact_.size());
+    append();
+  }
+  vertices_.push_back(v);
+  vertex_index_.enter(hash, id);
+  return id;
+}
+
+/// Where the vertex's planes meet, and exactly: the coordinates times the last
+/// number. Gives the point's hash.
 template <int kBits>
 std::uint64_t GeometryTable::make_exact(
-    const std::array<std::int32_t, 3>& planes) {
+    TableVertex& v, std::array<typename Grid<kBits>::Determinant, 4>& c) const {
   constexpr std::size_t kWords = Grid<kBits>::kWords;
   using Big = typename Grid<kBits>::Determinant;
   std::array<ExactPlane<kBits>, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = exact_at<kBits>(planes[i]);
+  for (std::size_t i = 0; i < 3; ++i) p[i] = exact_at<kBits>(v.planes[i]);
   // Cramer's rule: the offsets weigh the cross products of the other two.
-  std::array<Big, 4> c;
+  c = {};
   for (std::size_t i = 0; i < 3; ++i) {
     const ExactPlane<kBits>& q = p[(i + 1) % 3];
     const ExactPlane<kBits>& r = p[(i + 2) % 3];
@@ -126,21 +210,14 @@ std::uint64_t GeometryTable::make_exact(
   if (c[3].is_negative()) {
     for (Big& value : c) value = -value;
   }
-  TableVertex v;
-  v.planes = planes;
   // Each of the two is off by 2^-52 of its size, and the quotient rounds once
   // more: 2^-50 of the size is more than that.
   const double w = to_double(c[3]);
   Vertex& a = v.approximate;
   a = {to_double(c[0]) / w, to_double(c[1]) / w, to_double(c[2]) / w, 0};
   a.error = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}) * 0x1p-50;
-  if (put_on_grid<kBits>(v, c)) {
-    vertices_.push_back(v);
-    return hash_of_grid(v.point(), grid_bits_);
-  }
-  v.exact = static_cast<std::uint32_t>(exact_.size());
-  for (const Big& value : c) exact_.append(value.words);
-  vertices_.push_back(v);
+  if (put_on_grid<kBits>(v, c)) return hash_of_grid(v.point(), grid_bits_);
+  v.exact = 0;  // not yet known
   const double at[3] = {a.x, a.y, a.z};
   std::array<std::uint64_t, 3> cells;
   for (std::size_t i = 0; i < 3; ++i) {
