@@ -5,12 +5,21 @@
 #include "base/check.hpp"
 
 namespace halfspace::fast {
+namespace {
+
+PointLocator near_faces(const Operand& operand, const GeometryTable& table) {
+  return {*operand.solid, table, nullptr, operand.blocks.get()};
+}
+
+}  // namespace
 
 Classifier::Classifier(Arrangement& arrangement)
     : common_(arrangement),
       operands_(arrangement.operands),
       table_(arrangement.table),
-      scratch_(arrangement.scratch) {
+      scratch_(arrangement.scratch),
+      near_faces_{near_faces(operands_[0], table_),
+                  near_faces(operands_[1], table_)} {
   for (std::size_t o = 0; o < 2; ++o) {
     join_vertices(o);
     note_members(o);
@@ -92,7 +101,7 @@ void Classifier::note_members(std::size_t o) {
   for (std::size_t e = 0; e < operands_[o].edges.size(); ++e) {
     const auto id = static_cast<std::int32_t>(e);
     if (common_.cuts_of(o, id).empty()) continue;
-    points_on(o, id);
+    points_on(o, id, points_);
     const std::size_t n = points_.size();
     for (const auto& [end, at] : {std::pair(points_[0], points_[1]),
                                   std::pair(points_[n - 1], points_[n - 2])}) {
@@ -105,24 +114,22 @@ void Classifier::note_members(std::size_t o) {
   }
 }
 
-const std::vector<std::int32_t>& Classifier::points_on(std::size_t o,
-                                                       std::int32_t id) {
+void Classifier::points_on(std::size_t o, std::int32_t id,
+                           std::vector<std::int32_t>& points) const {
   const OperandEdge& edge = operands_[o].edge(id);
-  points_.clear();
+  points.clear();
   for (const EdgeFaceIntersection& cut : common_.cuts_of(o, id)) {
-    if (points_.empty() || points_.back() != cut.vertex)
-      points_.push_back(cut.vertex);
+    if (points.empty() || points.back() != cut.vertex)
+      points.push_back(cut.vertex);
   }
-  points_.push_back(edge.low);
-  points_.push_back(edge.high);
-  std::sort(points_.begin(), points_.end(),
-            [&](std::int32_t u, std::int32_t v) {
-              return table_.compare(edge.axis, u, v) < 0;
-            });
-  HALFSPACE_CHECK(points_.front() == edge.low && points_.back() == edge.high);
-  HALFSPACE_CHECK(std::adjacent_find(points_.begin(), points_.end()) ==
-                  points_.end());
-  return points_;
+  points.push_back(edge.low);
+  points.push_back(edge.high);
+  std::sort(points.begin(), points.end(), [&](std::int32_t u, std::int32_t v) {
+    return table_.compare(edge.axis, u, v) < 0;
+  });
+  HALFSPACE_CHECK(points.front() == edge.low && points.back() == edge.high);
+  HALFSPACE_CHECK(std::adjacent_find(points.begin(), points.end()) ==
+                  points.end());
 }
 
 /// Whether the part of the edge from the cut `at` to `target` is inside, if the
@@ -155,16 +162,38 @@ bool Classifier::is_inside(std::size_t o, std::int32_t vertex) {
   return member == kInside;
 }
 
-/// Whether a part of an edge that is off the other surface but for its ends is
-/// inside, if one of the ends decides it.
-std::optional<bool> Classifier::inside_from_end(std::size_t o, std::int32_t id,
-                                                std::int32_t low,
-                                                std::int32_t high) {
+/// What is known of the vertex's set. Changes nothing.
+std::optional<bool> Classifier::known_member(std::size_t o,
+                                             std::int32_t vertex) const {
+  const SparseParents& parents = scratch_.sets[o].parents();
+  std::int32_t of = parents.get(vertex + 1, -1);
+  if (of < 0) {
+    of = common_.is_beyond_other(o, vertex) ? 0 : vertex + 1;
+  } else {
+    for (std::int32_t up = parents.get(of); up != of; up = parents.get(of))
+      of = up;
+  }
+  const std::uint8_t member = scratch_.member[o].get(of, kUnknown);
+  if (member == kUnknown) return std::nullopt;
+  return member == kInside;
+}
+
+/// The first of two points on an edge that is an end of it and not on the other
+/// surface; -1: neither.
+std::int32_t Classifier::free_end(std::size_t o, std::int32_t id,
+                                  std::int32_t low, std::int32_t high) const {
   const OperandEdge& edge = operands_[o].edge(id);
   for (const std::int32_t end : {low, high}) {
     if ((end == edge.low || end == edge.high) && !operands_[o].is_on_other(end))
-      return is_inside(o, end);
+      return end;
   }
+  return -1;
+}
+
+std::optional<bool> Classifier::inside_from_crossing(std::size_t o,
+                                                     std::int32_t id,
+                                                     std::int32_t low,
+                                                     std::int32_t high) const {
   if (const auto inside = inside_at_crossing(o, id, low, high)) return inside;
   return inside_at_crossing(o, id, high, low);
 }
@@ -172,49 +201,70 @@ std::optional<bool> Classifier::inside_from_end(std::size_t o, std::int32_t id,
 bool Classifier::is_part_inside(std::size_t o, std::int32_t id,
                                 std::int32_t low, std::int32_t high) {
   HALFSPACE_CHECK(low != high);
-  if (const auto inside = inside_from_end(o, id, low, high)) return *inside;
-  return locator(1 - o).is_inside(low, high);
+  const std::int32_t end = free_end(o, id, low, high);
+  if (end >= 0) return is_inside(o, end);
+  const auto inside = inside_from_crossing(o, id, low, high);
+  return inside ? *inside : locator(1 - o).is_inside(low, high);
 }
 
 bool Classifier::is_part_inside(std::size_t o, std::int32_t id,
+                                const std::vector<std::int32_t>& points,
                                 std::size_t part,
                                 const std::optional<KnownPart>& before) {
-  HALFSPACE_CHECK(part + 1 < points_.size());
+  HALFSPACE_CHECK(part + 1 < points.size());
   HALFSPACE_CHECK(!before || before->part < part);
-  auto inside = inside_from_end(o, id, points_[part], points_[part + 1]);
-  if (!inside && before) inside = inside_from_part(o, id, *before, part);
-  return inside ? *inside
-                : locator(1 - o).is_inside(points_[part], points_[part + 1]);
+  const std::int32_t low = points[part];
+  const std::int32_t high = points[part + 1];
+  const std::int32_t end = free_end(o, id, low, high);
+  if (end >= 0) return is_inside(o, end);
+  auto inside = inside_from_crossing(o, id, low, high);
+  if (!inside && before)
+    inside = inside_from_part(o, id, points, *before, part);
+  return inside ? *inside : locator(1 - o).is_inside(low, high);
 }
 
-/// Whether part `i` of points_ is inside, from the membership of a part before
-/// it. Parts between them may lie on the surface: they count as points right
-/// beside them, as in PointLocator::winding().
+std::optional<bool> Classifier::known_part(std::size_t o, std::int32_t id,
+                                           std::int32_t low,
+                                           std::int32_t high) const {
+  const std::int32_t end = free_end(o, id, low, high);
+  return end >= 0 ? known_member(o, end)
+                  : inside_from_crossing(o, id, low, high);
+}
+
+std::optional<bool> Classifier::known_part(
+    std::size_t o, std::int32_t id, const std::vector<std::int32_t>& points,
+    std::size_t part, const std::optional<KnownPart>& before) const {
+  const auto inside = known_part(o, id, points[part], points[part + 1]);
+  if (inside || !before) return inside;
+  return inside_from_part(o, id, points, *before, part);
+}
+
+/// Whether part `i` of the points is inside, from the membership of a part
+/// before it. Parts between them may lie on the surface: they count as points
+/// right beside them, as in PointLocator::winding().
 ///
 /// The winding number changes only by faces incident to the point that two
 /// parts share. Rays that cross another face's edge gain and lose both of its
 /// neighbours at once, so they cancel. An exception: a face there whose plane
 /// is along the ray and crossed by the edge also changes it far away, where the
 /// face ends.
-std::optional<bool> Classifier::inside_from_part(std::size_t o, std::int32_t id,
-                                                 const KnownPart& before,
-                                                 std::size_t i) {
+std::optional<bool> Classifier::inside_from_part(
+    std::size_t o, std::int32_t id, const std::vector<std::int32_t>& points,
+    const KnownPart& before, std::size_t i) const {
   const Operand& other = operands_[1 - o];
   // Along the edge there is no such face, unless the edge is oblique.
   const int axis = operands_[o].edge(id).axis;
-  std::optional<PointLocator>& faces = near_locators_[1 - o];
-  if (!faces) faces.emplace(*other.solid, table_, nullptr, other.blocks.get());
+  const PointLocator& faces = near_faces_[1 - o];
   int winding = before.inside ? 1 : 0;
   for (std::size_t k = before.part + 1; k <= i; ++k) {
-    for (const EdgeFaceIntersection& cut : common_.cuts_at(o, id, points_[k])) {
+    for (const EdgeFaceIntersection& cut : common_.cuts_at(o, id, points[k])) {
       const Face& face = other.face(cut.face);
-      if (face.edge_count == 0 ||
-          (table_.normal_sign(face.plane, axis) == 0 &&
-           table_.side(face.plane, points_[k + 1]) != 0))
+      if (face.edge_count == 0 || (table_.normal_sign(face.plane, axis) == 0 &&
+                                   table_.side(face.plane, points[k + 1]) != 0))
         return std::nullopt;
       winding +=
-          faces->ray_contribution(axis, cut.face, points_[k], points_[k + 1]) -
-          faces->ray_contribution(axis, cut.face, points_[k], points_[k - 1]);
+          faces.ray_contribution(axis, cut.face, points[k], points[k + 1]) -
+          faces.ray_contribution(axis, cut.face, points[k], points[k - 1]);
     }
   }
   // Never true: solids wind round no point twice.

@@ -28,17 +28,28 @@ class Classifier {
   explicit Classifier(Arrangement& arrangement);
 
   /// The ends of an edge and the points between that cut it, in order.
-  const std::vector<std::int32_t>& points_on(std::size_t o, std::int32_t edge);
+  void points_on(std::size_t o, std::int32_t edge,
+                 std::vector<std::int32_t>& points) const;
   /// Whether a vertex that is not on the other operand's surface is inside.
   bool is_inside(std::size_t o, std::int32_t vertex);
   /// Whether a part of an edge that has only its ends in common with the other
   /// operand's surface is inside.
   bool is_part_inside(std::size_t o, std::int32_t edge, std::int32_t low,
                       std::int32_t high);
-  /// The same of part `part` of points_on(), which was called last for the
-  /// edge. `before`: a part further down whose membership is known, if any.
-  bool is_part_inside(std::size_t o, std::int32_t edge, std::size_t part,
+  /// The same of part `part` of what points_on() gives for the edge. `before`:
+  /// a part further down whose membership is known, if any.
+  bool is_part_inside(std::size_t o, std::int32_t edge,
+                      const std::vector<std::int32_t>& points, std::size_t part,
                       const std::optional<KnownPart>& before);
+
+  /// The same two for threads, all at once while nothing else is asked: nothing
+  /// where a ray would have to decide.
+  std::optional<bool> known_part(std::size_t o, std::int32_t edge,
+                                 std::int32_t low, std::int32_t high) const;
+  std::optional<bool> known_part(std::size_t o, std::int32_t edge,
+                                 const std::vector<std::int32_t>& points,
+                                 std::size_t part,
+                                 const std::optional<KnownPart>& before) const;
 
  private:
   enum Member : std::uint8_t { kUnknown, kOutside, kInside };
@@ -48,11 +59,16 @@ class Classifier {
   std::optional<bool> inside_at_crossing(std::size_t o, std::int32_t edge,
                                          std::int32_t at,
                                          std::int32_t target) const;
-  std::optional<bool> inside_from_end(std::size_t o, std::int32_t edge,
-                                      std::int32_t low, std::int32_t high);
+  std::optional<bool> inside_from_crossing(std::size_t o, std::int32_t edge,
+                                           std::int32_t low,
+                                           std::int32_t high) const;
+  std::int32_t free_end(std::size_t o, std::int32_t edge, std::int32_t low,
+                        std::int32_t high) const;
+  std::optional<bool> known_member(std::size_t o, std::int32_t vertex) const;
   std::optional<bool> inside_from_part(std::size_t o, std::int32_t edge,
+                                       const std::vector<std::int32_t>& points,
                                        const KnownPart& before,
-                                       std::size_t part);
+                                       std::size_t part) const;
   const PointLocator& locator(std::size_t o);
   /// The root of a vertex's set, of `vertex + 1`: 0 for vertices beyond the
   /// other operand's box, all of which are on one side of it.
@@ -73,8 +89,8 @@ class Classifier {
   GeometryTable& table_;
   BooleanScratch& scratch_;
   std::array<std::optional<PointLocator>, 2> locators_;
-  /// For the operands' near faces only.
-  std::array<std::optional<PointLocator>, 2> near_locators_;
+  /// For the operands' near faces only; not for rays.
+  std::array<PointLocator, 2> near_faces_;
   std::vector<std::int32_t> points_;
 };
 

@@ -5,16 +5,107 @@
 #include <span>
 
 #include "base/check.hpp"
+#include "base/parallel.hpp"
+#include "base/threads.hpp"
 #include "halfspace/assert.hpp"
 #include "intersect/transversal_plane.hpp"
 
 namespace halfspace::fast {
 
-List<DirectedEdge> Emitter::run() {
-  emit_edges(0);
-  emit_edges(1);
-  emit_intersection_segments();
-  return std::move(pieces_);
+std::vector<List<DirectedEdge>> Emitter::run(Arrangement& arrangement,
+                                             Classifier& classifier,
+                                             int threads) {
+  std::vector<Block> blocks = blocks_of(arrangement);
+  std::vector<List<DirectedEdge>> found(blocks.size());
+  if (!kManyThreads || threads <= 1 || blocks.size() <= 3) {
+    Emitter emitter(arrangement, classifier, /*is_shared=*/false);
+    // A few lists are one.
+    const bool is_one = blocks.size() <= 3;
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      emitter.emit_block(blocks[k]);
+      if (is_one) continue;
+      found[k] = emitter.pieces_;
+      emitter.pieces_.clear();
+    }
+    if (is_one) {
+      found.clear();
+      found.push_back(std::move(emitter.pieces_));
+    }
+    return found;
+  }
+  find_planes(arrangement);
+  threads::PerThread<Emitter> emitters(
+      [&] { return Emitter(arrangement, classifier, /*is_shared=*/true); });
+  for_blocks(threads, blocks.size(), 1,
+             [&](std::size_t k, std::size_t, std::size_t) {
+               Emitter& emitter = emitters.local();
+               emitter.pieces_.clear();
+               emitter.emit_block(blocks[k]);
+               found[k] = emitter.pieces_;
+             });
+  Emitter emitter(arrangement, classifier, /*is_shared=*/false);
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    if (!blocks[k].left.empty()) emitter.emit_left(blocks[k], found[k]);
+  }
+  return found;
+}
+
+std::vector<Emitter::Block> Emitter::blocks_of(const Arrangement& arrangement) {
+  constexpr std::size_t kBlock = 2048;  // untuned
+  std::vector<Block> blocks;
+  for (const std::size_t kind : {0u, 1u, 2u}) {
+    const std::size_t count = kind == 2
+                                  ? arrangement.segments.size()
+                                  : arrangement.operands[kind].edges.size();
+    for (std::size_t first = 0; first < count; first += kBlock)
+      blocks.push_back({kind, first, std::min(count, first + kBlock), {}});
+  }
+  return blocks;
+}
+
+/// Adds the planes that emit_parts() asks for, in its order.
+void Emitter::find_planes(Arrangement& arrangement) {
+  for (std::size_t o = 0; o < 2; ++o) {
+    for (std::size_t e = 0; e < arrangement.operands[o].edges.size(); ++e) {
+      OperandEdge& edge = arrangement.operands[o].edges[e];
+      const auto id = static_cast<std::int32_t>(e);
+      if (edge.other < 0 && (!arrangement.cuts_of(o, id).empty() ||
+                             !arrangement.covers_of(o, id).empty()))
+        transversal_plane(edge, arrangement.table);
+    }
+  }
+}
+
+void Emitter::emit_block(Block& block) {
+  for (std::size_t i = block.first; i < block.last; ++i) {
+    if (block.kind == 2) {
+      emit_segment(common_.segments[i]);
+      continue;
+    }
+    const std::size_t before = pieces_.size();
+    const auto id = static_cast<std::int32_t>(i);
+    if (emit_edge(block.kind, id)) continue;
+    pieces_.resize(before);
+    block.left.emplace_back(before, id);
+  }
+}
+
+/// Puts what the edges that were left give in its place.
+void Emitter::emit_left(const Block& block, List<DirectedEdge>& pieces) {
+  pieces_.clear();
+  std::size_t done = 0;
+  const auto add_to = [&](std::size_t end) {
+    pieces_.insert(pieces_.end(),
+                   pieces.begin() + static_cast<std::ptrdiff_t>(done),
+                   pieces.begin() + static_cast<std::ptrdiff_t>(end));
+    done = end;
+  };
+  for (const auto& [place, edge] : block.left) {
+    add_to(place);
+    emit_edge(block.kind, edge);
+  }
+  add_to(pieces.size());
+  pieces = pieces_;
 }
 
 HalfFace Emitter::half_face_of(std::size_t o, std::int32_t f, int turn) const {
@@ -22,19 +113,15 @@ HalfFace Emitter::half_face_of(std::size_t o, std::int32_t f, int turn) const {
   return {static_cast<std::int32_t>(o), f, face.plane, turn, face.flipped};
 }
 
-void Emitter::emit_edges(std::size_t o) {
-  for (std::size_t e = 0; e < operands_[o].edges.size(); ++e) {
-    const auto id = static_cast<std::int32_t>(e);
-    if (common_.cuts_of(o, id).empty() && common_.covers_of(o, id).empty()) {
-      emit_whole(o, id);
-    } else {
-      emit_parts(o, id);
-    }
-  }
+/// Whether it could be done: not where is_shared_ and a ray has to decide.
+bool Emitter::emit_edge(std::size_t o, std::int32_t id) {
+  const bool is_whole =
+      common_.cuts_of(o, id).empty() && common_.covers_of(o, id).empty();
+  return is_whole ? emit_whole(o, id) : emit_parts(o, id);
 }
 
 /// An edge that does not meet the other operand's surface, but for its ends.
-void Emitter::emit_whole(std::size_t o, std::int32_t id) {
+bool Emitter::emit_whole(std::size_t o, std::int32_t id) {
   const Operand& operand = operands_[o];
   const OperandEdge& edge = operands_[o].edge(id);
   const auto uses =
@@ -43,10 +130,13 @@ void Emitter::emit_whole(std::size_t o, std::int32_t id) {
   const auto is_touched = [&](const EdgeUse& use) {
     return operand.touched[static_cast<std::size_t>(use.face)] != 0;
   };
-  if (std::none_of(uses.begin(), uses.end(), is_touched)) return;
-  const bool member = classifier_.is_part_inside(o, id, edge.low, edge.high);
-  const bool beyond = common_.is_in_result(o, false, member);
-  if (common_.is_in_result(o, true, member) == beyond) return;
+  if (std::none_of(uses.begin(), uses.end(), is_touched)) return true;
+  const std::optional<bool> member =
+      is_shared_ ? classifier_.known_part(o, id, edge.low, edge.high)
+                 : classifier_.is_part_inside(o, id, edge.low, edge.high);
+  if (!member) return false;
+  const bool beyond = common_.is_in_result(o, false, *member);
+  if (common_.is_in_result(o, true, *member) == beyond) return true;
   for (const EdgeUse& use : uses) {
     if (!is_touched(use)) continue;
     const std::int32_t plane = operand.face(use.face).plane;
@@ -55,6 +145,7 @@ void Emitter::emit_whole(std::size_t o, std::int32_t id) {
     if (use.forward == beyond) std::swap(piece.from, piece.to);
     pieces_.push_back(piece);
   }
+  return true;
 }
 
 void Emitter::find_covered(std::size_t o, std::int32_t id,
@@ -78,9 +169,11 @@ void Emitter::find_covered(std::size_t o, std::int32_t id,
 }
 
 /// An edge that is cut, or lies in the other operand's surface in part.
-void Emitter::emit_parts(std::size_t o, std::int32_t id) {
+bool Emitter::emit_parts(std::size_t o, std::int32_t id) {
   const OperandEdge edge = operands_[o].edge(id);
-  const std::vector<std::int32_t>& points = classifier_.points_on(o, id);
+  classifier_.points_on(o, id, points_);
+  const std::vector<std::int32_t>& points = points_;
+  const std::int32_t other = transversal_plane(operands_[o].edge(id), table_);
   find_covered(o, id, points);
   auto covered = covered_.begin();
   std::optional<Classifier::KnownPart> last;
@@ -98,7 +191,11 @@ void Emitter::emit_parts(std::size_t o, std::int32_t id) {
     if (o == 1 && twice) continue;
     std::array<bool, 2> member{};
     if (half_faces_.empty()) {
-      member[1 - o] = classifier_.is_part_inside(o, id, i, last);
+      const std::optional<bool> inside =
+          is_shared_ ? classifier_.known_part(o, id, points, i, last)
+                     : classifier_.is_part_inside(o, id, points, i, last);
+      if (!inside) return false;
+      member[1 - o] = *inside;
       last = {i, member[1 - o]};
     }
     for (std::uint32_t u = 0; u < edge.use_count; ++u) {
@@ -107,26 +204,23 @@ void Emitter::emit_parts(std::size_t o, std::int32_t id) {
       half_faces_.push_back(
           half_face_of(o, use.face, use.forward != flipped ? 1 : -1));
     }
-    const std::int32_t other =
-        transversal_plane(operands_[o].edge(id), table_);
     emit({points[i], points[i + 1], edge.axis, {edge.plane, other}}, member);
   }
+  return true;
 }
 
-void Emitter::emit_intersection_segments() {
-  for (const IntersectionSegment& trace : common_.segments) {
-    half_faces_.clear();
-    for (const int turn : {1, -1}) {
-      half_faces_.push_back(half_face_of(0, trace.first, turn));
-      half_faces_.push_back(half_face_of(1, trace.second, turn));
-    }
-    emit({trace.low,
-          trace.high,
-          trace.axis,
-          {operands_[0].face(trace.first).plane,
-           operands_[1].face(trace.second).plane}},
-         {});
+void Emitter::emit_segment(const IntersectionSegment& trace) {
+  half_faces_.clear();
+  for (const int turn : {1, -1}) {
+    half_faces_.push_back(half_face_of(0, trace.first, turn));
+    half_faces_.push_back(half_face_of(1, trace.second, turn));
   }
+  emit({trace.low,
+        trace.high,
+        trace.axis,
+        {operands_[0].face(trace.first).plane,
+         operands_[1].face(trace.second).plane}},
+       {});
 }
 
 /// Whether the wedge before the first half-face is inside the operand: it is if

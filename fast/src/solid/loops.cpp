@@ -138,46 +138,64 @@ void trace_loops(List<DirectedEdge>& pieces, const VertexStars& stars) {
   sort_by_bucket(pieces);
   // The result has no more edges than the input and takes its place.
   auto end = pieces.begin();
-  std::vector<DirectedEdge> out;
-  std::vector<std::uint8_t> used;
+  FaceTracer tracer;
   for (auto i = pieces.begin(); i != pieces.end();) {
     const auto j = std::find_if(
         i, pieces.end(),
         [&](const DirectedEdge& piece) { return piece.bucket != i->bucket; });
-    std::sort(i, j, [](const DirectedEdge& x, const DirectedEdge& y) {
-      return x.from != y.from ? x.from < y.from : x.to < y.to;
-    });
-    out.clear();
-    LoopTracer({i, j}, stars, used).walk(out);
+    const auto out = tracer.traced({i, j}, stars);
     end = std::copy(out.begin(), out.end(), end);
     i = j;
   }
   pieces.erase(end, pieces.end());
 }
 
+std::span<const DirectedEdge> FaceTracer::traced(std::span<DirectedEdge> pieces,
+                                                 const VertexStars& stars) {
+  std::sort(pieces.begin(), pieces.end(),
+            [](const DirectedEdge& x, const DirectedEdge& y) {
+              return x.from != y.from ? x.from < y.from : x.to < y.to;
+            });
+  out_.clear();
+  LoopTracer(pieces, stars, used_).walk(out_);
+  return out_;
+}
+
+VertexStars stars_of(std::span<const List<DirectedEdge>> lists,
+                     const std::function<bool(std::int32_t)>& is_pinned,
+                     const GeometryTable& table) {
+  const auto for_pieces = [&](const auto& visit) {
+    for (const List<DirectedEdge>& pieces : lists) {
+      for (const DirectedEdge& p : pieces) visit(p);
+    }
+  };
+  IdRange extent;
+  for_pieces([&](const DirectedEdge& p) {
+    extent.add(p.from);
+    extent.add(p.to);
+  });
+  const auto for_ends = [&](const auto& visit) {
+    for_pieces([&](const DirectedEdge& p) {
+      visit(p.from, p.to);
+      visit(p.to, p.from);
+    });
+  };
+  const auto for_incident_edges = [&](const auto& visit) {
+    for_pieces([&](const DirectedEdge& p) {
+      visit(IncidentEdge{p.from, p.to, p.plane, p.other});
+      visit(IncidentEdge{p.to, p.from, p.plane, p.other});
+    });
+  };
+  const auto for_more = [](const auto&) {};
+  return {extent, for_ends, for_incident_edges, for_more, is_pinned, table};
+}
+
 void drop_collinear_vertices(List<DirectedEdge>& pieces,
                              const std::function<bool(std::int32_t)>& is_pinned,
                              const GeometryTable& table) {
-  IdRange extent;
-  for (const DirectedEdge& p : pieces) {
-    extent.add(p.from);
-    extent.add(p.to);
-  }
-  const auto for_ends = [&](const auto& visit) {
-    for (const DirectedEdge& p : pieces) {
-      visit(p.from, p.to);
-      visit(p.to, p.from);
-    }
-  };
-  const auto for_incident_edges = [&](const auto& visit) {
-    for (const DirectedEdge& p : pieces) {
-      visit(IncidentEdge{p.from, p.to, p.plane, p.other});
-      visit(IncidentEdge{p.to, p.from, p.plane, p.other});
-    }
-  };
-  const auto for_more = [](const auto&) {};
-  trace_loops(pieces, VertexStars(extent, for_ends, for_incident_edges,
-                                  for_more, is_pinned, table));
+  const std::span<const List<DirectedEdge>> one(&pieces, 1);
+  const VertexStars stars = stars_of(one, is_pinned, table);
+  trace_loops(pieces, stars);
 }
 
 }  // namespace halfspace::fast

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "base/id_map.hpp"
@@ -121,6 +123,24 @@ class VertexStars {
   std::vector<std::uint8_t> states_;  ///< by slot
   std::vector<Pair> pairs_;
   bool any_ = false;
+};
+
+/// Those of the edges in some lists. `is_pinned`: as of
+/// drop_collinear_vertices().
+VertexStars stars_of(std::span<const List<DirectedEdge>> lists,
+                     const std::function<bool(std::int32_t)>& is_pinned,
+                     const GeometryTable& table);
+
+/// One face's edges, loop by loop, straight vertices left out.
+class FaceTracer {
+ public:
+  /// Puts the pieces in another order. What is given lasts until the next call.
+  std::span<const DirectedEdge> traced(std::span<DirectedEdge> pieces,
+                                       const VertexStars& stars);
+
+ private:
+  std::vector<DirectedEdge> out_;
+  std::vector<std::uint8_t> used_;
 };
 
 /// Puts pieces in the order of buckets, loop by loop, straight vertices left
