@@ -77,6 +77,19 @@ class IdMap {
     }
   }
 
+  /// The same for ids that have slots; changes nothing, so that threads may
+  /// call it all at once.
+  template <class Work>
+  void with_slots(const Work& work) const {
+    if (keys_.empty()) {
+      work([low = low_](std::int32_t id) {
+        return static_cast<std::size_t>(id - low);
+      });
+    } else {
+      work([this](std::int32_t id) { return slot_of(id); });
+    }
+  }
+
   /// The slot of an id of the range, which is given one if it has none.
   std::size_t operator()(std::int32_t id) {
     if (keys_.empty()) return static_cast<std::size_t>(id - low_);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "base/id_map.hpp"
 #include "base/parallel.hpp"
@@ -41,6 +42,13 @@ struct Polygons {
   void add(std::span<const std::int32_t> polygon, std::int32_t face) {
     corners.insert(corners.end(), polygon.begin(), polygon.end());
     end_polygon(face);
+  }
+  void add(const Polygons& others) {
+    const auto before = static_cast<std::uint32_t>(corners.size());
+    corners.insert(corners.end(), others.corners.begin(), others.corners.end());
+    for (std::size_t p = 0; p < others.size(); ++p)
+      first_corner.push_back(before + others.first_corner[p + 1]);
+    faces.insert(faces.end(), others.faces.begin(), others.faces.end());
   }
   /// Its corners are the last ones.
   void end_polygon(std::int32_t face) {
@@ -129,10 +137,15 @@ Polygons polygons_of(const Solid& solid, const ExportOptions& options) {
              [&](std::size_t number, std::size_t first, std::size_t last) {
                add_polygons(solid, first, last, options, blocks[number]);
              });
-  for (Polygons& block : blocks) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-      all.add(block.at(p), block.faces[p]);
+  std::size_t corners = 0, polygons = 0;
+  for (const Polygons& block : blocks) {
+    corners += block.corners.size();
+    polygons += block.size();
   }
+  all.corners.reserve(corners);
+  all.first_corner.reserve(polygons + 1);
+  all.faces.reserve(polygons);
+  for (const Polygons& block : blocks) all.add(block);
   return all;
 }
 
@@ -153,11 +166,47 @@ void begin_with_least(std::span<std::int32_t> corners) {
   corners[2] = second ? a : third ? b : c;
 }
 
+/// Loops of the output are shared in blocks of so many. Untuned.
+constexpr std::size_t kShare = 4096;
+
+/// How far vertices in a row were moved.
+struct Moves {
+  std::size_t count = 0;
+  double most = 0;
+};
+
+/// Puts the vertices from number `first` to before `last` in the mesh, as they
+/// are in the order.
+Moves place_vertices(const Solid& solid, const List<std::int32_t>& order,
+                     std::size_t first, std::size_t last,
+                     std::vector<std::uint8_t>& moved, ExportedMesh& mesh) {
+  const GeometryTable& table = *solid.table;
+  Moves moves;
+  for (std::size_t i = first; i < last; ++i) {
+    constexpr std::size_t kAhead = 16;
+    if (i + kAhead < last) table.prefetch_vertex(order[i + kAhead]);
+    bool rounded = false;
+    std::array<double, 3> at = table.nearest(order[i], rounded);
+    for (double& coordinate : at) coordinate = scaled(coordinate, solid.unit);
+    mesh.vertices[i] = at;
+    if (!rounded && solid.unit.base == 2) continue;
+    // Half a unit in the last place, and 2^-51 for a power of ten and what is
+    // done with it.
+    const double size =
+        std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
+    moved[i] = 1;
+    ++moves.count;
+    moves.most =
+        std::max(moves.most, size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
+  }
+  return moves;
+}
+
 /// Puts the vertices that the polygons have in the mesh, in the order of their
 /// coordinates, and their numbers there in place of the points' ids. By vertex
 /// of the mesh: 1 if it was moved, else 0.
 std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
-                                       ExportedMesh& mesh) {
+                                       int threads, ExportedMesh& mesh) {
   const GeometryTable& table = *solid.table;
   IdRange extent;
   for (const std::int32_t v : polygons.corners) extent.add(v);
@@ -173,40 +222,43 @@ std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
     }
   });
   const List<std::int32_t> order = vertices_in_order(used, table);
-  mesh.vertices.reserve(order.size());
+  const std::size_t count = order.size();
+  mesh.vertices.resize(count);
   mesh.points.assign(order.begin(), order.end());
-  std::vector<std::uint8_t> moved(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    constexpr std::size_t kAhead = 16;
-    if (i + kAhead < order.size()) table.prefetch_vertex(order[i + kAhead]);
-    const std::int32_t v = order[i];
-    numbers[places.find(v)] = static_cast<std::int32_t>(i);
-    bool rounded = false;
-    std::array<double, 3> at = table.nearest(v, rounded);
-    for (double& coordinate : at) coordinate = scaled(coordinate, solid.unit);
-    mesh.vertices.push_back(at);
-    if (!rounded && solid.unit.base == 2) continue;
-    // Half a unit in the last place, and 2^-51 for a power of ten and what is
-    // done with it.
-    const double size =
-        std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
-    moved[i] = 1;
-    ++mesh.moved;
-    mesh.max_move = std::max(mesh.max_move,
-                             size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
+  std::vector<std::uint8_t> moved(count);
+  std::vector<Moves> moves((count + kShare - 1) / kShare);
+  for_blocks(
+      threads, count, kShare,
+      [&](std::size_t number, std::size_t first, std::size_t last) {
+        moves[number] = place_vertices(solid, order, first, last, moved, mesh);
+        for (std::size_t i = first; i < last; ++i)
+          number_at[places.find(order[i])] = static_cast<std::int32_t>(i);
+      });
+  for (const Moves& some : moves) {
+    mesh.moved += some.count;
+    mesh.max_move = std::max(mesh.max_move, some.most);
   }
-  places.with_slots([&](const auto& place) {
-    for (std::int32_t& v : polygons.corners) v = number_at[place(v)];
-  });
-  for (std::size_t p = 0; p < polygons.size(); ++p)
-    begin_with_least(polygons.at(p));
+  for_blocks(threads, polygons.size(), kShare,
+             [&](std::size_t, std::size_t first, std::size_t last) {
+               const auto corners =
+                   std::span(polygons.corners)
+                       .subspan(polygons.first_corner[first],
+                                polygons.first_corner[last] -
+                                    polygons.first_corner[first]);
+               std::as_const(places).with_slots([&](const auto& place) {
+                 for (std::int32_t& v : corners) v = number_at[place(v)];
+               });
+               for (std::size_t p = first; p < last; ++p)
+                 begin_with_least(polygons.at(p));
+             });
   return moved;
 }
 
 /// The polygons in the order of their corners, the first of which are the
 /// least.
 std::vector<std::uint32_t> polygons_in_order(Polygons& polygons,
-                                             std::size_t vertex_count) {
+                                             std::size_t vertex_count,
+                                             int threads) {
   std::vector<std::uint32_t> place(vertex_count + 1);
   const auto first = [&](std::size_t p) {
     return static_cast<std::size_t>(polygons.corners[polygons.first_corner[p]]);
@@ -216,26 +268,31 @@ std::vector<std::uint32_t> polygons_in_order(Polygons& polygons,
   std::vector<std::uint32_t> order(polygons.size());
   for (std::size_t p = 0; p < polygons.size(); ++p)
     order[place[first(p)]++] = static_cast<std::uint32_t>(p);
-  auto i = order.begin();
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    const auto j = order.begin() + static_cast<std::ptrdiff_t>(place[v]);
-    const auto second = [&](std::uint32_t p) {
-      return polygons.corners[polygons.first_corner[p] + 1];
-    };
-    std::sort(i, j, [&](std::uint32_t p, std::uint32_t q) {
-      // Nearly always decisive.
-      if (second(p) != second(q)) return second(p) < second(q);
-      const auto x = polygons.at(p);
-      const auto y = polygons.at(q);
-      const auto [at, other] =
-          std::mismatch(x.begin(), x.end(), y.begin(), y.end());
-      if (at == x.end() || other == y.end())
-        return x.size() != y.size() ? x.size() < y.size()
-                                    : polygons.faces[p] < polygons.faces[q];
-      return *at < *other;
-    });
-    i = j;
-  }
+  const auto second = [&](std::uint32_t p) {
+    return polygons.corners[polygons.first_corner[p] + 1];
+  };
+  const auto is_before = [&](std::uint32_t p, std::uint32_t q) {
+    // Nearly always decisive.
+    if (second(p) != second(q)) return second(p) < second(q);
+    const auto x = polygons.at(p);
+    const auto y = polygons.at(q);
+    const auto [at, other] =
+        std::mismatch(x.begin(), x.end(), y.begin(), y.end());
+    if (at == x.end() || other == y.end())
+      return x.size() != y.size() ? x.size() < y.size()
+                                  : polygons.faces[p] < polygons.faces[q];
+    return *at < *other;
+  };
+  // Where a vertex's polygons end now; those of the next one begin there.
+  const auto at = [&](std::size_t v) {
+    return order.begin() +
+           (v == 0 ? 0 : static_cast<std::ptrdiff_t>(place[v - 1]));
+  };
+  for_blocks(threads, vertex_count, kShare,
+             [&](std::size_t, std::size_t begin, std::size_t end) {
+               for (std::size_t v = begin; v < end; ++v)
+                 std::sort(at(v), at(v + 1), is_before);
+             });
   return order;
 }
 
@@ -277,63 +334,111 @@ bool surely_faces_out(const ExportedMesh& mesh,
   return false;
 }
 
+/// Fills in the mesh's polygons, in order.
+class PolygonWriter {
+ public:
+  PolygonWriter(const Solid& solid, Polygons& polygons,
+                const std::vector<std::uint32_t>& order,
+                const std::vector<std::uint8_t>& moved, ExportedMesh& mesh)
+      : solid_(solid),
+        polygons_(polygons),
+        order_(order),
+        moved_(moved),
+        mesh_(mesh) {}
+
+  void run(int threads) {
+    mesh_.corners.resize(polygons_.corners.size());
+    mesh_.first_corner.resize(polygons_.size() + 1);
+    mesh_.faces.resize(polygons_.size());
+    mesh_.colors.resize(polygons_.size());
+    if (polygons_.corners.size() == 3 * polygons_.size()) {
+      // Each has three, then: none has fewer.
+      for (std::size_t i = 0; i < order_.size(); ++i)
+        mesh_.first_corner[i + 1] = static_cast<std::uint32_t>(3 * i + 3);
+    } else {
+      for (std::size_t i = 0; i < order_.size(); ++i) {
+        mesh_.first_corner[i + 1] =
+            mesh_.first_corner[i] +
+            static_cast<std::uint32_t>(polygons_.at(order_[i]).size());
+      }
+    }
+    std::vector<std::vector<std::int32_t>> flipped(
+        (order_.size() + kShare - 1) / kShare);
+    for_blocks(threads, order_.size(), kShare,
+               [&](std::size_t number, std::size_t first, std::size_t last) {
+                 write(first, last, flipped[number]);
+               });
+    for (const std::vector<std::int32_t>& some : flipped)
+      mesh_.flipped.insert(mesh_.flipped.end(), some.begin(), some.end());
+  }
+
+ private:
+  /// A polygon whose vertices do not move cannot be flipped by rounding.
+  bool is_moved(std::span<const std::int32_t> corners) const {
+    return std::any_of(corners.begin(), corners.end(), [&](std::int32_t v) {
+      return moved_[static_cast<std::size_t>(v)] != 0;
+    });
+  }
+  const Face& face_at(std::size_t i) const {
+    return solid_.faces[static_cast<std::size_t>(polygons_.faces[order_[i]])];
+  }
+
+  void write(std::size_t first, std::size_t last,
+             std::vector<std::int32_t>& flipped) {
+    VertexId* corner = mesh_.corners.data() + mesh_.first_corner[first];
+    for (std::size_t at = first; at < last; ++at) {
+      // What is far off in memory is fetched while others are worked on: a step
+      // further for each list. (In a function of its own it would be dropped,
+      // as it does nothing.)
+      constexpr std::size_t kAhead = 10;
+      if (at + 3 * kAhead < last) {
+        const std::uint32_t far = order_[at + 3 * kAhead];
+        __builtin_prefetch(&polygons_.faces[far]);
+        __builtin_prefetch(&polygons_.first_corner[far]);
+        const std::uint32_t next = order_[at + 2 * kAhead];
+        __builtin_prefetch(&face_at(at + 2 * kAhead));
+        __builtin_prefetch(&polygons_.corners[polygons_.first_corner[next]]);
+        const auto near = polygons_.at(order_[at + kAhead]);
+        if (is_moved(near)) {
+          __builtin_prefetch(&solid_.table->plane(face_at(at + kAhead).plane));
+          for (const std::int32_t v : near)
+            __builtin_prefetch(&mesh_.vertices[static_cast<std::size_t>(v)]);
+        }
+      }
+      const std::uint32_t p = order_[at];
+      const auto corners = polygons_.at(p);
+      const std::int32_t f = polygons_.faces[p];
+      const Face& face = solid_.faces[static_cast<std::size_t>(f)];
+      if (is_moved(corners)) {
+        const Plane& normal = solid_.table->plane(face.plane).filter.plane;
+        if (!surely_faces_out(mesh_, corners, normal, face.flipped ? -1 : 1))
+          flipped.push_back(static_cast<std::int32_t>(at));
+      }
+      for (const std::int32_t v : corners) *corner++ = v;
+      mesh_.faces[at] = f;
+      mesh_.colors[at] = face.color;
+    }
+  }
+
+  const Solid& solid_;
+  Polygons& polygons_;
+  const std::vector<std::uint32_t>& order_;
+  const std::vector<std::uint8_t>& moved_;
+  ExportedMesh& mesh_;
+};
+
 }  // namespace
 
 ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options) {
   ExportedMesh mesh;
   if (solid.faces.empty()) return mesh;
+  const int threads = thread_count(options.threads);
   Polygons polygons = polygons_of(solid, options);
-  const std::vector<std::uint8_t> moved = add_vertices(solid, polygons, mesh);
-  mesh.corners.resize(polygons.corners.size());
-  mesh.first_corner.resize(polygons.size() + 1);
-  mesh.faces.resize(polygons.size());
-  mesh.colors.resize(polygons.size());
+  const std::vector<std::uint8_t> moved =
+      add_vertices(solid, polygons, threads, mesh);
   const std::vector<std::uint32_t> order =
-      polygons_in_order(polygons, mesh.vertices.size());
-  // A polygon whose vertices do not move cannot be flipped by rounding.
-  const auto is_moved = [&](std::span<const std::int32_t> corners) {
-    return std::any_of(corners.begin(), corners.end(), [&](std::int32_t v) {
-      return moved[static_cast<std::size_t>(v)] != 0;
-    });
-  };
-  const auto face_at = [&](std::size_t i) -> const Face& {
-    return solid.faces[static_cast<std::size_t>(polygons.faces[order[i]])];
-  };
-  VertexId* corner = mesh.corners.data();
-  for (std::size_t at = 0; at < order.size(); ++at) {
-    // What is far off in memory is fetched while others are worked on: a step
-    // further for each list. (In a function of its own it would be dropped, as
-    // it does nothing.)
-    constexpr std::size_t kAhead = 10;
-    if (at + 3 * kAhead < order.size()) {
-      const std::uint32_t far = order[at + 3 * kAhead];
-      __builtin_prefetch(&polygons.faces[far]);
-      __builtin_prefetch(&polygons.first_corner[far]);
-      const std::uint32_t next = order[at + 2 * kAhead];
-      __builtin_prefetch(&face_at(at + 2 * kAhead));
-      __builtin_prefetch(&polygons.corners[polygons.first_corner[next]]);
-      const auto near = polygons.at(order[at + kAhead]);
-      if (is_moved(near)) {
-        __builtin_prefetch(&solid.table->plane(face_at(at + kAhead).plane));
-        for (const std::int32_t v : near)
-          __builtin_prefetch(&mesh.vertices[static_cast<std::size_t>(v)]);
-      }
-    }
-    const std::uint32_t p = order[at];
-    const auto corners = polygons.at(p);
-    const std::int32_t f = polygons.faces[p];
-    const Face& face = solid.faces[static_cast<std::size_t>(f)];
-    if (is_moved(corners)) {
-      const Plane& normal = solid.table->plane(face.plane).filter.plane;
-      if (!surely_faces_out(mesh, corners, normal, face.flipped ? -1 : 1))
-        mesh.flipped.push_back(static_cast<std::int32_t>(at));
-    }
-    for (const std::int32_t v : corners) *corner++ = v;
-    mesh.first_corner[at + 1] =
-        static_cast<std::uint32_t>(corner - mesh.corners.data());
-    mesh.faces[at] = f;
-    mesh.colors[at] = face.color;
-  }
+      polygons_in_order(polygons, mesh.vertices.size(), threads);
+  PolygonWriter(solid, polygons, order, moved, mesh).run(threads);
   return mesh;
 }
 

@@ -64,17 +64,20 @@ bool same_table(const SharedTable& a, const SharedTable& b) {
   return true;
 }
 
-/// Cubes under a linear map, on grids of some width: of two such maps, no two
-/// solids have a plane in common but by chance.
+/// Blocks of cubes that stand apart, under a linear map, on grids of some
+/// width: of two such maps, no two solids have a plane in common but by chance.
 struct Shape {
   int bits = 26;
   int map = 0;
   bool triangles = false;  ///< each square in two, which are in one plane
 
-  GridSolid of(const Cubes& cubes) const {
-    SceneData data = lattice::surface(cubes).scene().data();
-    // 8 steps of a cube come to less than half of the grid.
-    const std::int64_t size = std::int64_t{1} << (bits - 6);
+  /// Requires: 27 blocks at most.
+  GridSolid of(const std::vector<Cubes>& blocks) const {
+    SceneData data;
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+      add(lattice::surface(blocks[k]).scene().data(), k, data);
+    // 27 steps of a cube come to less than half of the grid.
+    const std::int64_t size = std::int64_t{1} << (bits - 7);
     const std::int64_t most = size - 1 - 2 * map;
     for (GridPoint& p : data.vertices) {
       p = {most * p.x + map * (size / 7) * p.y + 3 * map,
@@ -87,6 +90,21 @@ struct Shape {
   }
 
  private:
+  static void add(const SceneData& block, std::size_t k, SceneData& to) {
+    constexpr std::int64_t kApart = lattice::kSize + 1;
+    const auto at = static_cast<std::int64_t>(k);
+    const auto vertices = static_cast<VertexId>(to.vertices.size());
+    const auto corners = static_cast<std::uint32_t>(to.corners.size());
+    for (const GridPoint& p : block.vertices) {
+      to.vertices.push_back({p.x + kApart * (at % 3 - 1),
+                             p.y + kApart * (at / 3 % 3 - 1),
+                             p.z + kApart * (at / 9 - 1)});
+    }
+    for (const VertexId v : block.corners) to.corners.push_back(vertices + v);
+    for (std::size_t p = 1; p < block.first_corner.size(); ++p)
+      to.first_corner.push_back(corners + block.first_corner[p]);
+    to.colors.insert(to.colors.end(), block.colors.begin(), block.colors.end());
+  }
   static void divide(SceneData& data) {
     std::vector<VertexId> corners;
     std::vector<Rgb> colors;
@@ -104,10 +122,50 @@ struct Shape {
   }
 };
 
+/// What booleans of two solids added to their table.
+struct Added {
+  std::size_t planes = 0;
+  std::size_t points = 0;
+};
+
+/// Fails where a boolean, its table or its output depends on threads.
+void expect_the_same(BooleanOp operation, const GridSolid& a,
+                     const GridSolid& b, Added& added) {
+  std::optional<Solid> expected;
+  std::optional<ExportedMesh> mesh;
+  for (const int threads : {1, 2, 3}) {
+    SCOPED_TRACE(std::to_string(threads) + " threads");
+    const Solid first = to_solid(a);
+    const Solid second = to_solid(b, first, 1);
+    const std::size_t planes = first.table->plane_count();
+    const std::size_t points = first.table->vertex_count();
+    const Solid result = boolean(operation, first, second, threads);
+    ASSERT_EQ(result.table, first.table);
+    const ExportedMesh written =
+        to_mesh(result, {.triangles = true, .threads = threads});
+    if (!expected) {
+      expected = result;
+      mesh = written;
+      added = {result.table->plane_count() - planes,
+               result.table->vertex_count() - points};
+      continue;
+    }
+    ASSERT_TRUE(same_solid(result, *expected));
+    ASSERT_TRUE(same_table(*result.table, *expected->table));
+    ASSERT_TRUE(same_export(written, *mesh));
+  }
+}
+
+BooleanOp operation_of(std::uint64_t row) {
+  return std::array{BooleanOp::kUnion, BooleanOp::kIntersection,
+                    BooleanOp::kDifference}[row % 3];
+}
+
 TEST(FastThreads, BooleansOfManyShapesAreTheSameByAnyNumberOfThem) {
   std::uint64_t state = 41;
   std::size_t with_new_planes = 0, with_meets = 0;
   for (std::uint64_t row = 0; row < cases(48); ++row) {
+    SCOPED_TRACE("row " + std::to_string(row));
     // In one plane or not, the same cubes in part or not.
     const int bits = std::array{26, 40, 54}[row % 3];
     const Shape shape{bits, static_cast<int>(row / 3 % 2), row % 4 == 0};
@@ -116,36 +174,34 @@ TEST(FastThreads, BooleansOfManyShapesAreTheSameByAnyNumberOfThem) {
     Cubes b = lattice::random_cubes(1, state);
     for (std::size_t k = 0; row % 3 == 1 && k < b.full.size() / 2; ++k)
       b.full[k] = a.full[k];
-    const auto operation =
-        std::array{BooleanOp::kUnion, BooleanOp::kIntersection,
-                   BooleanOp::kDifference}[row / 2 % 3];
-    std::optional<Solid> expected;
-    std::optional<ExportedMesh> mesh;
-    for (const int threads : {1, 2, 3}) {
-      SCOPED_TRACE("row " + std::to_string(row) + ", " +
-                   std::to_string(threads) + " threads");
-      const Solid first = to_solid(shape.of(a));
-      const Solid second = to_solid(other.of(b), first, 1);
-      const std::size_t planes = first.table->plane_count();
-      const std::size_t points = first.table->vertex_count();
-      const Solid result = boolean(operation, first, second, threads);
-      ASSERT_EQ(result.table, first.table);
-      const ExportedMesh written =
-          to_mesh(result, {.triangles = true, .threads = threads});
-      if (!expected) {
-        expected = result;
-        mesh = written;
-        with_new_planes += result.table->plane_count() > planes;
-        with_meets += result.table->vertex_count() > points + 100;
-        continue;
-      }
-      ASSERT_TRUE(same_solid(result, *expected));
-      ASSERT_TRUE(same_table(*result.table, *expected->table));
-      ASSERT_TRUE(same_export(written, *mesh));
-    }
+    Added added;
+    expect_the_same(operation_of(row / 2), shape.of({a}), other.of({b}), added);
+    if (HasFatalFailure()) return;
+    with_new_planes += added.planes > 0;
+    with_meets += added.points > 100;
   }
   EXPECT_GT(with_new_planes, 2u);
   EXPECT_GT(with_meets, 4u);
+}
+
+TEST(FastThreads, BooleansOfManyFacesAreTheSameByAnyNumberOfThem) {
+  // Several parts of all that threads share.
+  std::uint64_t state = 43;
+  for (std::uint64_t row = 0; row < cases(8); ++row) {
+    SCOPED_TRACE("row " + std::to_string(row));
+    const int bits = row % 2 == 0 ? 26 : 54;
+    const Shape shape{bits, 1, row % 4 == 3};
+    const Shape other{bits, row % 3 == 2 ? 1 : 2, row % 4 > 1};
+    std::vector<Cubes> a, b;
+    for (int k = 0; k < 27; ++k) {
+      a.push_back(lattice::random_cubes(1, state));
+      b.push_back(row % 3 == 2 && k % 4 != 0 ? a.back()
+                                             : lattice::random_cubes(1, state));
+    }
+    Added added;
+    expect_the_same(operation_of(row), shape.of(a), other.of(b), added);
+    if (HasFatalFailure()) return;
+  }
 }
 
 TEST(FastThreads, ABooleanIsTheSameByAnyNumberOfThem) {
