@@ -13,6 +13,12 @@ namespace {
 /// in the image it is off by less than 2^-40.
 constexpr double kMargin = 0x1p-20;
 
+/// A loop: for a few a call takes longer.
+template <class T>
+void copy_few(const T* from, std::size_t count, T* to) {
+  for (std::size_t k = 0; k < count; ++k) to[k] = from[k];
+}
+
 std::int32_t within(double x, std::int32_t low, std::int32_t high) {
   return static_cast<std::int32_t>(
       std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
@@ -57,7 +63,14 @@ PixelCells::PixelCells(std::int32_t width, std::int32_t first_row,
 void PixelCells::light(std::span<const PixelLine> sides, PolygonId item) {
   if (!find_bounds(sides)) return;
   inverses_.clear();
-  for (const PixelLine& line : sides) inverses_.push_back(1 / line.a);
+  spreads_.clear();
+  for (const PixelLine& line : sides) {
+    inverses_.push_back(1 / line.a);
+    spreads_.push_back({std::min(line.a, 0.0) + std::min(line.b, 0.0),
+                        std::max(line.a, 0.0) + std::max(line.b, 0.0)});
+  }
+  if (active_.size() < sides.size()) active_.resize(sides.size());
+  if (outside_.size() < sides.size()) outside_.resize(sides.size());
   for (std::int32_t row = top_; row < bottom_; ++row) {
     Reach reach;
     if (!find_reach(sides, row, reach)) continue;
@@ -221,7 +234,7 @@ void PixelCells::add_piece(Pixel& pixel, std::span<const Point> corners) {
     }
     Piece& piece = pieces_[static_cast<std::size_t>(id)];
     piece.count = static_cast<std::int32_t>(count);
-    std::copy_n(corners.begin(), count, piece.corners.begin());
+    copy_few(corners.data(), count, piece.corners.data());
     piece.next = pixel.pieces;
     pixel.pieces = id;
     if (count == corners.size()) return;
@@ -272,15 +285,15 @@ void PixelCells::add_seen(Pixel& pixel, PolygonId item,
 
 void PixelCells::cut(std::int32_t column, std::int32_t row,
                      std::span<const PixelLine> sides, PolygonId item) {
-  active_.clear();
-  for (const PixelLine& line : sides) {
+  active_count_ = 0;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const PixelLine& line = sides[k];
     const double c = line.a * column + (line.b * row + line.c);
-    const double least = c + std::min(line.a, 0.0) + std::min(line.b, 0.0);
-    const double most = c + std::max(line.a, 0.0) + std::max(line.b, 0.0);
-    if (most < -tolerance_) return;
-    if (least < tolerance_) active_.push_back({line.a, line.b, c});
+    if (c + spreads_[k].y < -tolerance_) return;
+    if (c + spreads_[k].x < tolerance_)
+      active_[active_count_++] = {line.a, line.b, c};
   }
-  if (active_.empty()) {
+  if (active_count_ == 0) {
     if (is_begun(column, row)) return close(column, row, item);
     mark_lit(column, row);
     return sink_.fill(item, row, column, column + 1);
@@ -298,7 +311,8 @@ void PixelCells::cut(std::int32_t column, std::int32_t row,
       piece.next = free_piece_;
       free_piece_ = piece_id;
       add_seen(pixel, item, {inside_.data(), inside_count_});
-      for (const std::span<const Point> part : outside_) add_piece(pixel, part);
+      for (std::size_t k = 0; k < outside_count_; ++k)
+        add_piece(pixel, outside_[k]);
     } else {
       piece.next = pixel.pieces;
       pixel.pieces = piece_id;
@@ -312,19 +326,20 @@ void PixelCells::cut(std::int32_t column, std::int32_t row,
 bool PixelCells::cut_piece(const Piece& piece, Pixel& pixel) {
   const auto count = static_cast<std::size_t>(piece.count);
   // A cut adds a corner at most, and the first is repeated.
-  const std::size_t most = count + active_.size() + 2;
+  const std::size_t most = count + active_count_ + 2;
   if (values_.size() < most) {
     values_.resize(most);
     inside_.resize(most);
     kept_.resize(most);
   }
-  if (outside_points_.size() < most * active_.size())
-    outside_points_.resize(most * active_.size());
-  std::copy_n(piece.corners.begin(), count, inside_.begin());
+  if (outside_points_.size() < most * active_count_)
+    outside_points_.resize(most * active_count_);
+  copy_few(piece.corners.data(), count, inside_.data());
   inside_count_ = count;
-  outside_.clear();
+  outside_count_ = 0;
   Point* outside = outside_points_.data();
-  for (const PixelLine& line : active_) {
+  for (std::size_t l = 0; l < active_count_; ++l) {
+    const PixelLine line = active_[l];
     Point* inside = inside_.data();
     double* values = values_.data();
     const std::size_t n = inside_count_;
@@ -362,7 +377,7 @@ bool PixelCells::cut_piece(const Piece& piece, Pixel& pixel) {
         *outside++ = middle;
       }
     }
-    outside_.push_back({first, outside});
+    outside_[outside_count_++] = {first, outside};
     inside_count_ = static_cast<std::size_t>(kept - kept_.data());
     inside_.swap(kept_);
   }

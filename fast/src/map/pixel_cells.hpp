@@ -176,12 +176,15 @@ class PixelCells {
   std::vector<Point> bounds_;
   std::vector<Point> clipped_;
   std::int32_t top_ = 0, bottom_ = 0, leftmost_ = 0, rightmost_ = 0;
-  std::vector<PixelLine> active_;
+  std::vector<PixelLine> active_;  ///< the first of them
+  std::size_t active_count_ = 0;
+  std::vector<Point> spreads_;  ///< a line's least and most in a pixel
   std::vector<double> values_;
   std::vector<Point> kept_;
   std::vector<Point> inside_;
   std::size_t inside_count_ = 0;
-  std::vector<std::span<const Point>> outside_;
+  std::vector<std::span<const Point>> outside_;  ///< the first of them
+  std::size_t outside_count_ = 0;
   std::vector<Point> outside_points_;
   std::vector<Point> rest_;
   std::vector<double> inverses_;
