@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Request {
   int threads = 1;
   int repeats = 3;
   std::int32_t size_px = 1500;
+  bool moves = false;
   std::vector<std::string> only;
   std::vector<std::string> meshes;
 };
@@ -124,8 +126,73 @@ class Comparison {
   Table table_;
 };
 
+/// The scene with polygons in another place, evenly strewn among all.
+Scene with_moved(const Scene& scene, const std::vector<PolygonId>& polygons) {
+  SceneData data = scene.data();
+  for (const PolygonId polygon : polygons) {
+    for (const VertexId v : scene.corners(polygon)) {
+      GridPoint& p = data.vertices[static_cast<std::size_t>(v)];
+      p = {p.x + 37, p.y - 29, p.z + 31};
+    }
+  }
+  Result<Scene> made = make_scene(std::move(data));
+  if (!made) {
+    std::fprintf(stderr, "%s\n", made.error().message.c_str());
+    std::exit(2);
+  }
+  return *std::move(made);
+}
+
+/// What it takes when few polygons move: of scenes whose polygons share no
+/// vertices.
+void add_moves(const Request& request, const std::string& name,
+               const Scene& scene, const Camera& camera, Table& table) {
+  if (scene.data().vertices.size() != scene.data().corners.size()) return;
+  fast::RenderOptions how;
+  how.threads = request.threads;
+  how.items = false;
+  fast::DisplayTreeOptions options;
+  options.threads = request.threads;
+  const auto took = [](auto&& work) {
+    const double start = process_ms();
+    work();
+    return process_ms() - start;
+  };
+  for (const std::size_t count : {std::size_t{10}, std::size_t{1000}}) {
+    if (count > scene.polygon_count()) continue;
+    std::vector<PolygonId> polygons;
+    for (std::size_t k = 0; k < count; ++k) {
+      polygons.push_back(
+          static_cast<PolygonId>(k * scene.polygon_count() / count));
+    }
+    fast::LazyTree tree(scene, {.tree = options});
+    (void)fast::render(tree, camera, {}, how);
+    Scene next;
+    const double check = took([&] { next = with_moved(scene, polygons); });
+    const double move = took([&] { tree.move_to(next, polygons); });
+    const double frame =
+        took([&] { (void)fast::render(tree, camera, {}, how); });
+    const double again =
+        took([&] { (void)fast::render(tree, camera, {}, how); });
+    const double reopened = took([&] {
+      (void)fast::render(fast::LazyTree(next, {.tree = options}), camera, {},
+                         how);
+    });
+    const double anew = took([&] {
+      (void)fast::render(next, fast::build_display_tree(next, options), camera,
+                         {}, how);
+    });
+    table.rows.push_back({name, std::to_string(count), digits(check),
+                          digits(move), digits(frame), digits(again),
+                          digits(reopened), digits(anew)});
+  }
+}
+
 int run(const Request& request) {
   Comparison comparison(request);
+  Table moves;
+  moves.head = {"scene", "moved", "scene, ms",   "move_to, ms",
+                "frame", "again", "opened anew", "built anew"};
   const auto wants = [&](const std::string& name) {
     return request.meshes.empty() && request.only.empty()
                ? true
@@ -142,6 +209,8 @@ int run(const Request& request) {
     for (const View side : kSides)
       cameras.push_back(workload.camera(*scene, side, request.size_px));
     comparison.add(workload.name, *scene, cameras);
+    if (request.moves)
+      add_moves(request, workload.name, *scene, cameras.front(), moves);
   }
   for (const std::string& path : request.meshes) {
     const Result<io::Mesh> mesh = io::read_mesh(path);
@@ -158,6 +227,7 @@ int run(const Request& request) {
     comparison.add(path, made->scene, cameras);
   }
   comparison.print();
+  if (request.moves) std::printf("\n%s", to_markdown(moves).c_str());
   return 0;
 }
 
@@ -173,6 +243,8 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--size", request.size_px, "Of pictures, in pixels")
       ->check(CLI::Range(1, 8000));
+  app.add_flag("--moves", request.moves,
+               "What it takes when 10 and 1,000 polygons move, too");
   app.add_option("--only", request.only,
                  "Only workloads with one of these in their names");
   app.add_option("--mesh", request.meshes, "Files of meshes, instead");

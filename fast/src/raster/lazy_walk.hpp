@@ -44,12 +44,12 @@ class LazyWalk {
   void show(const LazyPart& part, FilterStats& stats, ShowTree&& show_tree) {
     if (!part.has_cells()) {
       // The rasterizer's frame refers to this one.
-      reader_.emplace(tree_.scene, part.tree);
+      reader_.emplace(*tree_.scene, part.tree);
       rasterizer_.forget();
       show_tree();
       return;
     }
-    const TreeReader reader(tree_.scene, part.tree);
+    const TreeReader reader(*tree_.scene, part.tree);
     const Frame frame = {reader,      frame_.camera, frame_.image,
                          frame_.view, frame_.kernel, frame_.clips,
                          frame_.alpha};

@@ -60,6 +60,14 @@ BuildState::BuildState(const Scene& a_scene,
     most = std::min(most, box.most() * (1 + 0x1p-20) + 1);
 }
 
+BuildState::BuildState(const Scene& a_scene, const BuildState& frame)
+    : scene(a_scene),
+      options(frame.options),
+      cells(nullptr),
+      range(frame.range),
+      origin(frame.origin),
+      scene_size(frame.scene_size) {}
+
 Primitive BuildState::primitive_of(PolygonId polygon) const {
   const auto corners = scene.corners(polygon);
   GridBox box(scene.point(corners[0]));

@@ -25,6 +25,8 @@ class BuildState {
  public:
   BuildState(const Scene& scene, const DisplayTreeOptions& options,
              KeptCells* cells = nullptr);
+  /// In the frame of another state, whose options it has.
+  BuildState(const Scene& scene, const BuildState& frame);
 
   /// The whole polygon as a primitive.
   Primitive primitive_of(PolygonId polygon) const;

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "halfspace/fast/image/lazy_tree.hpp"
@@ -22,7 +24,10 @@ struct LazyCell {
   Mutex mutex;    ///< held by who builds it
   /// Null before; then it stays as it is.
   std::atomic<const LazyPart*> part = nullptr;
-  std::unique_ptr<const LazyPart> owner;  ///< of that
+  std::unique_ptr<LazyPart> owner;  ///< of that
+
+  /// Forgets what was built.
+  void drop();
 };
 
 /// A part of a lazy tree: planes whose leaves are cells, or without cells a
@@ -48,10 +53,11 @@ struct LazyTree::State {
     return built != nullptr ? *built : build(cell);
   }
   const LazyPart& build(LazyCell& cell) const;
+  void move_to(const Scene& next, std::span<const PolygonId> polygons);
 
-  const Scene& scene;
+  const Scene* scene;
   LazyTreeOptions options;
-  mutable BuildState build_state;
+  mutable std::optional<BuildState> build_state;
   LazyPart root;
 
  private:

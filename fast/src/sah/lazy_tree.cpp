@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "base/parallel.hpp"
 #include "halfspace/assert.hpp"
@@ -48,18 +49,19 @@ void fit(BspTree& tree) {
 }  // namespace
 
 LazyTree::State::State(const Scene& a_scene, const LazyTreeOptions& the_options)
-    : scene(a_scene), options(the_options), build_state(a_scene, options.tree) {
+    : scene(&a_scene), options(the_options) {
+  build_state.emplace(a_scene, options.tree);
   HALFSPACE_ASSERT(options.tree.leaf_size >= 1);
   HALFSPACE_ASSERT(options.cell_size >= 1 && options.most_in_cell >= 1);
   HALFSPACE_ASSERT(options.tree.threads >= 0);
   HALFSPACE_ASSERT(1 <= options.most_listed && options.most_listed <= 64);
   options.tree.progress = {};
-  if (scene.polygon_count() == 0) return;
+  if (scene->polygon_count() == 0) return;
   CellList all;
-  all.range = build_state.range;
-  const std::size_t count = scene.polygon_count();
+  all.range = build_state->range;
+  const std::size_t count = scene->polygon_count();
   if (auto divided =
-          divide_into_cells(scene, all, options.cell_size,
+          divide_into_cells(*scene, all, options.cell_size,
                             most_named(options.most_listed, count, 0),
                             thread_count(options.tree.threads))) {
     root = parts_of(*std::move(divided), 0);
@@ -90,8 +92,9 @@ const LazyPart& LazyTree::State::build(LazyCell& cell) const {
   // Another thread may have built it meanwhile.
   if (const LazyPart* built = cell.part.load(std::memory_order_relaxed))
     return *built;
-  cell.owner = std::make_unique<const LazyPart>(made(cell));
-  cell.list.polygons = {};
+  cell.owner = std::make_unique<LazyPart>(made(cell));
+  // Lists of trees are needed where polygons move.
+  if (cell.owner->has_cells()) cell.list.polygons = {};
   cell.part.store(cell.owner.get(), std::memory_order_release);
   return *cell.owner;
 }
@@ -104,18 +107,18 @@ LazyPart LazyTree::State::made(LazyCell& cell) const {
       cell.depth < kMostDivisions) {
     const int depth = cell.depth + 1;
     if (auto divided = divide_into_cells(
-            scene, list, options.cell_size,
+            *scene, list, options.cell_size,
             most_named(options.most_listed, list.polygons.size(), depth), 1))
       return parts_of(*std::move(divided), depth);
   }
   BuildJob job;
   job.primitives.reserve(list.polygons.size());
   for (const PolygonId polygon : list.polygons)
-    job.primitives.push_back(build_state.primitive_of(polygon));
+    job.primitives.push_back(build_state->primitive_of(polygon));
   job.cut_budget = static_cast<double>(list.polygons.size()) *
                    (options.tree.most_cuts +
-                    kFreeCuts / static_cast<double>(scene.polygon_count()));
-  SahBuilder builder(build_state, job);
+                    kFreeCuts / static_cast<double>(scene->polygon_count()));
+  SahBuilder builder(*build_state, job);
   builder.cut_to(list.region);
   LazyPart part;
   if (job.primitives.empty()) return part;
@@ -123,8 +126,111 @@ LazyPart LazyTree::State::made(LazyCell& cell) const {
   part.tree = std::move(job.piece);
   part.tree.free_planes = std::move(job.tree->free_planes);
   fit(part.tree);
-  add_blocks(part.tree, scene, 1);
+  add_blocks(part.tree, *scene, 1);
   return part;
+}
+
+void LazyCell::drop() {
+  part.store(nullptr, std::memory_order_relaxed);
+  owner.reset();
+}
+
+namespace {
+
+/// What a polygon does to the cells that its box reaches, and to the boxes
+/// above them: it leaves them, or comes to them.
+class PolygonMove {
+ public:
+  PolygonMove(PolygonId polygon, std::size_t polygon_count, bool comes)
+      : polygon_(polygon), polygon_count_(polygon_count), comes_(comes) {}
+
+  /// `range` is that of the polygon's box in the part. Goes down by the rule of
+  /// CellRegion; recurses into cells that were divided again.
+  void apply(LazyPart& part, const GridRange& range) const {
+    if (part.tree.nodes.empty()) return;
+    std::vector<std::pair<NodeId, GridRange>> left = {{0, range}};
+    while (!left.empty()) {
+      const auto [id, here] = left.back();
+      left.pop_back();
+      const auto n = static_cast<std::size_t>(id);
+      if (comes_) extend(part.tree.boxes[n], here);
+      const Node& node = part.tree.nodes[n];
+      if (node.splitter == kNoPlane) {
+        apply(part.cells[static_cast<std::size_t>(part.cell_of_node[n])], here);
+        continue;
+      }
+      const FreePlane& plane =
+          part.tree.free_planes[static_cast<std::size_t>(node.splitter) -
+                                polygon_count_];
+      const auto a = static_cast<std::size_t>(plane.axis);
+      const std::int64_t at = plane.coordinate;
+      if (here.low[a] < at) {
+        left.push_back({node.negative, here});
+        GridRange& below = left.back().second;
+        below.high[a] = std::min(below.high[a], at);
+      }
+      if (here.high[a] > at || here.low[a] >= at) {
+        left.push_back({node.positive, here});
+        GridRange& above = left.back().second;
+        above.low[a] = std::max(above.low[a], at);
+      }
+    }
+  }
+
+ private:
+  static void extend(Box& box, const GridRange& range) {
+    const Box other = box_of(range);
+    for (std::size_t a = 0; a < 3; ++a) {
+      box.low[a] = std::min(box.low[a], other.low[a]);
+      box.high[a] = std::max(box.high[a], other.high[a]);
+    }
+  }
+
+  void apply(LazyCell& cell, const GridRange& range) const {
+    for (std::size_t a = 0; comes_ && a < 3; ++a) {
+      cell.list.range.low[a] = std::min(cell.list.range.low[a], range.low[a]);
+      cell.list.range.high[a] =
+          std::max(cell.list.range.high[a], range.high[a]);
+    }
+    if (cell.owner && cell.owner->has_cells()) {
+      apply(*cell.owner, range);
+      return;
+    }
+    std::vector<PolygonId>& list = cell.list.polygons;
+    const auto at = std::lower_bound(list.begin(), list.end(), polygon_);
+    const bool is_there = at != list.end() && *at == polygon_;
+    if (comes_ && !is_there) list.insert(at, polygon_);
+    if (!comes_ && is_there) list.erase(at);
+    cell.drop();
+  }
+
+  PolygonId polygon_;
+  std::size_t polygon_count_;
+  bool comes_;
+};
+
+}  // namespace
+
+void LazyTree::State::move_to(const Scene& next,
+                              std::span<const PolygonId> polygons) {
+  const std::size_t count = scene->polygon_count();
+  HALFSPACE_ASSERT(next.polygon_count() == count);
+  HALFSPACE_ASSERT(next.grid_bits() == scene->grid_bits());
+  HALFSPACE_ASSERT(next.data().vertices.size() ==
+                   scene->data().vertices.size());
+  for (const PolygonId polygon : polygons) {
+    PolygonMove(polygon, count, false).apply(root, range_of(*scene, polygon));
+    PolygonMove(polygon, count, true).apply(root, range_of(next, polygon));
+  }
+  // BuildState has a mutex, and is made in its place.
+  const BuildState before(*scene, *build_state);
+  build_state.emplace(next, before);
+  scene = &next;
+}
+
+void LazyTree::move_to(const Scene& scene,
+                       std::span<const PolygonId> polygons) {
+  state_->move_to(scene, polygons);
 }
 
 LazyTree::LazyTree(const Scene& scene, const LazyTreeOptions& options)
@@ -133,11 +239,11 @@ LazyTree::LazyTree(LazyTree&&) noexcept = default;
 LazyTree& LazyTree::operator=(LazyTree&&) noexcept = default;
 LazyTree::~LazyTree() = default;
 
-const Scene& LazyTree::scene() const { return state_->scene; }
+const Scene& LazyTree::scene() const { return *state_->scene; }
 
 LazyTreeStats LazyTree::stats() const {
   LazyTreeStats stats;
-  std::vector<bool> is_built(state_->scene.polygon_count());
+  std::vector<bool> is_built(state_->scene->polygon_count());
   std::vector<const LazyPart*> left = {&state_->root};
   while (!left.empty()) {
     const LazyPart& part = *left.back();

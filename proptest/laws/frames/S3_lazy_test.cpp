@@ -1,4 +1,5 @@
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <type_traits>
@@ -81,6 +82,19 @@ struct RefLazy {
     }
     return all;
   }
+
+  /// The reference's trees are built for each scene.
+  static std::size_t expect_moved(const std::vector<Scene>& scenes,
+                                  const std::vector<std::vector<PolygonId>>&,
+                                  const SceneFile& view,
+                                  const ImageOptions& options) {
+    for (const Scene& scene : scenes) {
+      expect_same(Ref::image_of(ref::render(scene, ref::build(scene, {}),
+                                            *view.camera, options)),
+                  oracle::zbuffer(scene, *view.camera, options));
+    }
+    return 0;
+  }
 };
 
 struct FastLazy {
@@ -159,6 +173,32 @@ struct FastLazy {
     return first;
   }
 
+  static std::size_t expect_moved(
+      const std::vector<Scene>& scenes,
+      const std::vector<std::vector<PolygonId>>& changed, const SceneFile& view,
+      const ImageOptions& options) {
+    std::size_t kept = 0;
+    for (const Kind& kind : kKinds) {
+      fast::RenderOptions how;
+      how.threads = kind.threads;
+      how.simd = kind.simd;
+      fast::LazyTree tree = open(scenes.front(), kind);
+      for (std::size_t k = 0; k < scenes.size(); ++k) {
+        if (k > 0) tree.move_to(scenes[k], changed[k]);
+        HALFSPACE_LAW(&tree.scene() == &scenes[k]);
+        kept += k > 0 && tree.stats().cells_built > 0 ? 1u : 0u;
+        // Sometimes nothing is displayed between two moves.
+        if (k % 3 == 2 && k + 1 < scenes.size()) continue;
+        const Image image = oracle::zbuffer(scenes[k], *view.camera, options);
+        expect_same(image_of(fast::render(tree, *view.camera, options, how)),
+                    image);
+        HALFSPACE_LAW(fast::paint(tree, *view.camera, options, how).items ==
+                      image.items);
+      }
+    }
+    return kept;
+  }
+
   static void note_built(const fast::LazyTree& tree, const Kind& kind) {
     const fast::LazyTreeStats built = tree.stats();
     if (kind.cell_size == 1 && built.cells_built < built.cells) ++partly;
@@ -195,6 +235,81 @@ TYPED_TEST(S3Lazy, L19ImagesOfALazyTreeAreThoseOfAnyTree) {
   EXPECT_GT(clips, 10u);
   if constexpr (std::is_same_v<TypeParam, FastLazy>) {
     EXPECT_GT(FastLazy::partly, 200u);
+  }
+}
+
+/// The scene with other polygons in place of some: each has the points of
+/// another one, in its own vertices, or its own points exchanged or mirrored.
+std::optional<std::pair<Scene, std::vector<PolygonId>>> moved(
+    const Scene& scene, std::uint64_t seed) {
+  SceneData data = scene.data();
+  const std::size_t count = scene.polygon_count();
+  std::vector<PolygonId> changed;
+  for (std::size_t p = 0; p < count; ++p) {
+    if (mix(seed + 5 * p) % 3 != 0) continue;
+    const auto id = static_cast<PolygonId>(p);
+    const auto other = static_cast<PolygonId>(mix(seed + 7 * p) % count);
+    const auto to = scene.corners(id);
+    const auto from = scene.corners(other);
+    if (to.size() != from.size()) continue;
+    const bool turned = mix(seed + 11 * p) % 2 == 0;
+    const std::int64_t away = mix(seed + 13 * p) % 2 == 0 ? 1 : 0;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      GridPoint q = scene.point(from[turned ? to.size() - 1 - k : k]);
+      q.x += away;
+      data.vertices[static_cast<std::size_t>(to[k])] = q;
+    }
+    changed.push_back(id);
+  }
+  Result<Scene> made = make_scene(std::move(data));
+  if (!made || changed.empty()) return std::nullopt;
+  return std::pair(*std::move(made), std::move(changed));
+}
+
+/// The scene with vertices of each polygon of their own, so that one moves
+/// alone.
+std::optional<Scene> apart(const Scene& scene) {
+  SceneData data = scene.data();
+  for (VertexId& corner : data.corners) {
+    data.vertices.push_back(data.vertices[static_cast<std::size_t>(corner)]);
+    corner = static_cast<VertexId>(data.vertices.size() - 1);
+  }
+  const std::size_t own = data.corners.size();
+  const std::size_t unused = data.vertices.size() - own;
+  data.vertices.erase(
+      data.vertices.begin(),
+      data.vertices.begin() + static_cast<std::ptrdiff_t>(unused));
+  for (VertexId& corner : data.corners) corner -= static_cast<VertexId>(unused);
+  Result<Scene> made = make_scene(std::move(data));
+  if (!made) return std::nullopt;
+  return *std::move(made);
+}
+
+TYPED_TEST(S3Lazy, L20MovedPolygonsAreSeenWhereTheyAreNow) {
+  std::size_t moves = 0;
+  std::size_t kept = 0;
+  law::for_all_views(
+      [&](const SceneFile& view) {
+        if (view.scene.polygon_count() == 0) return;
+        ImageOptions options = view.options;
+        options.caps = std::nullopt;
+        const std::optional<Scene> first = apart(view.scene);
+        HALFSPACE_LAW(first.has_value());
+        std::vector<Scene> scenes = {*first};
+        std::vector<std::vector<PolygonId>> changed = {{}};
+        for (std::uint64_t k = 1; k <= 4; ++k) {
+          auto next = moved(scenes.back(), seed_of(view) + k);
+          if (!next) continue;
+          scenes.push_back(std::move(next->first));
+          changed.push_back(std::move(next->second));
+        }
+        moves += scenes.size() - 1;
+        kept += TypeParam::expect_moved(scenes, changed, view, options);
+      },
+      kLazyViews);
+  EXPECT_GT(moves, 300u);
+  if constexpr (std::is_same_v<TypeParam, FastLazy>) {
+    EXPECT_GT(kept, 100u) << "moves after which something was still built";
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/display_tree.hpp"
@@ -63,6 +64,19 @@ class LazyTree {
   ~LazyTree();
 
   const Scene& scene() const;
+
+  /// Goes on with a scene in which polygons have moved, or become others
+  /// (S3.13): the cells that they were in, and those that they are in now, are
+  /// pending again, and built when an image asks for them.
+  ///
+  /// Boxes are not made smaller: where much has gone far a new tree is better.
+  /// Requires: `scene` as the constructor does, and until this returns the one
+  ///           before; as many polygons and vertices, on the same grid; those
+  ///           that `polygons` does not name have the same corners, at the same
+  ///           points. No other call at the same time.
+  /// Cost:     a few ways through the tree's planes for each of `polygons`, and
+  ///           the lists of the cells there; no other polygon is looked at.
+  void move_to(const Scene& scene, std::span<const PolygonId> polygons);
 
   /// Not while an image is made. Cost: linear in what is built.
   LazyTreeStats stats() const;
