@@ -293,9 +293,10 @@ class JobRunner {
   }
 
   static void free_input(BuildJob& job) {
-    job.primitives = {};
-    job.parts = {};
-    job.regions = {};
+    // `= {}` would keep the memory.
+    job.primitives = std::vector<Primitive>();
+    job.parts = std::vector<FragmentRef>();
+    job.regions = std::vector<std::int32_t>();
     job.tree.reset();
   }
 

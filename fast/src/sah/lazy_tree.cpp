@@ -94,7 +94,7 @@ const LazyPart& LazyTree::State::build(LazyCell& cell) const {
     return *built;
   cell.owner = std::make_unique<LazyPart>(made(cell));
   // Lists of trees are needed where polygons move.
-  if (cell.owner->has_cells()) cell.list.polygons = {};
+  if (cell.owner->has_cells()) cell.list.polygons = std::vector<PolygonId>();
   cell.part.store(cell.owner.get(), std::memory_order_release);
   return *cell.owner;
 }
