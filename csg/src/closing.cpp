@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <span>
@@ -26,46 +27,81 @@ Line line_through(const Ends& ends) {
   return {x, y, z, y * p.z - z * p.y, z * p.x - x * p.z, x * p.y - y * p.x};
 }
 
-/// For each edge that is bad, the ends of others that lie within it, in order.
-std::map<Ends, std::vector<GridPoint>> points_within(
-    std::span<const BadEdge> bad) {
-  std::vector<std::pair<Line, std::size_t>> on_line;  // and the bad edge
-  on_line.reserve(bad.size());
-  for (std::size_t i = 0; i < bad.size(); ++i) {
-    on_line.emplace_back(line_through(std::minmax(bad[i].from, bad[i].to)), i);
+/// What lines that are the same have in common, as few others do.
+std::uint64_t hash_of(const Line& line) {
+  std::uint64_t hash = 0;
+  for (const Int128& value : line) {
+    for (const auto part : {static_cast<std::uint64_t>(value),
+                            static_cast<std::uint64_t>(value >> 64)}) {
+      hash = (hash ^ part) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 32;
+    }
   }
-  std::sort(on_line.begin(), on_line.end());
-  std::map<Ends, std::vector<GridPoint>> within;
+  return hash;
+}
+
+using PointsWithin = std::map<Ends, std::vector<GridPoint>>;
+
+/// Notes what is within the edges of one line.
+void note_within(std::span<const Ends> edges, PointsWithin& within) {
   std::vector<GridPoint> points;
-  for (std::size_t begin = 0, end = 0; begin < on_line.size(); begin = end) {
-    while (end < on_line.size() && on_line[end].first == on_line[begin].first)
+  for (const auto& [from, to] : edges) points.insert(points.end(), {from, to});
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (const Ends& ends : edges) {
+    const auto first =
+        std::upper_bound(points.begin(), points.end(), ends.first);
+    const auto last = std::lower_bound(first, points.end(), ends.second);
+    if (first != last) within[ends] = {first, last};
+  }
+}
+
+/// For each edge that is bad, the ends of others that lie within it, in order.
+PointsWithin points_within(std::span<const BadEdge> bad) {
+  const auto ends_of = [&](std::uint32_t edge) {
+    return Ends(std::minmax(bad[edge].from, bad[edge].to));
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> hashes;
+  hashes.reserve(bad.size());
+  for (std::uint32_t i = 0; i < bad.size(); ++i)
+    hashes.emplace_back(hash_of(line_through(ends_of(i))), i);
+  std::sort(hashes.begin(), hashes.end());
+  PointsWithin within;
+  std::vector<std::pair<Line, Ends>> alike;
+  std::vector<Ends> edges;
+  for (std::size_t begin = 0, end = 0; begin < hashes.size(); begin = end) {
+    while (end < hashes.size() && hashes[end].first == hashes[begin].first)
       ++end;
     // An edge by itself, as most are, has nothing within.
     if (end - begin == 1) continue;
-    points.clear();
+    alike.clear();
     for (std::size_t i = begin; i < end; ++i) {
-      const BadEdge& edge = bad[on_line[i].second];
-      points.insert(points.end(), {edge.from, edge.to});
+      const Ends ends = ends_of(hashes[i].second);
+      alike.emplace_back(line_through(ends), ends);
     }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    for (std::size_t i = begin; i < end; ++i) {
-      const BadEdge& edge = bad[on_line[i].second];
-      const Ends ends = std::minmax(edge.from, edge.to);
-      const auto first =
-          std::upper_bound(points.begin(), points.end(), ends.first);
-      const auto last = std::lower_bound(first, points.end(), ends.second);
-      if (first != last) within[ends] = {first, last};
+    // Lines that are not the same may have one hash.
+    std::sort(alike.begin(), alike.end());
+    for (std::size_t i = 0; i < alike.size();) {
+      edges.clear();
+      const Line line = alike[i].first;
+      for (; i < alike.size() && alike[i].first == line; ++i)
+        edges.push_back(alike[i].second);
+      note_within(edges, within);
     }
   }
   return within;
 }
 
-SceneData with_points(const Scene& scene,
-                      const std::map<Ends, std::vector<GridPoint>>& within) {
-  std::map<GridPoint, VertexId> ids;
-  for (std::size_t v = 0; v < scene.data().vertices.size(); ++v)
-    ids.emplace(scene.data().vertices[v], static_cast<VertexId>(v));
+SceneData with_points(const Scene& scene, const PointsWithin& within) {
+  std::map<GridPoint, VertexId> ids;  // of what is within something
+  for (const auto& [ends, points] : within) {
+    for (const GridPoint& point : points) ids.emplace(point, -1);
+  }
+  for (std::size_t v = 0; v < scene.data().vertices.size(); ++v) {
+    const auto at = ids.find(scene.data().vertices[v]);
+    if (at != ids.end() && at->second < 0)
+      at->second = static_cast<VertexId>(v);
+  }
   SceneData data = scene.data();
   data.corners.clear();
   data.first_corner = {0};
@@ -96,20 +132,21 @@ SceneData with_points(const Scene& scene,
 
 ClosedScene split_on_lines(Scene scene) {
   const std::vector<BadEdge> bad = bad_edges(scene);
-  if (bad.empty()) return {std::move(scene), 0};
+  if (bad.empty()) return {std::move(scene), 0, false};
   const auto within = points_within(bad);
-  if (within.empty()) return {std::move(scene), 0};
+  if (within.empty()) return {std::move(scene), 0, true};
   Result<Scene> split = make_scene(with_points(scene, within));
-  if (!split) return {std::move(scene), 0};
+  if (!split) return {std::move(scene), 0, true};
   const std::size_t added =
       split->data().corners.size() - scene.data().corners.size();
-  return {*std::move(split), added};
+  const bool is_open = !bad_edges(*split).empty();
+  return {*std::move(split), added, is_open};
 }
 
 ClosedScene closed_on_lines(Scene scene) {
   ClosedScene split = split_on_lines(scene);
-  if (split.added == 0 || !bad_edges(split.scene).empty())
-    return {std::move(scene), 0};
+  if (split.added == 0 || split.is_open)
+    return {std::move(scene), 0, split.is_open};
   return split;
 }
 

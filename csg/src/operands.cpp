@@ -160,6 +160,7 @@ Result<Source> closed_source(const std::string& path, Scene scene,
   ClosedScene closed = closed_on_lines(std::move(scene));
   source.corners_added = closed.added;
   source.scene = std::move(closed.scene);
+  if (closed.is_open) return open_error(source.scene, source.polygons);
   Result<GridSolid> solid = make_solid(source.scene);
   if (!solid) return open_error(source.scene, source.polygons);
   const Extent extent =

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "halfspace/boolean.hpp"
 #include "halfspace/csg/closing.hpp"
 #include "halfspace/csg/fault.hpp"
 #include "halfspace/csg/trimmed.hpp"
@@ -50,7 +52,11 @@ class Mender {
   }
   Error naming_what_was_left_out(Error error) const;
   Result<Done> mend();
-  bool is_open() const { return !bad_edges(imported_.scene).empty(); }
+  bool is_open() {
+    if (!is_open_) is_open_ = !bad_edges(imported_.scene).empty();
+    return *is_open_;
+  }
+  bool stays_open();
   double step() const {
     const Unit unit = imported_.scene.unit();
     return std::pow(static_cast<double>(unit.base), unit.exponent);
@@ -73,6 +79,8 @@ class Mender {
   std::string path_;
   const RepairOptions& options_;
   io::Imported imported_;
+  std::optional<bool> is_open_;  // the imported surface; nothing: not known yet
+  bool is_split_ = false;        // no vertex of it lies within a bad edge
   Soup soup_;
   std::size_t conflicts_ = 0;
   RepairReport report_;
@@ -81,6 +89,8 @@ class Mender {
 Result<Done> Mender::import(Result<io::Imported> imported) {
   if (!imported) return io::error_about(path_, imported.error());
   imported_ = *std::move(imported);
+  is_open_.reset();
+  is_split_ = false;
   if (imported_.scene.polygon_count() == 0) {
     return io::error_about(
         path_, {ErrorCode::kEmpty,
@@ -94,13 +104,27 @@ Result<Done> Mender::import_soup() { return import(imported_soup(soup_)); }
 
 /// Vertices within edges become corners there.
 void Mender::split_lines() {
+  if (is_split_) return;
   Result<Scene> scene = make_scene(trimmed(imported_.scene));
   if (!scene) return;
   ClosedScene split = split_on_lines(*std::move(scene));
-  if (split.added == 0) return;
+  is_open_ = split.is_open;
+  is_split_ = split.added == 0;
+  if (is_split_) return;
   report_.corners_added += split.added;
   imported_.scene = std::move(split.scene);
   soup_ = soup_of(imported_);
+}
+
+/// Whether the surface is open even with corners where vertices lie within
+/// edges, so that no solid comes of it as it is.
+bool Mender::stays_open() {
+  if (!is_open()) return false;
+  Result<Scene> scene = make_scene(trimmed(imported_.scene));
+  if (!scene) return false;
+  const ClosedScene split = split_on_lines(*std::move(scene));
+  is_split_ = split.added == 0;
+  return split.is_open;
 }
 
 double Mender::weld_distance() const {
@@ -252,7 +276,8 @@ Result<Repaired> Mender::run(const io::Mesh& mesh) {
   if (const auto done = import(io::import_scene(mesh, io::unlit())); !done)
     return done.error();
   std::vector<bool> has_color = imported_.has_color;
-  Result<Source> made = source(false);
+  Result<Source> made = Error{ErrorCode::kOpen, "", -1};
+  if (!stays_open()) made = source(false);
   const auto is_wrong = [&] {
     return !made && made.error().code != ErrorCode::kStopped;
   };

@@ -1,9 +1,12 @@
 #include "soup.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <map>
+#include <cstdint>
 #include <numeric>
+
+#include "../point_ranks.hpp"
 
 namespace halfspace::csg {
 
@@ -39,15 +42,20 @@ Soup soup_of(const io::Imported& imported) {
   Soup soup;
   soup.unit = scene.unit();
   soup.decimal = soup.unit.base == 10;
-  std::map<GridPoint, VertexId> ids;
+  const PointRanks ranks = point_ranks(scene.data().vertices);
+  std::vector<VertexId> ids(ranks.points.size(), -1);  // by rank
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
     const auto id = static_cast<PolygonId>(p);
+    const auto corners = scene.corners(id);
     std::vector<VertexId> polygon;
-    for (const VertexId v : scene.corners(id)) {
-      const auto [at, is_new] = ids.try_emplace(
-          scene.point(v), static_cast<VertexId>(soup.points.size()));
-      if (is_new) soup.points.push_back(scene.point(v));
-      polygon.push_back(at->second);
+    polygon.reserve(corners.size());
+    for (const VertexId v : corners) {
+      VertexId& at = ids[ranks.of_vertex[static_cast<std::size_t>(v)]];
+      if (at < 0) {
+        at = static_cast<VertexId>(soup.points.size());
+        soup.points.push_back(scene.point(v));
+      }
+      polygon.push_back(at);
     }
     soup.add(std::move(polygon), imported.faces[p], scene.color(id));
   }
@@ -97,25 +105,36 @@ void keep(Soup& soup, const std::vector<bool>& stays) {
 
 std::size_t drop_duplicates(Soup& soup) {
   // By corners from the least one on, in the direction of the lesser next one.
-  struct Group {
-    std::ptrdiff_t excess = 0;
-    std::vector<std::size_t> either[2];
+  struct Entry {
+    std::vector<VertexId> corners;
+    std::size_t polygon = 0;
+    bool reversed = false;
   };
-  std::map<std::vector<VertexId>, Group> groups;
-  for (std::size_t p = 0; p < soup.polygons.size(); ++p) {
-    std::vector<VertexId> key = soup.polygons[p];
+  std::vector<Entry> entries(soup.polygons.size());
+  for (std::size_t p = 0; p < entries.size(); ++p) {
+    std::vector<VertexId>& key = entries[p].corners;
+    key = soup.polygons[p];
     std::rotate(key.begin(), std::min_element(key.begin(), key.end()),
                 key.end());
-    const bool reversed = key.back() < key[1];
-    if (reversed) std::reverse(key.begin() + 1, key.end());
-    Group& group = groups[std::move(key)];
-    group.excess += reversed ? -1 : 1;
-    group.either[reversed ? 1 : 0].push_back(p);
+    entries[p].polygon = p;
+    entries[p].reversed = key.back() < key[1];
+    if (entries[p].reversed) std::reverse(key.begin() + 1, key.end());
   }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.corners != b.corners ? a.corners < b.corners
+                                  : a.polygon < b.polygon;
+  });
   std::vector<bool> stays(soup.polygons.size());
-  for (const auto& [key, group] : groups) {
-    if (group.excess != 0)
-      stays[group.either[group.excess > 0 ? 0 : 1][0]] = true;
+  for (std::size_t i = 0; i < entries.size();) {
+    std::size_t end = i;
+    std::ptrdiff_t excess = 0;
+    for (; end < entries.size() && entries[end].corners == entries[i].corners;
+         ++end)
+      excess += entries[end].reversed ? -1 : 1;
+    // One of those that there are more of.
+    while (excess != 0 && entries[i].reversed != (excess < 0)) ++i;
+    if (excess != 0) stays[entries[i].polygon] = true;
+    i = end;
   }
   const std::size_t before = soup.polygons.size();
   keep(soup, stays);
@@ -129,36 +148,68 @@ std::int64_t distance(const GridPoint& p, const GridPoint& q) {
       {std::abs(p.x - q.x), std::abs(p.y - q.y), std::abs(p.z - q.z)});
 }
 
-/// Points in cells as wide as a distance, to find those that are so near.
+/// Points in cells four times as wide as a distance, to find those that are so
+/// near: most points have no other cell within it.
 class Cells {
  public:
-  explicit Cells(std::int64_t width)
-      : width_(std::max<std::int64_t>(width, 1)) {}
-  void add(const GridPoint& p, VertexId v) { cells_[cell_of(p)].push_back(v); }
+  Cells(std::int64_t reach, std::size_t points)
+      : reach_(reach),
+        width_(4 * std::max<std::int64_t>(reach, 1)),
+        first_(std::bit_ceil(2 * points + 1), -1) {}
+
+  void add(const GridPoint& p, VertexId v) {
+    const GridPoint cell = cell_of(p);
+    std::int32_t& first = first_[slot_of(cell)];
+    entries_.push_back({cell, v, first});
+    first = static_cast<std::int32_t>(entries_.size()) - 1;
+  }
+
   template <class Found>
   void for_near(const GridPoint& p, Found&& found) const {
-    const GridPoint c = cell_of(p);
-    for (std::int64_t x = c.x - 1; x <= c.x + 1; ++x) {
-      for (std::int64_t y = c.y - 1; y <= c.y + 1; ++y) {
-        for (std::int64_t z = c.z - 1; z <= c.z + 1; ++z) {
-          const auto at = cells_.find({x, y, z});
-          if (at == cells_.end()) continue;
-          for (const VertexId v : at->second) found(v);
-        }
+    const GridPoint low = cell_of({p.x - reach_, p.y - reach_, p.z - reach_});
+    const GridPoint high = cell_of({p.x + reach_, p.y + reach_, p.z + reach_});
+    for (std::int64_t x = low.x; x <= high.x; ++x) {
+      for (std::int64_t y = low.y; y <= high.y; ++y) {
+        for (std::int64_t z = low.z; z <= high.z; ++z)
+          in_cell({x, y, z}, found);
       }
     }
   }
 
  private:
+  struct Entry {
+    GridPoint cell;
+    VertexId vertex = 0;
+    std::int32_t next = -1;
+  };
+
+  template <class Found>
+  void in_cell(const GridPoint& cell, Found&& found) const {
+    for (std::int32_t at = first_[slot_of(cell)]; at >= 0;) {
+      const Entry& entry = entries_[static_cast<std::size_t>(at)];
+      if (entry.cell == cell) found(entry.vertex);
+      at = entry.next;
+    }
+  }
   std::int64_t cell(std::int64_t c) const {
     return c >= 0 ? c / width_ : -((width_ - 1 - c) / width_);
   }
   GridPoint cell_of(const GridPoint& p) const {
     return {cell(p.x), cell(p.y), cell(p.z)};
   }
+  std::size_t slot_of(const GridPoint& cell) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t c : {cell.x, cell.y, cell.z}) {
+      hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 32;
+    }
+    return hash & (first_.size() - 1);
+  }
 
+  std::int64_t reach_;
   std::int64_t width_;
-  std::map<GridPoint, std::vector<VertexId>> cells_;
+  std::vector<std::int32_t> first_;  // by slot: an entry, or -1
+  std::vector<Entry> entries_;
 };
 
 /// Corners that repeat the one before go.
@@ -187,7 +238,7 @@ Welded weld(Soup& soup, std::int64_t reach) {
   // them moves farther than one step.
   std::vector<VertexId> become(soup.points.size());
   std::iota(become.begin(), become.end(), 0);
-  Cells cells(reach);
+  Cells cells(reach, ends.size());
   Welded welded;
   for (const VertexId v : ends) {
     VertexId target = v;

@@ -6,10 +6,12 @@
 
 namespace halfspace::csg {
 
-/// A scene, and how many corners were added to it.
+/// A scene, how many corners were added to it, and whether edges of it are bad
+/// all the same.
 struct ClosedScene {
   Scene scene;
   std::size_t added = 0;
+  bool is_open = false;
 };
 
 /// The scene with straight corners added where vertices lie within polygons'
