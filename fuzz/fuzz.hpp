@@ -14,6 +14,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
 
 namespace halfspace::fuzz {
 
+/// Whether inputs are only replayed: then a target tries all that it can.
+#ifdef HALFSPACE_FUZZ_REPLAYS
+constexpr bool kReplays = true;
+#else
+constexpr bool kReplays = false;
+#endif
+
 /// Stops the program, which is how a fuzzer learns of a failure, unless the
 /// condition holds; says which one, and what else there is to know.
 #define HALFSPACE_FUZZ_EXPECT(condition, ...)                             \

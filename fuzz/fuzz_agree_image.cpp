@@ -73,18 +73,40 @@ void expect_marks(const SceneFile& view, const ItemImage& items,
   HALFSPACE_FUZZ_EXPECT(marked == fast_marked, text);
 }
 
-}  // namespace
-
-/// The four algorithms of the reference, those of the fast library over trees
-/// of either kind, and the definition read pixel by pixel, give one image.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {
-  using namespace halfspace;
-  fuzz::Bytes bytes(data, size);
-  const BuildOptions options = fuzz::build_options_of(bytes);
-  const SceneFile view = fuzz::view_of(bytes);
+/// A view, its trees and its picture, which all of these agree on: the four
+/// algorithms of the reference, those of the fast library over trees of every
+/// kind, and the definition read pixel by pixel.
+struct Tried {
+  const BuildOptions options;
+  const SceneFile view;
   const std::string text = write_scene(view);
-  const auto tree = ref::build(view.scene, options);
+  const ref::BspTree tree = ref::build(view.scene, options);
+  const fast::BspTree other = fast::build(view.scene, options);
+  fast::DisplayTreeOptions display;
+  fast::RenderOptions portable;
+  ItemImage items;
+  ColorImage colors;
+
+  Tried(const BuildOptions& the_options, SceneFile the_view)
+      : options(the_options), view(std::move(the_view)) {
+    display.leaf_size = options.candidates;
+    display.own_planes = static_cast<std::size_t>(options.seed % 4);
+    display.threads = 1;
+    portable.simd = options.seed % 2 == 0 ? fast::SimdLevel::kPortable
+                                          : fast::SimdLevel::kAvx2;
+    expect_pictures();
+  }
+
+  void expect_fast(const fast::Rendering& rendering) const {
+    HALFSPACE_FUZZ_EXPECT(rendering.items == items, text);
+    HALFSPACE_FUZZ_EXPECT(rendering.colors == colors, text);
+  }
+
+ private:
+  void expect_pictures();
+};
+
+void Tried::expect_pictures() {
   const auto span = ref::render(view.scene, tree, *view.camera, view.options);
   const auto painter = ref::paint(view.scene, tree, *view.camera, view.options);
   const auto zbuffer = ref::zbuffer(view.scene, *view.camera, view.options);
@@ -96,26 +118,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
       span.items ==
           definition::item_image(view.scene, *view.camera, view.options),
       text);
-  const auto colors =
-      definition::color_image(view.scene, *view.camera, view.options);
+  colors = definition::color_image(view.scene, *view.camera, view.options);
   HALFSPACE_FUZZ_EXPECT(span.colors == colors, text);
   HALFSPACE_FUZZ_EXPECT(painter.colors == colors, text);
   HALFSPACE_FUZZ_EXPECT(zbuffer.colors == colors, text);
   HALFSPACE_FUZZ_EXPECT(rays.colors == colors, text);
-  const auto expect_fast = [&](const fast::Rendering& rendering) {
-    HALFSPACE_FUZZ_EXPECT(rendering.items == span.items, text);
-    HALFSPACE_FUZZ_EXPECT(rendering.colors == colors, text);
-  };
-  const fast::BspTree other = fast::build(view.scene, options);
+  items = span.items;
   expect_fast(fast::render(view.scene, other, *view.camera, view.options));
   expect_fast(fast::paint(view.scene, other, *view.camera, view.options));
-  fast::DisplayTreeOptions display;
-  display.leaf_size = options.candidates;
-  display.own_planes = static_cast<std::size_t>(options.seed % 4);
-  display.threads = 1;
-  fast::RenderOptions portable;
-  portable.simd = options.seed % 2 == 0 ? fast::SimdLevel::kPortable
-                                        : fast::SimdLevel::kAvx2;
   expect_fast(fast::render(view.scene,
                            fast::build_display_tree(view.scene, display),
                            *view.camera, view.options, portable));
@@ -127,36 +137,58 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const fast::LazyTree opened(view.scene, lazy);
   expect_fast(fast::render(opened, *view.camera, view.options, portable));
   expect_fast(fast::paint(opened, *view.camera, view.options));
-  const auto screen = static_cast<ScreenKind>(options.seed % 4);
-  expect_fast(
-      fast::render_on(view.scene, other, *view.camera, view.options, screen));
+}
+
+/// On screens of other kinds, and by depth sort.
+void expect_feeds(const Tried& tried) {
+  const auto screen = static_cast<ScreenKind>(tried.options.seed % 4);
+  tried.expect_fast(fast::render_on(tried.view.scene, tried.other,
+                                    *tried.view.camera, tried.view.options,
+                                    screen));
   HALFSPACE_FUZZ_EXPECT(
-      ref::render_on(view.scene, tree, *view.camera, view.options, screen)
-              .items == span.items,
-      text);
-  const fast::BspTree list = fast::depth_sort(view.scene, *view.camera).list;
-  expect_fast(fast::render(view.scene, list, *view.camera, view.options));
-  expect_fast(fast::paint(view.scene, list, *view.camera, view.options));
+      ref::render_on(tried.view.scene, tried.tree, *tried.view.camera,
+                     tried.view.options, screen)
+              .items == tried.items,
+      tried.text);
+  const fast::BspTree list =
+      fast::depth_sort(tried.view.scene, *tried.view.camera).list;
+  tried.expect_fast(fast::render(tried.view.scene, list, *tried.view.camera,
+                                 tried.view.options));
+  tried.expect_fast(fast::paint(tried.view.scene, list, *tried.view.camera,
+                                tried.view.options));
   HALFSPACE_FUZZ_EXPECT(
-      ref::render(view.scene, ref::depth_sort(view.scene, *view.camera).list,
-                  *view.camera, view.options)
-              .items == span.items,
-      text);
-  const std::int32_t samples = 2 << (options.seed % 3);
-  const auto means = ref::render_samples(view.scene, tree, *view.camera,
-                                         view.options, samples);
-  const auto fast_means = fast::render_samples(view.scene, other, *view.camera,
-                                               view.options, samples, portable);
-  HALFSPACE_FUZZ_EXPECT(means.items == fast_means.items, text);
-  HALFSPACE_FUZZ_EXPECT(means.colors == fast_means.colors, text);
-  expect_scalars(view, span.items, means.items, samples, options.seed, text);
-  expect_marks(view, span.items, colors, options.seed, text);
-  // The same with clip planes, in planes of polygons and through corners.
-  SceneFile cut = view;
+      ref::render(tried.view.scene,
+                  ref::depth_sort(tried.view.scene, *tried.view.camera).list,
+                  *tried.view.camera, tried.view.options)
+              .items == tried.items,
+      tried.text);
+}
+
+/// Means of samples, colours of numbers and marks.
+void expect_samples(const Tried& tried) {
+  const std::int32_t samples = 2 << (tried.options.seed % 3);
+  const auto means =
+      ref::render_samples(tried.view.scene, tried.tree, *tried.view.camera,
+                          tried.view.options, samples);
+  const auto fast_means =
+      fast::render_samples(tried.view.scene, tried.other, *tried.view.camera,
+                           tried.view.options, samples, tried.portable);
+  HALFSPACE_FUZZ_EXPECT(means.items == fast_means.items, tried.text);
+  HALFSPACE_FUZZ_EXPECT(means.colors == fast_means.colors, tried.text);
+  expect_scalars(tried.view, tried.items, means.items, samples,
+                 tried.options.seed, tried.text);
+  expect_marks(tried.view, tried.items, tried.colors, tried.options.seed,
+               tried.text);
+}
+
+/// The same with clip planes, in planes of polygons and through corners.
+void expect_sections(const Tried& tried, std::size_t size) {
+  SceneFile cut = tried.view;
   for (std::size_t k = 0;
-       k <= options.seed % 3 && !view.scene.data().vertices.empty(); ++k) {
-    const auto number = options.seed * 7 + k * 5 + size;
-    const auto& vertices = view.scene.data().vertices;
+       k <= tried.options.seed % 3 && !tried.view.scene.data().vertices.empty();
+       ++k) {
+    const auto number = tried.options.seed * 7 + k * 5 + size;
+    const auto& vertices = tried.view.scene.data().vertices;
     const GridPoint& p = vertices[number % vertices.size()];
     const Int128 normal[] = {static_cast<Int128>(number % 3) - 1,
                              static_cast<Int128>(number / 3 % 5) - 2,
@@ -165,7 +197,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
         {normal[0], normal[1], normal[2] + 1,
          -(normal[0] * p.x + normal[1] * p.y + (normal[2] + 1) * p.z)});
   }
-  cut.options.clips = *make_clips(cut.options.clips, view.scene.grid_bits());
+  cut.options.clips =
+      *make_clips(cut.options.clips, tried.view.scene.grid_bits());
   if (bad_edges(cut.scene).empty()) {
     cut.options.caps = CapStyle{};
     if (cut.scene.polygon_count() % 2 == 0)
@@ -177,22 +210,41 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     HALFSPACE_FUZZ_EXPECT(rendering.items == section.items, cut_text);
     HALFSPACE_FUZZ_EXPECT(rendering.colors == section.colors, cut_text);
   };
-  expect_section(ref::render(cut.scene, tree, *cut.camera, cut.options));
-  expect_section(fast::render(cut.scene, other, *cut.camera, cut.options));
-  expect_section(fast::paint(cut.scene, other, *cut.camera, cut.options));
-  expect_section(fast::render(cut.scene,
-                              fast::build_display_tree(cut.scene, display),
-                              *cut.camera, cut.options, portable));
-  const auto cut_means =
-      ref::render_samples(cut.scene, tree, *cut.camera, cut.options, samples);
-  const auto fast_cut_means = fast::render_samples(
-      cut.scene, other, *cut.camera, cut.options, samples, portable);
+  expect_section(ref::render(cut.scene, tried.tree, *cut.camera, cut.options));
+  expect_section(
+      fast::render(cut.scene, tried.other, *cut.camera, cut.options));
+  expect_section(fast::paint(cut.scene, tried.other, *cut.camera, cut.options));
+  expect_section(fast::render(
+      cut.scene, fast::build_display_tree(cut.scene, tried.display),
+      *cut.camera, cut.options, tried.portable));
+  const std::int32_t samples = 2 << (tried.options.seed % 3);
+  const auto cut_means = ref::render_samples(cut.scene, tried.tree, *cut.camera,
+                                             cut.options, samples);
+  const auto fast_cut_means =
+      fast::render_samples(cut.scene, tried.other, *cut.camera, cut.options,
+                           samples, tried.portable);
   HALFSPACE_FUZZ_EXPECT(cut_means.items == fast_cut_means.items, cut_text);
   HALFSPACE_FUZZ_EXPECT(cut_means.colors == fast_cut_means.colors, cut_text);
   const auto cut_read = read_scene(cut_text);
   HALFSPACE_FUZZ_EXPECT(cut_read.has_value() && *cut_read == cut, cut_text);
+}
+
+}  // namespace
+
+/// What Tried is, and one of three others: a corpus is replayed with all.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  using namespace halfspace;
+  fuzz::Bytes bytes(data, size);
+  const BuildOptions options = fuzz::build_options_of(bytes);
+  const Tried tried(options, fuzz::view_of(bytes));
+  // What the number decides by its remainders comes up with each of these.
+  const auto part = options.seed / 12 % 3;
+  if (fuzz::kReplays || part == 0) expect_feeds(tried);
+  if (fuzz::kReplays || part == 1) expect_samples(tried);
+  if (fuzz::kReplays || part == 2) expect_sections(tried, size);
   // The scene file says it all: what it holds gives the image again.
-  const auto read = read_scene(text);
-  HALFSPACE_FUZZ_EXPECT(read.has_value() && *read == view, text);
+  const auto read = read_scene(tried.text);
+  HALFSPACE_FUZZ_EXPECT(read.has_value() && *read == tried.view, tried.text);
   return 0;
 }
