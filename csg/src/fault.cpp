@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "point_ranks.hpp"
+#include "exact/point_ranks.hpp"
 
 namespace halfspace::csg {
 namespace {

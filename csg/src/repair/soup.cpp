@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "../point_ranks.hpp"
+#include "../exact/point_ranks.hpp"
 
 namespace halfspace::csg {
 
