@@ -260,7 +260,7 @@ class Assembly {
           {piece.line, 1, high, h + 1, region_of(piece.positive)});
       halves_.push_back({piece.line, -1, low, h, region_of(piece.negative)});
     }
-    pieces_ = {};
+    pieces_ = std::vector<Piece>();  // `= {}` would keep the memory
     // Those that leave a point, point after point: counted, then entered.
     first_leaving_.assign(point_corner_.size() + 1, 0);
     for (const HalfPiece& half : halves_)

@@ -118,8 +118,9 @@ class LineTable {
   const FilterStats& stats() const { return stats_; }
   /// Frees what finds lines again by name: no more are made by it.
   void forget_names() {
-    edges_ = {};
-    meets_ = {};
+    // `= {}` would keep the buckets.
+    edges_ = std::unordered_map<std::uint64_t, LineId>();
+    meets_ = std::unordered_map<std::uint64_t, LineId>();
   }
 
  private:

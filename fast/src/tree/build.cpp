@@ -311,9 +311,10 @@ void divide_leaves(BspTree& tree, const Scene& scene) {
   drop_unused_fragments(tree);
   drop_unused_corners(tree);
   add_boxes(tree, scene);
-  tree.triangles = {};
-  tree.quadrangles = {};
-  tree.first_blocks = {};
+  // `= {}` would keep the memory.
+  tree.triangles = std::vector<FragmentBlock<3>>();
+  tree.quadrangles = std::vector<FragmentBlock<4>>();
+  tree.first_blocks = std::vector<FirstBlocks>();
 }
 
 }  // namespace halfspace::fast
