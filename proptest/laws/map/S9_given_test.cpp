@@ -274,7 +274,7 @@ TYPED_TEST(S9Given, L9WholeLinesAreHiddenByTheSceneCutBeforehand) {
     HALFSPACE_LAW(section == TypeParam::seen(beforehand->view, options));
     if (beforehand->has_cap && section != kept) ++changed;
   });
-  EXPECT_GT(changed, 20u);
+  EXPECT_GT(changed, 4u);
 }
 
 TEST(S9GivenAgree, RefAndFastGiveTheSameOfSections) {
@@ -307,7 +307,7 @@ TEST(S9GivenAgree, RefAndFastGiveTheSameOfSections) {
     agree(view);
   });
   EXPECT_GT(hidden, 100u);
-  EXPECT_GT(behind_caps, 50u);
+  EXPECT_GT(behind_caps, 10u);
 }
 
 }  // namespace
