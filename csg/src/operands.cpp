@@ -283,6 +283,20 @@ Result<Operands> Operands::load(const Script& script, const Plan& plan,
     std::string path = file.path;
     if (file.name.empty() && !options.folder.empty())
       path = (std::filesystem::path(options.folder) / path).string();
+    // Standard input is read once, whatever names it has.
+    const auto is_same_input = [&](const File& other) {
+      return path == "-" && other.path == path &&
+             other.is_flipped == file.is_flipped;
+    };
+    const auto first = static_cast<std::size_t>(
+        std::find_if(script.files.begin(),
+                     script.files.begin() + static_cast<std::ptrdiff_t>(i),
+                     is_same_input) -
+        script.files.begin());
+    if (first < i && is_used[first]) {
+      sources.push_back(sources[first]);
+      continue;
+    }
     Result<Source> source =
         file.mesh ? primitive_source(file.name, *file.mesh, options)
                   : read_source(path, options, file.is_flipped);

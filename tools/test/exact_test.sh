@@ -59,6 +59,8 @@ done
 # On standard input, for the commands that want polygons, and for info.
 expect 0 'volume     19' info ab.hsolid
 "$program" info - <form.hsolid | grep -q 'volume     19' || wrong 'info -'
+cat form.hsolid | "$program" csg 'X - translate(Y, 1, 0, 0)' X=- Y=- -o x.off -q ||
+  wrong 'csg - twice'
 "$program" csg 'X - B' X=- B=b.off -o chain.hsolid <form.hsolid >out.txt ||
   wrong 'csg -'
 expect 0 painted render ab.hsolid -o ab.png

@@ -145,11 +145,13 @@ class Tries:
         skin = entries_of(self.sources["skin.3mf"])
         texture, = [name for name in skin if name.endswith(".png")]
         blanks = b" " * min(most, 1_100_000_000)
+        tag = model.replace(b"<model ", b"<model a='" + b"x" * min(most, 200_000_000) +
+                            b"' ", 1)
         deep = b'{"asset":{"version":"2.0"},"x":' + b"[" * 100000 + b"]" * 100000 + b"}"
         return {
             "off.gz": [zeros],
             "3mf": [package_of({MODEL: entity}), package_of({MODEL: outside}),
-                    package_of({MODEL: model + blanks}),
+                    package_of({MODEL: model + blanks}), package_of({MODEL: tag}),
                     package_of({**skin, texture: png() + blanks})],
             "gltf": [deep, b'{"asset":{"version":"2.0"},"buffers":[{"byteLength":'
                      b'9007199254740992,"uri":"data:;base64,AAAA"}]}'],

@@ -17,6 +17,10 @@ namespace {
 /// A model part that unpacks to more is not read.
 constexpr std::uint64_t kMostModelBytes = std::uint64_t{1} << 30;
 
+/// Nor is one with a longer tag: expat looks at what it has of a tag again with
+/// each piece of it, which takes time quadratic in its length.
+constexpr std::int64_t kMostTagBytes = std::int64_t{1} << 23;
+
 constexpr char kSpaceEnd = '|';
 
 /// The colour of `#RRGGBB` or `#RRGGBBAA`, from 0 to 1.
@@ -112,6 +116,7 @@ class Model3mfParser {
   std::string part_;
   std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_{nullptr,
                                                                   nullptr};
+  std::int64_t taken_ = 0;  // bytes
   std::optional<Error> error_;
   Model3mf model_;
   bool has_model_ = false;
@@ -369,8 +374,15 @@ Result<Model3mf> Model3mfParser::read(const PackageReader& package) {
     const XML_Status status =
         XML_Parse(parser_.get(), bytes.data(), static_cast<int>(bytes.size()),
                   is_last ? XML_TRUE : XML_FALSE);
-    if (status == XML_STATUS_OK) return true;
-    if (!error_) {
+    taken_ += static_cast<std::int64_t>(bytes.size());
+    const std::int64_t waits = taken_ - XML_GetCurrentByteIndex(parser_.get());
+    if (status == XML_STATUS_OK && waits <= kMostTagBytes) return true;
+    if (status == XML_STATUS_OK) {
+      error_ = Error{ErrorCode::kOutOfRange,
+                     part_ + ", line " + std::to_string(line()) +
+                         ": a tag is longer than 8 MiB",
+                     line()};
+    } else if (!error_) {
       const XML_Error code = XML_GetErrorCode(parser_.get());
       const bool is_cut = code == XML_ERROR_NO_ELEMENTS ||
                           code == XML_ERROR_UNCLOSED_TOKEN || is_last;
