@@ -264,9 +264,17 @@ void take_all() {
     take<Kind>(&fast::paint);
   }
   take(&ref::blend);  // S5.6
-  take(&fast::blend);  // S5.6
+  {  // S5.6
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, std::uint8_t, const RenderOptions&);
+    take<Kind>(&fast::blend);
+  }
   take(&ref::render_samples);  // S5.7
-  take(&fast::render_samples);  // S5.7
+  {  // S5.7
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, std::int32_t, const RenderOptions&);
+    take<Kind>(&fast::render_samples);
+  }
   take(&ref::mark_back_faces);  // S5.8
   take(&fast::mark_back_faces);  // S5.8
   take(&ref::bad_edges);  // S6.1
@@ -374,7 +382,11 @@ void take_all() {
   take(&fast::section_map);  // S10.6
   take(&ref::blend);  // S10.7
   take(&ref::transparent_section);  // S10.7
-  take(&fast::blend);  // S10.7
+  {  // S10.7
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, std::uint8_t, const RenderOptions&);
+    take<Kind>(&fast::blend);
+  }
   take(&fast::transparent_section);  // S10.7
   take(&make_scalars);  // S11.1
   take(&ref::scalar_at);  // S11.2
