@@ -8,7 +8,6 @@
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace halfspace::fast::tbb_threads {
@@ -22,9 +21,14 @@ inline int default_threads() {
 /// 0: as many as there are by default.
 template <class Work>
 void in_arena(int threads, Work&& work) {
-  // oneTBB prints a warning where more threads are asked for than there are.
-  const int most = default_threads();
-  oneapi::tbb::task_arena arena(threads == 0 ? most : std::min(threads, most));
+  // An arena keeps memory until a worker has looked at it, and a program that
+  // starts thousands of them in a second is faster than that: all threads are
+  // those that the caller has. It takes up no other task while it waits.
+  if (threads == 0 || threads >= default_threads()) {
+    oneapi::tbb::this_task_arena::isolate([&] { work(); });
+    return;
+  }
+  oneapi::tbb::task_arena arena(threads);
   arena.execute([&] { work(); });
 }
 

@@ -42,7 +42,9 @@ void Arrangement::find_contacts() {
   if constexpr (kFindsCommonFaces)
     find_common_faces(operands[0], operands[1], scratch);
   const auto pairs = candidate_pairs(operands[0], operands[1], threads_);
-  for_blocks(threads_, 2, 1, [&](std::size_t o, std::size_t, std::size_t) {
+  constexpr std::size_t kFew = 2048;  // untuned
+  const int threads = pairs.size() < kFew ? 1 : threads_;
+  for_blocks(threads, 2, 1, [&](std::size_t o, std::size_t, std::size_t) {
     add_edges(operands[o], table);
   });
   meet_pairs(operands[0], operands[1], pairs, table, segments, threads_);
@@ -126,7 +128,10 @@ std::span<const EdgeInFace> Arrangement::covers_of(std::size_t o,
 
 void Arrangement::index() {
   HALFSPACE_ASSERT(conforms_[0] && conforms_[1]);
-  for_blocks(threads_, 2, 1, [&](std::size_t o, std::size_t, std::size_t) {
+  constexpr std::size_t kFew = 8192;  // untuned
+  const std::size_t edges = operands[0].edges.size() + operands[1].edges.size();
+  const int threads = edges < kFew ? 1 : threads_;
+  for_blocks(threads, 2, 1, [&](std::size_t o, std::size_t, std::size_t) {
     sort_records(o);
     mark_touched(o);
   });
