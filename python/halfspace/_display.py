@@ -86,6 +86,9 @@ class View:
         Receives the share that is done, 0 to 1, of the tree that the first view
         makes; where it returns False the work stops. It must not ask anything
         of the display.
+    lazy : bool
+        Pictures build the tree where they look; the first of many polygons is
+        there sooner. What else is asked of the display builds all of it.
 
     Raises
     ------
@@ -118,6 +121,7 @@ class View:
     anti_aliasing: Union[int, Literal["area"]] = 1
     threads: int = 0
     progress: Optional[Progress] = field(default=None, compare=False)
+    lazy: bool = False
 
     def __post_init__(self) -> None:
         if not 0 <= self.alpha <= 255:

@@ -76,6 +76,7 @@ View view_from(const py::object& object) {
                            ? AntiAliasing::kExactArea
                            : AntiAliasing{anti_aliasing.cast<std::uint8_t>()};
   view.threads = object.attr("threads").cast<int>();
+  view.lazy = object.attr("lazy").cast<bool>();
   return view;
 }
 

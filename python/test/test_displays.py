@@ -364,3 +364,12 @@ def test_the_tree_of_a_view_may_be_stopped():
     with pytest.raises(Error) as caught:
         CutDisplay.of(display, progress=lambda share: False)
     assert caught.value.code is ErrorCode.STOPPED
+
+
+def test_a_lazy_view_has_the_same_picture():
+    part = Solid.sphere(1, 24) - Solid.box((0, 0, 0), (2, 2, 2))
+    view = View(width_px=64, height_px=48)
+    whole = Display.of(part).render(view)
+    lazy = Display.of(part).render(replace(view, lazy=True))
+    assert (lazy.ids == whole.ids).all() and (whole.ids >= 0).any()
+    assert (lazy.colors == whole.colors).all()
