@@ -170,42 +170,54 @@ Result<NpyColumn> npy_column(std::string_view bytes) {
   return column;
 }
 
+/// A kind of numbers: their size in bytes, and the number at a place.
+struct NpyKind {
+  std::string_view name;
+  std::size_t size;
+  double (*load)(std::string_view bytes, std::size_t at, ByteOrder order);
+};
+
 template <class T>
-Result<ScalarColumn> values_of(std::string_view bytes, const NpyColumn& npy) {
+NpyKind npy_kind(std::string_view name) {
+  return {name, sizeof(T),
+          [](std::string_view bytes, std::size_t at, ByteOrder order) {
+            return static_cast<double>(load<T>(bytes, at, order));
+          }};
+}
+
+Result<ScalarColumn> values_of(std::string_view bytes, const NpyColumn& npy,
+                               const NpyKind& kind) {
   const std::string_view values = bytes.substr(npy.start);
-  if (values.size() / sizeof(T) < npy.count) {
+  if (values.size() / kind.size < npy.count) {
     return Error{ErrorCode::kTruncated,
-                 "the file holds " + std::to_string(values.size() / sizeof(T)) +
+                 "the file holds " + std::to_string(values.size() / kind.size) +
                      " of " + std::to_string(npy.count) + " numbers"};
   }
-  if (values.size() != npy.count * sizeof(T))
+  if (values.size() != npy.count * kind.size)
     return Error{ErrorCode::kSyntax, "the file goes on after its numbers"};
   const ByteOrder order =
       npy.type[0] == '>' ? ByteOrder::kBig : ByteOrder::kLittle;
   ScalarColumn column;
   column.values.reserve(npy.count);
-  for (std::size_t k = 0; k < npy.count; ++k) {
-    column.values.push_back(
-        static_cast<double>(load<T>(values, k * sizeof(T), order)));
-  }
+  for (std::size_t k = 0; k < npy.count; ++k)
+    column.values.push_back(kind.load(values, k * kind.size, order));
   return column;
 }
 
 Result<ScalarColumn> parse_npy_column(std::string_view bytes) {
+  static const NpyKind kKinds[] = {
+      npy_kind<double>("f8"),        npy_kind<float>("f4"),
+      npy_kind<std::int8_t>("i1"),   npy_kind<std::int16_t>("i2"),
+      npy_kind<std::int32_t>("i4"),  npy_kind<std::int64_t>("i8"),
+      npy_kind<std::uint8_t>("u1"),  npy_kind<std::uint8_t>("b1"),
+      npy_kind<std::uint16_t>("u2"), npy_kind<std::uint32_t>("u4"),
+      npy_kind<std::uint64_t>("u8")};
   const Result<NpyColumn> npy = npy_column(bytes);
   if (!npy) return npy.error();
-  const std::string_view kind =
-      std::string_view(npy->type).substr(npy->type.empty() ? 0 : 1);
-  if (kind == "f8") return values_of<double>(bytes, *npy);
-  if (kind == "f4") return values_of<float>(bytes, *npy);
-  if (kind == "i1") return values_of<std::int8_t>(bytes, *npy);
-  if (kind == "i2") return values_of<std::int16_t>(bytes, *npy);
-  if (kind == "i4") return values_of<std::int32_t>(bytes, *npy);
-  if (kind == "i8") return values_of<std::int64_t>(bytes, *npy);
-  if (kind == "u1" || kind == "b1") return values_of<std::uint8_t>(bytes, *npy);
-  if (kind == "u2") return values_of<std::uint16_t>(bytes, *npy);
-  if (kind == "u4") return values_of<std::uint32_t>(bytes, *npy);
-  if (kind == "u8") return values_of<std::uint64_t>(bytes, *npy);
+  for (const NpyKind& kind : kKinds) {
+    if (!npy->type.empty() && npy->type.substr(1) == kind.name)
+      return values_of(bytes, *npy, kind);
+  }
   return Error{ErrorCode::kUnknownFormat,
                "scalars are floats or integers, not " + in_quotes(npy->type)};
 }
