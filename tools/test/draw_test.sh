@@ -24,7 +24,7 @@ for ending in pdf eps tex; do
   expect 0 ' regions' draw cubes.off -o "a.$ending" --lines regions
   [ -s "a.$ending" ] || wrong "a.$ending is empty"
 done
-head -c 8 a.pdf | grep -q '%PDF-1.4' || wrong "a.pdf is no PDF"
+head -c 8 a.pdf | grep >/dev/null '%PDF-1.4' || wrong "a.pdf is no PDF"
 expect 0 ' 1 regions' draw cubes.off -o none.svg --eye 900,0,0 --target 999,0,0
 expect 2 'one of .svg .pdf .eps .tex .dxf .hpgl' draw cubes.off -o a.bmp
 expect 2 'needs [0-9]* cells, and the limit is 3$' draw cubes.off -o b.svg --most-cells 3
@@ -213,7 +213,8 @@ for cap in hatch file part; do
   expect 0 ' regions' draw "$@" --cap $cap --alpha 0,0
   grep 'fill="#' two.svg | grep -v 'fill="#ffffff"' && wrong "a $cap is seen"
   expect 0 ' regions' draw "$@" --cap $cap --alpha 0,90
-  grep 'fill="#' two.svg | grep -qv 'fill="#ffffff"' || wrong "no $cap is seen"
+  grep 'fill="#' two.svg | grep -v 'fill="#ffffff"' >/dev/null ||
+    wrong "no $cap is seen"
 done
 expect 2 'needs --clip' draw cubes.off --cap hatch -o none.svg
 # Axes and notes are seen where nothing is before them.

@@ -58,7 +58,7 @@ for form in hsolid hsolid-text; do
 done
 # On standard input, for the commands that want polygons, and for info.
 expect 0 'volume     19' info ab.hsolid
-"$program" info - <form.hsolid | grep -q 'volume     19' || wrong 'info -'
+"$program" info - <form.hsolid | grep >/dev/null 'volume     19' || wrong 'info -'
 cat form.hsolid | "$program" csg 'X - translate(Y, 1, 0, 0)' X=- Y=- -o x.off -q ||
   wrong 'csg - twice'
 "$program" csg 'X - B' X=- B=b.off -o chain.hsolid <form.hsolid >out.txt ||
@@ -90,7 +90,7 @@ for format in off hsolid; do
     -o chained.$format
   same chained.$format whole.$format
 done
-python3 "${0%/*}/../../examples/read_solid.py" slit.hsolid | grep -q ' 22$' ||
+python3 "${0%/*}/../../examples/read_solid.py" slit.hsolid | grep >/dev/null ' 22$' ||
   wrong "read_solid.py: slit.hsolid"
 
 # Nor does it matter how often a solid is named, which is named first, or where

@@ -48,7 +48,7 @@ for format in off obj stl ply glb gltf scene; do
   "$program" csg union a.off b.off -o - --format $format >"piped.$format" ||
     wrong "-o - --format $format"
   same "direct.$format" "piped.$format"
-  "$program" info - <"piped.$format" | grep -q '^volume     15$' ||
+  "$program" info - <"piped.$format" | grep >/dev/null '^volume     15$' ||
     wrong "$format on standard input"
 done
 "$program" csg union - b.off -o piped.off -q <a.off || wrong 'csg union -'
