@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <span>
 
@@ -37,10 +36,7 @@ struct GridBox {
 BuildState::BuildState(const Scene& a_scene,
                        const DisplayTreeOptions& the_options,
                        KeptCells* the_cells)
-    : scene(a_scene),
-      options(the_options),
-      cells(the_cells),
-      most(std::ldexp(1.0, scene.grid_bits() - 1)) {
+    : scene(a_scene), options(the_options), cells(the_cells) {
   if (scene.data().vertices.empty()) return;
   GridBox box(scene.data().vertices.front());
   for (const GridPoint& p : scene.data().vertices) box.add(p);

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/threads.hpp"
@@ -40,8 +41,9 @@ class BuildState {
   KeptCells* cells;  ///< boxes that no splitter cuts, or null
   GridRange range;   ///< of the scene's vertices
   GridPoint origin;  ///< of the primitives' frame: the middle of the scene
-  /// Bounds the sizes of the coordinates of vertices and of free planes.
-  double most;
+  /// Bounds the sizes of the coordinates of vertices and of free planes: all of
+  /// the grid, where polygons may have moved.
+  double most = std::ldexp(1.0, scene.grid_bits() - 1);
   /// The area of the scene's box as seen from a random direction, on average;
   /// above 0. Units: squares of grid steps.
   double scene_size = 1;

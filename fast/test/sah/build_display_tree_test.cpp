@@ -11,6 +11,7 @@
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/moving.hpp"
+#include "sah/build_state.hpp"
 #include "sah/cell_tree.hpp"
 #include "scenes.hpp"
 #include "tree/scene_planes.hpp"
@@ -88,6 +89,17 @@ TEST(DisplayTree, CutsAreAsSureOnAGridThatTheSceneTakesLittleOf) {
   const BspTree papers = build(on_grid(scene, 40), {});
   EXPECT_TRUE(same_bytes(papers.cut_vertices,
                          build(on_grid(scene, 54), {}).cut_vertices));
+}
+
+TEST(DisplayTree, BoundsHoldForWhatHasMoved) {
+  const Scene scene = on_grid(strewn(10, 1 << 10, 26), 54);
+  const DisplayTreeOptions options;
+  const BuildState before(scene, options);
+  EXPECT_LT(before.most, 0x1p27);
+  SceneData data = scene.data();
+  for (GridPoint& p : data.vertices) p.x += std::int64_t{1} << 50;
+  const Scene moved = made(std::move(data));
+  EXPECT_EQ(BuildState(moved, before).most, 0x1p53);
 }
 
 TEST(DisplayTree, OfNothingHasNoNodes) {
