@@ -167,13 +167,24 @@ TYPED_TEST(S10Sections, L1TheImageIsThatOfTheSceneCutBeforehand) {
   EXPECT_GT(changed, 15u);
 }
 
-/// Calls the property for views of closed scenes with clip planes and caps.
+/// Calls the property for views of closed scenes with clip planes and caps. In
+/// three of four of those that had no planes the eye is on the side of the first
+/// one that is cut away: most caps are seen from there.
 void for_all_capped(const std::function<void(const SceneFile&)>& property) {
   law::for_all(closed_views(), kClippedViews, [&](const SceneFile& whole) {
     if (!bad_edges(whole.scene).empty()) return;
     SceneFile view = clipped(whole);
     if (!view.options.caps)
       view.options.caps = CapStyle{{9, 8, 7}, Rgb{1, 2, 3}};
+    std::vector<ClipPlane>& planes = view.options.clips;
+    if (whole.options.clips.empty() && !planes.empty() &&
+        seed_of(view) / 2 % 4 != 0 &&
+        definition::side_of_eye(to_plane(planes[0]), *view.camera) > 0) {
+      const ClipPlane& first = planes[0];
+      const ClipPlane other = {-first.a, -first.b, -first.c, -first.d};
+      if (std::find(planes.begin(), planes.end(), other) == planes.end())
+        planes[0] = other;
+    }
     property(view);
   });
 }
