@@ -147,11 +147,14 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
     };
     TileBuffer buffer(rectangle, bands[b], result,
                       leaves && pass.order == Order::kFrontToBack);
+    if (pass.means != nullptr) buffer.add_up(pass.samples);
     found[b] = with_grid(scene.grid_bits(), [&](auto bits) {
       return pass.order == Order::kFrontToBack
                  ? render_band<bits()>(frame, buffer, pass.lazy)
                  : paint_band<bits()>(frame, buffer, pass.lazy, add_under);
     });
+    if (pass.means != nullptr)
+      frame.kernel.write_means(buffer.view(), &pass.means->r);
   };
   if (threads == 1) {
     one(0);

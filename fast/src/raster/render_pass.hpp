@@ -12,13 +12,17 @@ enum class Order : std::uint8_t { kFrontToBack, kBackToFront };
 
 /// In which order a tree is displayed, what of a polygon is not seen through,
 /// how many samples a pixel has each way, the caps' changes where those of all
-/// rows are known, and of which lazy tree it is the root, if of one.
+/// rows are known, of which lazy tree it is the root, if of one, and where the
+/// means of samples go, if they are drawn in place of images: those of the
+/// rectangle's pixels, row by row. All colours are flat then, and no sample
+/// shows a cap.
 struct Pass {
   Order order = Order::kFrontToBack;
   std::uint8_t alpha = kOpaque;
   int samples = 1;
   const CapChanges* caps = nullptr;
   const LazyTree::State* lazy = nullptr;
+  Rgb* means = nullptr;
 };
 
 /// Lazy trees are not part of the module for the web, for its size.

@@ -19,12 +19,16 @@ namespace {
 /// cache of 2 MiB.
 constexpr std::int32_t kStripSamples = 1 << 18;
 
-/// Whether means of flat colours are made of colours, not of items: not in a
-/// module for the web, of whose size that is a kilobyte.
+/// Where colours are added up, so many pixels are decided together: their sums
+/// are 6 bytes each.
+constexpr std::int32_t kStripPixels = 1 << 18;
+
+/// Whether flat colours of samples are added up as they are drawn: not in a
+/// module for the web, for its size.
 #if defined(__wasm__)
-constexpr bool kMeansOfColors = false;
+constexpr bool kAddsUp = false;
 #else
-constexpr bool kMeansOfColors = true;
+constexpr bool kAddsUp = true;
 #endif
 
 class SampledImage {
@@ -46,33 +50,34 @@ class SampledImage {
         lazy_(lazy) {
     const bool has_caps = image.caps && !image.clips.empty();
     if (has_caps) find_caps();
-    by_colors_ = kMeansOfColors && samples > 1 && !has_caps && options.colors &&
-                 !options.items && is_flat();
+    adds_up_ = kAddsUp && samples > 1 && !has_caps && options.colors &&
+               !options.items && is_flat();
   }
+
+  bool adds_up() const { return adds_up_; }
 
   /// Fills lines from `top` up to `bottom` of the rectangle.
   void fill(std::int32_t top, std::int32_t bottom, Rendering& strip) {
     RenderOptions own = options_;
     own.threads = 1;
-    own.items = !by_colors_;
-    own.colors = by_colors_;
+    own.items = !adds_up_;
+    own.colors = false;
     own.rectangle = Rectangle{rectangle_.left * samples_, top * samples_,
                               rectangle_.right * samples_, bottom * samples_};
     Pass pass;
     pass.samples = samples_;
     pass.caps = image_.caps ? &caps_ : nullptr;
     pass.lazy = lazy_;
+    const std::int32_t line = top - rectangle_.top;
+    if (adds_up_) pass.means = &result_.colors.at(0, line);
     run(scene_, tree_, camera_, image_, own, pass, strip);
     const std::int64_t stride = own.rectangle->right - own.rectangle->left;
-    const std::int32_t line = top - rectangle_.top;
     if (options_.items) {
       std::copy(strip.items.pixels.begin(), strip.items.pixels.end(),
                 result_.items.pixels.begin() + line * samples_ * stride);
     }
     FilterStats stats = strip.decisions;
-    if (by_colors_) {
-      fill_by_colors(top, bottom, strip.colors);
-    } else if (options_.colors) {
+    if (options_.colors && !adds_up_) {
       SampleMeans means(reader_, view_, camera_.data(), image_,
                         best_kernel(options_.simd));
       for (std::int32_t j = top; j < bottom; ++j) {
@@ -91,17 +96,6 @@ class SampledImage {
   }
 
  private:
-  void fill_by_colors(std::int32_t top, std::int32_t bottom,
-                      const ColorImage& strip) {
-    if constexpr (kMeansOfColors) {
-      const std::int64_t stride = strip.width_px;
-      ColorMeans means(samples_, best_kernel(options_.simd));
-      for (std::int32_t j = top; j < bottom; ++j) {
-        means.row(strip.pixels.data() + (j - top) * samples_ * stride, stride,
-                  &result_.colors.at(0, j - rectangle_.top));
-      }
-    }
-  }
   /// Whether the colour of each polygon is one, a whole number.
   bool is_flat() const {
     if (image_.shading == Shading::kFlat) return true;
@@ -134,7 +128,7 @@ class SampledImage {
   std::int32_t samples_;
   const LazyTree::State* lazy_;
   CapChanges caps_;
-  bool by_colors_ = false;
+  bool adds_up_ = false;
   Mutex mutex_;
 };
 
@@ -160,9 +154,16 @@ Rendering run_samples(const Scene& scene, const BspTree& tree,
   if (options.colors) result.colors = ColorImage(width, height, Rgb{});
   SampledImage sampled(scene, tree, camera, image, samples, options, rectangle,
                        lazy, result);
+  std::int32_t pixels = kStripSamples / (samples * samples);
+  if (sampled.adds_up()) {
+    // Some for each thread.
+    const std::int64_t share = std::int64_t{width} * height / (2 * threads);
+    pixels = kStripPixels;
+    if (threads > 1 && share < pixels)
+      pixels = std::max(pixels / 16, static_cast<std::int32_t>(share));
+  }
   // Whole rows of tiles: 8 samples high.
-  const std::int32_t lines =
-      std::max(8, kStripSamples / (width * samples * samples) / 8 * 8);
+  const std::int32_t lines = std::max(8, pixels / width / 8 * 8);
   const std::int32_t strips = (height + lines - 1) / lines;
   const auto fill = [&](std::int32_t s, Rendering& strip) {
     const std::int32_t top = rectangle.top + s * lines;

@@ -402,43 +402,4 @@ std::uint8_t SampleMeans::exact_mean(std::size_t channel,
   return rounded_channel(sum / (samples_ * samples_));
 }
 
-void ColorMeans::row(const Rgb* colors, std::int64_t stride, Rgb* means) {
-  static_assert(sizeof(Rgb) == 3);
-  const std::uint8_t* channels = &colors->r;
-  const auto length = 3 * static_cast<std::size_t>(stride);
-  sums_.resize(length);
-  if (kernel_.color_means != nullptr) {
-    return kernel_.color_means(channels, length, samples_, sums_.data(),
-                               &means->r);
-  }
-  switch (samples_) {
-    case 2:
-      return fill_row<2>(channels, length, &means->r);
-    case 4:
-      return fill_row<4>(channels, length, &means->r);
-    default:
-      return fill_row<8>(channels, length, &means->r);
-  }
-}
-
-/// 64 channels fill 14 of 16 bits.
-template <std::int32_t kSamples>
-void ColorMeans::fill_row(const std::uint8_t* channels, std::size_t stride,
-                          std::uint8_t* means) {
-  std::uint16_t* sums = sums_.data();
-  for (std::size_t k = 0; k < stride; ++k) {
-    unsigned sum = 0;
-    for (std::size_t b = 0; b < kSamples; ++b) sum += channels[b * stride + k];
-    sums[k] = static_cast<std::uint16_t>(sum);
-  }
-  constexpr unsigned kCount = kSamples * kSamples;
-  for (std::size_t k = 0; k < stride; k += 3 * kSamples, means += 3) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      unsigned sum = kCount / 2;
-      for (std::size_t a = 0; a < kSamples; ++a) sum += sums[k + 3 * a + c];
-      means[c] = static_cast<std::uint8_t>(sum / kCount);
-    }
-  }
-}
-
 }  // namespace halfspace::fast

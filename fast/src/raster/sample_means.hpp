@@ -108,26 +108,4 @@ class SampleMeans {
   Rgb last_color_;
 };
 
-/// The colours of pixels, as means of those of their samples where all of these
-/// are whole numbers (S5.7).
-class ColorMeans {
- public:
-  /// Requires: samples is 2, 4 or 8.
-  ColorMeans(std::int32_t samples, const TileKernel& kernel)
-      : samples_(samples), kernel_(kernel) {}
-
-  /// A row of pixels: their samples begin at `colors`, a line every `stride`,
-  /// which is the number of them in a line.
-  void row(const Rgb* colors, std::int64_t stride, Rgb* means);
-
- private:
-  template <std::int32_t kSamples>
-  void fill_row(const std::uint8_t* channels, std::size_t stride,
-                std::uint8_t* means);
-
-  std::int32_t samples_;
-  const TileKernel& kernel_;
-  std::vector<std::uint16_t> sums_;  ///< of each column of samples
-};
-
 }  // namespace halfspace::fast

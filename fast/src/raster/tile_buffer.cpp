@@ -75,7 +75,8 @@ std::size_t TileMemory::bytes() const {
   return lit.capacity() * sizeof(lit[0]) + open.capacity() * sizeof(open[0]) +
          mask_lists.capacity() * sizeof(mask_lists[0]) +
          leaf_of.capacity() * sizeof(leaf_of[0]) + room(before) +
-         room(touched) + room(masks) + room(sources) + room(gradients);
+         room(touched) + room(masks) + room(sources) + room(gradients) +
+         sums.capacity() * sizeof(sums[0]);
 }
 
 TileBuffer::TileBuffer(const Rectangle& rectangle, PixelRange lines,
@@ -116,6 +117,14 @@ TileBuffer::TileBuffer(const Rectangle& rectangle, PixelRange lines,
 
 TileBuffer::~TileBuffer() {
   if (memory_->bytes() <= kMostSpare) spare = std::move(memory_);
+}
+
+void TileBuffer::add_up(std::int32_t samples) {
+  const std::size_t tiles = memory_->lit.size() / kTileHeight;
+  memory_->sums.assign(tiles * static_cast<std::size_t>(sums_per_tile(samples)),
+                       0);
+  view_.sums = memory_->sums.data();
+  view_.samples = samples;
 }
 
 void grow_masks(MaskPool& pool) {

@@ -55,6 +55,7 @@ struct TileMemory : LitMemory {
   Array<CoverageMask> masks;
   Array<PixelSource> sources;
   Array<Gradient> gradients;
+  std::vector<std::uint16_t> sums;
   alignas(32) std::int32_t tile_items[kTileWidth * kTileHeight] = {};
   alignas(32) std::uint8_t tile_colors[3 * kTileWidth * kTileHeight] = {};
 };
@@ -71,6 +72,10 @@ class TileBuffer {
   TileBuffer& operator=(const TileBuffer&) = delete;
 
   TileView& view() { return view_; }
+
+  /// From here on colours of so many samples a pixel each way are added up.
+  /// Requires: there are no images.
+  void add_up(std::int32_t samples);
 
   /// From here to TileKernel::leave_leaf() fragments may hide each other in any
   /// order.

@@ -289,13 +289,14 @@ TEST(FastRender, SmoothColorsAreTheSameByAllInstructions) {
                        middle.y + between(-kReach, kReach),
                        middle.z + between(-kReach, kReach)};
     };
-    add_polygon(data, {corner(), corner(), corner()});
-    for (int c = 0; c < 3; ++c) {
+    const auto color = [&] {
       const auto channel = [&] {
         return static_cast<std::uint8_t>(between(0, 255));
       };
-      data.corner_colors.push_back({channel(), channel(), channel()});
-    }
+      return Rgb{channel(), channel(), channel()};
+    };
+    add_polygon(data, {corner(), corner(), corner()}, color());
+    for (int c = 0; c < 3; ++c) data.corner_colors.push_back(color());
   }
   const Scene scene = made(std::move(data));
   const BspTree tree = build_display_tree(scene);

@@ -8,11 +8,14 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "raster/kernel/tile_kernel.hpp"
 #include "raster/pixel_gradient.hpp"
+#include "scenes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -20,43 +23,80 @@ namespace {
 constexpr std::array kKernelLevels = {SimdLevel::kPortable, SimdLevel::kAvx2,
                                       SimdLevel::kAvx512};
 
+/// Two triangles that cross, of the greatest colour and of a small one, before
+/// a background of the greatest.
 TEST(PixelMeans, ColorsAreAddedUpByEachKernel) {
-  std::mt19937 random(7);
+  constexpr std::int64_t kSide = 1 << 20;
+  SceneData data;
+  add_polygon(data, {{-kSide, -kSide, -kSide / 9},
+                     {kSide, -kSide / 3, kSide / 7},
+                     {-kSide / 2, kSide, kSide / 5}});
+  add_polygon(data, {{-kSide, kSide / 2, -kSide / 3},
+                     {kSide, kSide / 3, -kSide / 8},
+                     {kSide / 3, -kSide, kSide / 2}});
+  data.colors = {{255, 255, 255}, {1, 2, 3}};
+  const Scene scene = made(std::move(data));
+  const BspTree tree = build_display_tree(scene);
+  constexpr std::int32_t kWide = 75;
+  constexpr std::int32_t kHigh = 61;
+  CameraData seen;
+  seen.eye = {0, 0, -4 * 256 * kSide};
+  seen.s0 = {-256 * kSide, -256 * kSide, 0};
+  seen.sx = {512 * kSide / kWide, 0, 0};
+  seen.sy = {0, 512 * kSide / kHigh, 0};
+  seen.width_px = kWide;
+  seen.height_px = kHigh;
+  const Camera camera = *make_camera(seen, 26);
+  ImageOptions look;
+  look.shading = Shading::kFlat;
+  look.background = {255, 255, 255};
+  const std::array<Rgb, 3> colors = {look.background, scene.color(0),
+                                     scene.color(1)};
   for (const std::int32_t samples : {2, 4, 8}) {
-    for (const std::int32_t pixels : {1, 5, 37}) {
-      const std::int32_t stride = pixels * samples;
-      std::vector<Rgb> colors(static_cast<std::size_t>(stride * samples));
-      for (Rgb& color : colors) {
-        // Greatest sums, too.
-        const auto channel = [&] {
-          return static_cast<std::uint8_t>(pixels == 1 ? 255 : random() % 256);
-        };
-        color = {channel(), channel(), channel()};
+    const ItemImage items =
+        render_samples(scene, tree, camera, look, samples, {}).items;
+    const auto mean_at = [&](std::int32_t i, std::int32_t j) {
+      std::array<int, 3> sum = {};
+      for (std::int32_t k = 0; k < samples * samples; ++k) {
+        const PolygonId item =
+            items.at(i * samples + k % samples, j * samples + k / samples);
+        const Rgb& one = colors[static_cast<std::size_t>(item + 1)];
+        sum[0] += one.r;
+        sum[1] += one.g;
+        sum[2] += one.b;
       }
+      const auto mean = [&](std::size_t c) {
+        const int count = samples * samples;
+        return static_cast<std::uint8_t>((2 * sum[c] + count) / (2 * count));
+      };
+      return Rgb{mean(0), mean(1), mean(2)};
+    };
+    std::size_t mixed = 0;
+    for (const Rectangle& part :
+         {Rectangle{0, 0, kWide, kHigh}, Rectangle{1, 3, 74, 60},
+          Rectangle{9, 5, 13, 11}, Rectangle{37, 30, 38, 31}}) {
       for (const SimdLevel level : kKernelLevels) {
-        std::vector<Rgb> means(static_cast<std::size_t>(pixels));
-        ColorMeans(samples, best_kernel(level))
-            .row(colors.data(), stride, means.data());
-        for (std::int32_t i = 0; i < pixels; ++i) {
-          std::array<int, 3> sum = {};
-          for (std::int32_t k = 0; k < samples * samples; ++k) {
-            const Rgb& one = colors[static_cast<std::size_t>(
-                k / samples * stride + i * samples + k % samples)];
-            sum[0] += one.r;
-            sum[1] += one.g;
-            sum[2] += one.b;
+        for (const int threads : {1, 3}) {
+          RenderOptions how;
+          how.items = false;
+          how.threads = threads;
+          how.simd = level;
+          how.rectangle = part;
+          const Rendering drawn =
+              render_samples(scene, tree, camera, look, samples, how);
+          EXPECT_TRUE(drawn.items.pixels.empty());
+          for (std::int32_t j = part.top; j < part.bottom; ++j) {
+            for (std::int32_t i = part.left; i < part.right; ++i) {
+              const Rgb mean = mean_at(i, j);
+              ASSERT_EQ(drawn.colors.at(i - part.left, j - part.top), mean)
+                  << samples << ' ' << i << ' ' << j;
+              mixed += mean.r != 255 && mean.r != 1 ? 1 : 0;
+            }
           }
-          const auto mean = [&](std::size_t c) {
-            const int count = samples * samples;
-            return static_cast<std::uint8_t>((2 * sum[c] + count) /
-                                             (2 * count));
-          };
-          const Rgb expected = {mean(0), mean(1), mean(2)};
-          ASSERT_EQ(means[static_cast<std::size_t>(i)], expected)
-              << samples << ' ' << pixels << ' ' << i;
         }
       }
     }
+    EXPECT_GT(mixed, 100u);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "raster/kernel/generic/scalar_pixels.hpp"
+#include "raster/kernel/generic/scalar_sums.hpp"
 #include "raster/kernel/generic/tile_rows.hpp"
 #include "raster/kernel/tile_kernel.hpp"
 
@@ -41,7 +42,7 @@ inline Words8 operator|(const Words8& a, const Words8& b) {
 }
 
 /// What the loops of generic/ take from any processor.
-struct PortableSimd : ScalarPixels {
+struct PortableSimd : ScalarPixels, ScalarSums {
   using Doubles8 = fast::Doubles8;
   using Words8 = fast::Words8;
 

@@ -105,14 +105,14 @@ struct TileKernel {
   /// many there were.
   std::int64_t (*fill_rest)(TileView& screen, const PixelSource& source);
 
-  // Means of 2 x 2, 4 x 4 or 8 x 8 samples (S5.7); null: there are no such
-  // loops, and ColorMeans and SampleMeans have their own.
+  /// Writes the means of all pixels of the screen's columns and lines, where
+  /// samples' colours were added up (TileImages::sums); all of them are lit.
+  /// The first pixel of the columns, of line `top`, is at `means`.
+  void (*write_means)(const TileView& screen, std::uint8_t* means);
 
-  /// Means of whole colours, 3 channels each: a row of pixels, whose lines of
-  /// samples begin every `stride` channels. `sums` is as long as such a line.
-  void (*color_means)(const std::uint8_t* channels, std::size_t stride,
-                      std::int32_t samples, std::uint16_t* sums,
-                      std::uint8_t* means) = nullptr;
+  // Means of 2 x 2, 4 x 4 or 8 x 8 samples (S5.7); null: there are no such
+  // loops, and SampleMeans has its own.
+
   /// Means of `count` pixels that see one smooth polygon, the first of which
   /// begins at sample (i, j). Returns how many of them, from the first on, are
   /// decided and written.
@@ -140,7 +140,8 @@ constexpr TileKernel table_of() {
           Kernel::any_unlit,
           Kernel::box_visibility,
           Kernel::leave_leaf,
-          Kernel::fill_rest};
+          Kernel::fill_rest,
+          Kernel::write_means};
 }
 
 extern const TileKernel kPortableKernel;

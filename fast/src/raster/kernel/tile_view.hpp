@@ -10,6 +10,11 @@ namespace halfspace::fast {
 constexpr std::int32_t kTileWidth = 32;
 constexpr std::int32_t kTileHeight = 8;
 
+/// How many sums of channels a tile has for so many samples each way.
+constexpr std::int32_t sums_per_tile(std::int32_t samples) {
+  return samples == 8 ? 16 : 3 * kTileWidth * kTileHeight / (samples * samples);
+}
+
 /// The id and the colours of a polygon, where it lights pixels.
 ///
 /// Whole words: bytes that are written one by one are slow to read together.
@@ -97,7 +102,7 @@ struct LitTiles {
   std::uint32_t* lit = nullptr;   ///< 8 words a tile, tile by tile
   std::uint64_t* open = nullptr;  ///< one bit a tile: some pixel is unlit
   std::int64_t open_tiles = 0;    ///< how many of those bits are set
-  std::int64_t touches = 0;  ///< how often a polygon lit pixels of a tile
+  std::int64_t touches = 0;       ///< how often a polygon lit pixels of a tile
 
   [[gnu::always_inline]] std::int64_t tile_at(std::int32_t row,
                                               std::int32_t tile) const {
@@ -117,9 +122,18 @@ struct TileImages {
   std::uint8_t* colors = nullptr;  ///< null: not wanted
   std::int64_t width = 0;          ///< of the images
   bool overwrite = false;  ///< back to front: paint the lit pixels at once
+  /// In place of images: the sums of the colours of each pixel's samples, all
+  /// of which are flat, tile by tile; null: not wanted. Not back to front.
+  std::uint16_t* sums = nullptr;
+  std::int32_t samples = 1;  ///< of a pixel, each way
   /// Where a tile is put together, line by line.
   std::int32_t* tile_items = nullptr;
   std::uint8_t* tile_colors = nullptr;
+
+  /// The sums of a tile.
+  [[gnu::always_inline]] std::uint16_t* sums_of(std::int64_t index) const {
+    return sums + index * sums_per_tile(samples);
+  }
 
   /// Where a pixel is in the images.
   [[gnu::always_inline]] std::int64_t pixel_at(std::int32_t x,
@@ -149,8 +163,8 @@ struct MaskPool {
   const std::uint8_t* corner_colors = nullptr;
   /// The colours of the polygon that is drawn, where the kernel knows them.
   const Gradient* gradient = nullptr;
-  std::int32_t last_source = kNone;     ///< the last that was kept
-  TileMemory* memory = nullptr;         ///< where all this lies
+  std::int32_t last_source = kNone;  ///< the last that was kept
+  TileMemory* memory = nullptr;      ///< where all this lies
 };
 
 /// Make room for more.

@@ -12,6 +12,9 @@ namespace {
 
 /// What the loops of generic/ take from WebAssembly.
 struct Wasm128Simd : Registers, ScalarPixels {
+  /// Means are made of items: sums would be more code.
+  static constexpr bool kAddsUp = false;
+
   /// Writes a colour into pixels of a tile.
   static void put_runs(const TileView& screen, std::int32_t x, std::int32_t y,
                        const Words8& pixels, std::uint32_t packed) {

@@ -219,7 +219,7 @@ struct CoverageMerge : TileWrite<Simd> {
                           const PixelSource& source) {
     const std::int32_t x = tile * kTileWidth;
     const std::int32_t y = row * kTileHeight;
-    if (source.smooth()) {
+    if (source.smooth() || Write::adds_up(screen)) {
       for (std::int32_t k = 0; k < count; ++k) {
         paint(screen, x + k * kTileWidth, y, every(), source);
       }

@@ -54,7 +54,9 @@ struct SmallPolygons : Base {
                           Words8 cover, const PixelSource& source) {
     const Words8 painted = light_in_leaf(screen, row, tile, cover);
     if (!any(painted)) return;
-    if (screen.recent_masks <= kManyMasks * screen.recent_tiles) {
+    // What is added up cannot be written over.
+    if (screen.recent_masks <= kManyMasks * screen.recent_tiles &&
+        !Base::adds_up(screen)) {
       paint_at_once(screen, row, tile, painted, source);
     } else {
       keep_mask(screen, screen.tile_at(row, tile), painted, source);

@@ -276,6 +276,38 @@ struct TileRows : CoverageMerge<Simd> {
     }
     return count;
   }
+
+  /// Writes the means of the pixels whose samples are on the screen, where they
+  /// are added up. The first is at `means`.
+  static void write_means(const TileView& screen, std::uint8_t* means) {
+    if constexpr (Simd::kAddsUp) {
+      const std::int32_t samples = screen.samples;
+      // Of pixels, from the first pixel of the image on.
+      const auto within = [samples](PixelRange range, std::int32_t first,
+                                    std::int32_t size) {
+        return PixelRange{scalar::most(range.first - first, 0) / samples,
+                          scalar::least(range.end - first, size) / samples};
+      };
+      const std::int64_t stride =
+          3 * ((screen.columns.end - screen.columns.first) / samples);
+      const std::int32_t first_tile = screen.columns.first / kTileWidth;
+      const std::int32_t last_tile = (screen.columns.end - 1) / kTileWidth;
+      const std::int32_t last_row = (screen.lines.end - 1) / kTileHeight;
+      for (std::int32_t row = screen.lines.first / kTileHeight; row <= last_row;
+           ++row) {
+        const std::int32_t y = row * kTileHeight;
+        const PixelRange rows = within(screen.lines, y, kTileHeight);
+        for (std::int32_t tile = first_tile; tile <= last_tile; ++tile) {
+          const std::int32_t x = tile * kTileWidth;
+          std::uint8_t* to = means + (y - screen.top) / samples * stride +
+                             3 * ((x - screen.columns.first) / samples);
+          Simd::write_tile_means(screen.sums_of(screen.tile_at(row, tile)),
+                                 samples, within(screen.columns, x, kTileWidth),
+                                 rows, to, stride);
+        }
+      }
+    }
+  }
 };
 
 }  // namespace halfspace::fast

@@ -14,6 +14,11 @@ struct TileWrite : Shade<Simd> {
   using Simd::every, Simd::flat_color, Simd::load, Simd::none, Simd::some_of;
   using Simd::store, Simd::store_colors, Simd::store_items, Simd::write_flat;
   using typename Simd::FlatColor, typename Simd::Words8;
+  /// Whether colours of samples are added up.
+  static bool adds_up(const TileView& screen) {
+    return Simd::kAddsUp && screen.sums != nullptr;
+  }
+
   using Shade<Simd>::put_smooth;
 
   /// The colours of a tile in the image.
@@ -66,6 +71,14 @@ struct TileWrite : Shade<Simd> {
   /// Writes `source` into the pixels of a tile.
   static void paint(const TileView& screen, std::int32_t x, std::int32_t y,
                     Words8 pixels, const PixelSource& source) {
+    if constexpr (Simd::kAddsUp) {
+      if (screen.sums != nullptr) {
+        const std::int64_t index =
+            screen.tile_at(y / kTileHeight, x / kTileWidth);
+        return Simd::add_color(screen.sums_of(index), screen.samples, pixels,
+                               source.color);
+      }
+    }
     alignas(32) std::uint32_t bits[kTileHeight];
     store(bits, pixels);
     const std::uint32_t rows = some_of(pixels);
@@ -319,11 +332,34 @@ struct TileWrite : Shade<Simd> {
     }
   }
 
+  /// Adds up the colours of what is `at_hand`, if there is a source for it, and
+  /// of the masks of a tile; what was lit later hides the earlier.
+  static void add_tile(TileView& screen, std::int64_t index, Words8 at_hand,
+                       const PixelSource* source) {
+    if constexpr (Simd::kAddsUp) {
+      std::uint16_t* sums = screen.sums_of(index);
+      Words8 rest = every();
+      if (source != nullptr) {
+        Simd::add_color(sums, screen.samples, at_hand, source->color);
+        rest = and_not(rest, at_hand);
+      }
+      std::int32_t place = screen.mask_lists[index].newest;
+      for (; place != kNone; place = screen.masks[place].next) {
+        const CoverageMask& mask = screen.masks[place];
+        const Words8 lit = load(mask.lit);
+        Simd::add_color(sums, screen.samples, lit & rest, mask.color);
+        rest = and_not(rest, lit);
+      }
+    }
+    free_masks(screen, index);
+  }
+
   /// Writes the masks of a tile, and what is `at_hand` if there is an
   /// source for it.
   static void write_tile(TileView& screen, std::int64_t index, std::int32_t x,
                          std::int32_t y, Words8 at_hand,
                          const PixelSource* source) {
+    if (adds_up(screen)) return add_tile(screen, index, at_hand, source);
     const MaskList masks = screen.mask_lists[index];
     const Target target = target_of(screen, x, y);
     const bool whole = target.whole && masks.written == 0;

@@ -4,18 +4,14 @@
 
 #include <cstdint>
 
-#if defined(__AVX512VBMI__)
-#include "raster/kernel/x86/color_store_avx512.hpp"
-#else
-#include "raster/kernel/x86/color_store_avx2.hpp"
-#endif
 #include "raster/kernel/tile_view.hpp"
+#include "raster/kernel/x86/color_sums.hpp"
 
 namespace halfspace::fast {
 namespace {
 
 /// Tiles of flat colours.
-struct FlatFill : ColorStore {
+struct FlatFill : ColorSums {
   /// Writes a colour into pixels of a tile.
   static void put_runs(const TileView& screen, std::int32_t x, std::int32_t y,
                        Words8 pixels, std::uint32_t packed) {

@@ -19,20 +19,6 @@ struct PixelMeans {
     return _mm256_andnot_pd(broadcast(-0.0), v);
   }
 
-  /// Sums of rows of samples, then of those of a pixel in each.
-  static void color_means(const std::uint8_t* channels, std::size_t stride,
-                          std::int32_t samples, std::uint16_t* sums,
-                          std::uint8_t* means) {
-    switch (samples) {
-      case 2:
-        return color_means<2>(channels, stride, sums, means);
-      case 4:
-        return color_means<4>(channels, stride, sums, means);
-      default:
-        return color_means<8>(channels, stride, sums, means);
-    }
-  }
-
   /// Of `count` pixels that see one polygon, from sample (i, j) on; returns how
   /// many of them, from the first on, are decided.
   static std::int32_t full_means(const Gradient& gradient, std::int32_t samples,
@@ -80,42 +66,6 @@ struct PixelMeans {
     to[0] = static_cast<std::uint8_t>(color);
     to[1] = static_cast<std::uint8_t>(color >> 8);
     to[2] = static_cast<std::uint8_t>(color >> 16);
-  }
-
-  template <std::size_t kSamples>
-  static void color_means(const std::uint8_t* channels, std::size_t stride,
-                          std::uint16_t* sums, std::uint8_t* means) {
-    for (std::size_t k = 0; k < stride; ++k) {
-      unsigned sum = 0;
-      for (std::size_t b = 0; b < kSamples; ++b)
-        sum += channels[b * stride + k];
-      sums[k] = static_cast<std::uint16_t>(sum);
-    }
-    constexpr std::uint64_t kCount = kSamples * kSamples;
-    constexpr std::uint64_t kOne = 0x0001000100010001;
-    constexpr int kShift = kSamples == 2 ? 2 : kSamples == 4 ? 4 : 6;
-    for (std::size_t k = 0; k < stride; k += 3 * kSamples, means += 3) {
-      // Three channels are 48 bits: words are shifted to the first sample.
-      std::uint64_t sum = kCount / 2 * kOne;
-      if constexpr (kSamples == 2) {
-        std::uint64_t first;
-        std::uint32_t last;
-        std::memcpy(&first, sums + k, 8);
-        std::memcpy(&last, sums + k + 4, 4);
-        sum += first + (first >> 48 | std::uint64_t{last} << 16);
-      } else {
-        for (std::size_t a = 0; a < kSamples; a += 4) {
-          std::uint64_t word[3];
-          std::memcpy(word, sums + k + 3 * a, sizeof(word));
-          sum += word[0] + (word[0] >> 48 | word[1] << 16) +
-                 (word[1] >> 32 | word[2] << 32) + (word[2] >> 16);
-        }
-      }
-      sum >>= kShift;
-      means[0] = static_cast<std::uint8_t>(sum);
-      means[1] = static_cast<std::uint8_t>(sum >> 16);
-      means[2] = static_cast<std::uint8_t>(sum >> 32);
-    }
   }
 
   /// rounded_mean() of four sums: the bits of those that are decided.
@@ -261,7 +211,6 @@ struct PixelMeans {
 
 /// The table, with means.
 constexpr TileKernel with_means(TileKernel kernel) {
-  kernel.color_means = PixelMeans::color_means;
   kernel.full_means = PixelMeans::full_means;
   kernel.mixed_mean = PixelMeans::mixed_mean;
   return kernel;
