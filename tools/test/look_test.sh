@@ -93,6 +93,19 @@ done
 expect 0 'span' render cube.off --size 24x18 --aa 2 -o bare.png --ids bare.npy
 same fast.npy bare.npy
 cmp -s fast.png bare.png && wrong "--lines changes nothing"
+# Over a section they are those of what is left, and of the caps.
+cut=(--size 24x18 --lines features --clip 1,1,0,-0.9)
+for caps in "" "--cap hatch"; do
+  # shellcheck disable=SC2086
+  expect 0 'span' render cube.off "${cut[@]}" $caps -o fast-cut.png
+  # shellcheck disable=SC2086
+  expect 0 'span' render cube.off "${cut[@]}" $caps --impl ref -o ref-cut.png
+  same fast-cut.png ref-cut.png
+  cmp -s fast-cut.png fast.png && wrong "--clip leaves lines as they are"
+done
+expect 0 'span' render cube.off --size 24x18 --clip 1,1,0,-0.9 --cap hatch \
+  -o no-lines.png
+cmp -s no-lines.png fast-cut.png && wrong "a section has no lines"
 expect 0 'span' render cubes.off "${size[@]}" --lines outline -o outline.png
 expect 0 'span' render cubes.off "${size[@]}" --lines features -o features.png
 cmp -s outline.png features.png && wrong "creases are no outline"
@@ -118,8 +131,6 @@ for light in "--light 1,0,0" "--light 1,0,0 --light 0,1,0,0.5" \
 done
 expect 2 'needs --lines' render cubes.off --line-width 2 -o no.png
 expect 2 '0.0625 to 256' render cubes.off --lines wire --line-width 0 -o no.png
-expect 2 'leave out --clip' render cubes.off --lines wire --clip 1,0,0,0 \
-  -o no.png
 expect 2 'background to stand on' render cubes.off --lines wire \
   --background none -o no.png
 expect 2 'maybe a strength' render cubes.off --light 1,2,3,-1 -o no.png

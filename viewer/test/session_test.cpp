@@ -406,17 +406,27 @@ TEST_F(ViewerSession, LinesAreDrawnOverThePicture) {
   const auto shown = session.shown();
   ASSERT_TRUE(shown && shown->finished);
   EXPECT_NE(shown->finished, plain);
-  const auto drawing =
-      lines_for(session.model()->loaded.file.scene, shown->picture.camera,
-                Lines::kFeatures, false);
+  const auto drawing = lines_for(shown->picture, Lines::kFeatures);
   ASSERT_TRUE(drawing);
   ColorImage expected = *plain;
   fast::add_lines(**drawing, shown->picture.line_style, {}, expected);
   EXPECT_EQ(*shown->finished, expected);
-  // A cut has none, and lines come back without it.
-  session.change([](State& s) { s.sections = {{{1, 0, 0}, 9, true}}; });
+  // Those of a section are the edges of what is left and of the cap.
+  session.change([](State& s) { s.sections = {{{1, 0, 0}, 1, true}}; });
   settle(session);
-  EXPECT_EQ(finished(session), plain);
+  const auto cut = session.shown();
+  ASSERT_TRUE(cut && cut->finished);
+  ASSERT_EQ(cut->picture.options.clips.size(), 1u);
+  ASSERT_TRUE(cut->picture.options.caps);
+  const auto edges_of_cut = lines_for(cut->picture, Lines::kFeatures);
+  ASSERT_TRUE(edges_of_cut);
+  const auto sections = std::count_if(
+      (*edges_of_cut)->edges.begin(), (*edges_of_cut)->edges.end(),
+      [](const auto& e) { return e.edge_class == EdgeClass::kSection; });
+  EXPECT_GE(sections, 4);
+  ColorImage cut_expected = rendered(cut->state);
+  fast::add_lines(**edges_of_cut, cut->picture.line_style, {}, cut_expected);
+  EXPECT_EQ(*cut->finished, cut_expected);
   session.undo();
   settle(session);
   EXPECT_EQ(*finished(session), expected);

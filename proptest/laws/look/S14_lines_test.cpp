@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "adapters/both.hpp"
 #include "definition/definition.hpp"
+#include "generate/cut_boxes.hpp"
+#include "halfspace/boolean.hpp"
 #include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/ref/lines.hpp"
+#include "halfspace/ref/oracle/raycast.hpp"
 #include "laws/changed_views.hpp"
 #include "laws/frames/clipped_views.hpp"
 #include "laws/law.hpp"
@@ -22,7 +26,9 @@ struct RefLines {
                           std::int32_t samples) {
     ColorImage image((*view.camera)->width_px, (*view.camera)->height_px,
                      Rgb{255, 255, 255});
-    ref::add_lines(ref::draw(view.scene, *view.camera), style, samples, image);
+    const auto drawing =
+        ref::draw(view.scene, *view.camera, drawing_over(view.options));
+    ref::add_lines(drawing, style, samples, image);
     return image;
   }
 };
@@ -33,7 +39,9 @@ struct FastLines {
                      Rgb{255, 255, 255});
     fast::LineOptions how;
     how.samples = samples;
-    fast::add_lines(*fast::draw(view.scene, *view.camera), style, how, image);
+    const auto drawing =
+        fast::draw(view.scene, *view.camera, drawing_over(view.options));
+    fast::add_lines(*drawing, style, how, image);
     return image;
   }
 };
@@ -110,7 +118,8 @@ TYPED_TEST(S14Lines, L1APixelIsOnALineWithinHalfItsWidth) {
         const std::uint64_t salt = seed_of(view);
         const LineStyle style = style_of(salt);
         const std::int32_t k = salt % 5 == 0 ? 2 : 1;
-        const auto drawing = *fast::draw(view.scene, *view.camera);
+        const auto drawing =
+            *fast::draw(view.scene, *view.camera, drawing_over(view.options));
         std::vector<Segment> segments;
         for (const fast::Stroke& stroke : drawing.strokes) {
           if (stroke.layers == 0 &&
@@ -163,6 +172,78 @@ TYPED_TEST(S14Lines, L2WiderLinesAndMoreClassesCoverMore) {
         }
       },
       kLineViews);
+}
+
+/// A number for what is seen at a pixel that differs where planes do.
+class SeenPlanes {
+ public:
+  explicit SeenPlanes(const Scene& scene)
+      : plane_of_(fast::intern_planes(scene).plane_of) {}
+  std::int32_t of(PolygonId item) const {
+    const bool is_polygon =
+        item >= 0 && static_cast<std::size_t>(item) < plane_of_.size();
+    return is_polygon ? plane_of_[static_cast<std::size_t>(item)] : -2 - item;
+  }
+
+ private:
+  std::vector<std::int32_t> plane_of_;
+};
+
+/// What the reference's drawing takes up to a second for.
+constexpr std::size_t kMostCut = 18;
+constexpr int kCutViews = kLineViews / 3;
+
+/// Calls the property for views that are cut, with caps where they can be: of
+/// any scenes, of closed ones, and of boxes.
+void for_all_sections(const std::function<void(const SceneFile&)>& property) {
+  const auto cut = [&](SceneFile view) {
+    if (view.scene.polygon_count() > kMostCut || view.camera->data().near)
+      return;
+    view.options.caps.reset();
+    if (bad_edges(view.scene).empty()) view.options.caps = CapStyle{};
+    if (!view.options.clips.empty()) property(view);
+  };
+  const auto views = rc::gen::oneOf(generate::views(), closed_views());
+  law::for_all(views, kCutViews,
+               [&](const SceneFile& whole) { cut(clipped(whole)); });
+  law::check(kCutViews, [&] {
+    const auto number = *rc::gen::arbitrary<std::uint64_t>();
+    SceneFile view = cut_boxes(number, 2, 24, 18);
+    view.options.cull = number % 5 == 0;
+    cut(view);
+  });
+}
+
+TYPED_TEST(S14Lines, L3PlanesSeenSideBySideHaveALineBetween) {
+  std::size_t capped = 0;
+  std::size_t clipped_off = 0;
+  for_all_sections([&](const SceneFile& view) {
+    LineStyle style;
+    style.width = 17;
+    const ColorImage lines = TypeParam::lines(view, style, 1);
+    const ItemImage seen =
+        ref::raycast(view.scene, *view.camera, view.options).items;
+    const ItemImage of_all =
+        ref::raycast(view.scene, *view.camera, {view.options.cull}).items;
+    const SeenPlanes planes(view.scene);
+    const auto count = static_cast<PolygonId>(view.scene.polygon_count());
+    const auto check = [&](std::int32_t i, std::int32_t j, std::int32_t x,
+                           std::int32_t y) {
+      if (planes.of(seen.at(i, j)) == planes.of(seen.at(x, y))) return;
+      HALFSPACE_LAW(lines.at(i, j) == style.color ||
+                    lines.at(x, y) == style.color);
+      capped += seen.at(i, j) >= count;
+      clipped_off += planes.of(of_all.at(i, j)) == planes.of(of_all.at(x, y));
+    };
+    for (std::int32_t j = 0; j < seen.height_px; ++j) {
+      for (std::int32_t i = 0; i < seen.width_px; ++i) {
+        if (i > 0) check(i, j, i - 1, j);
+        if (j > 0) check(i, j, i, j - 1);
+      }
+    }
+  });
+  EXPECT_GT(capped, 300u);
+  EXPECT_GT(clipped_off, 300u);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "halfspace/drawing.hpp"
+#include "halfspace/image.hpp"
 #include "halfspace/polygon.hpp"
 
 namespace halfspace {
@@ -24,6 +25,16 @@ struct LineStyle {
   EdgeClasses classes = kAllClasses;
   friend bool operator==(const LineStyle&, const LineStyle&) = default;
 };
+
+/// The drawing whose strokes are the lines over an image with these options:
+/// that of what its clip planes leave (S14.2).
+inline DrawingOptions drawing_over(const ImageOptions& image) {
+  DrawingOptions drawing;
+  drawing.cull = image.cull;
+  drawing.clips = image.clips;
+  drawing.caps = image.caps.has_value();
+  return drawing;
+}
 
 /// A colour of which `part` of `whole` samples have the line's (S14.3).
 /// Requires: 0 <= part <= whole <= 64.

@@ -206,7 +206,7 @@ Status run_film(Engine& engine, const Subject& subject,
 
 /// The lines that a state asks for, in its colour.
 void add_lines_of(const viewer::State& state, LineArguments& lines) {
-  switch (viewer::lines_of(state)) {
+  switch (state.looks.lines) {
     case viewer::Lines::kNone:
       return;
     case viewer::Lines::kOutline:

@@ -59,14 +59,15 @@ std::string line_complaint(const LineArguments& arguments) {
              : "";
 }
 
-ShownLines shown_lines(const LineArguments& arguments, bool cull) {
+ShownLines shown_lines(const LineArguments& arguments,
+                       const ImageOptions& image) {
   ShownLines shown;
   shown.style.width = static_cast<std::int32_t>(
       std::lround(16 * arguments.width_px.value_or(kUsualWidth)));
   shown.style.color = arguments.color.value_or(shown.style.color);
   if (arguments.edges == ShownEdges::kOutline)
     shown.style.classes &= ~set_of(EdgeClass::kCrease);
-  shown.drawing.cull = cull;
+  shown.drawing = drawing_over(image);
   if (arguments.edges != ShownEdges::kWire) {
     const double angle = arguments.crease_deg.value_or(kUsualCrease);
     shown.drawing.crease_cosine = static_cast<std::int32_t>(std::lround(

@@ -37,6 +37,7 @@ struct ShownLines {
   LineStyle style;
   DrawingOptions drawing;
 };
-ShownLines shown_lines(const LineArguments& arguments, bool cull);
+ShownLines shown_lines(const LineArguments& arguments,
+                       const ImageOptions& image);
 
 }  // namespace halfspace::tools

@@ -134,8 +134,6 @@ std::string lines_complaint(const RenderArguments& arguments) {
   if (!arguments.lines.edges || !alone.empty()) return alone;
   if (io::has_extension(arguments.path, ".objects"))
     return "--lines: are drawn over one mesh, no objects that move";
-  if (!arguments.clip.planes.empty() || arguments.clip.yon)
-    return "--lines: are those of the whole model; leave out --clip and --yon";
   if (arguments.shadow) return "--shadow: checks pictures without --lines";
   if (arguments.view.background &&
       arguments.view.background->style == Background::Style::kNone)
@@ -348,7 +346,7 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
   }
   add_background(arguments, camera->height_px, frame);
   if (arguments.lines.edges) {
-    const ShownLines lines = shown_lines(arguments.lines, shot.options.cull);
+    const ShownLines lines = shown_lines(arguments.lines, shot.options);
     const Result<Done> drawn =
         engine.add_lines(loaded.file.scene, camera, shot, lines.drawing,
                          lines.style, frame.picture.colors);

@@ -49,7 +49,7 @@ std::string mark_options(const State& state) {
   std::string text;
   if (const auto mark = back_color_of(state))
     text += " --back-color " + color_text(*mark);
-  const Lines lines = lines_of(state);
+  const Lines lines = state.looks.lines;
   if (lines == Lines::kNone) return text;
   text += lines == Lines::kOutline    ? " --lines outline"
           : lines == Lines::kFeatures ? " --lines features"

@@ -185,15 +185,14 @@ void FrameMaker::publish(const FrameRequest& request, const ColorImage& rows,
 EdgeLines::EdgeLines(std::function<void()> wake)
     : wake_(std::move(wake)), worker_([this](const Job& job) { draw(job); }) {}
 
-void EdgeLines::request(std::uint64_t number,
-                        std::shared_ptr<const Model> model,
-                        const Camera& camera, Lines lines, bool cull) {
+void EdgeLines::request(std::uint64_t number, const PictureRequest& picture,
+                        Lines lines) {
   {
     const std::lock_guard lock(mutex_);
     if (number == asked_) return;
     asked_ = number;
   }
-  worker_.replace({number, std::move(model), camera, lines, cull});
+  worker_.replace({number, picture, lines});
 }
 
 std::shared_ptr<const fast::Drawing> EdgeLines::drawing_of(
@@ -203,8 +202,7 @@ std::shared_ptr<const fast::Drawing> EdgeLines::drawing_of(
 }
 
 void EdgeLines::draw(const Job& job) {
-  auto drawing =
-      lines_for(job.model->loaded.file.scene, job.camera, job.lines, job.cull);
+  auto drawing = lines_for(job.picture, job.lines);
   {
     const std::lock_guard lock(mutex_);
     drawing_ =

@@ -92,8 +92,8 @@ class EdgeLines {
   explicit EdgeLines(std::function<void()> wake);
 
   /// Asks for the drawing of picture `number`, unless it was asked for.
-  void request(std::uint64_t number, std::shared_ptr<const Model> model,
-               const Camera& camera, Lines lines, bool cull);
+  void request(std::uint64_t number, const PictureRequest& picture,
+               Lines lines);
 
   /// The drawing of the picture, if it is there. Where there are too many lines
   /// it has none.
@@ -102,10 +102,8 @@ class EdgeLines {
  private:
   struct Job {
     std::uint64_t number = 0;
-    std::shared_ptr<const Model> model;
-    Camera camera;
+    PictureRequest picture;
     Lines lines = Lines::kNone;
-    bool cull = false;
   };
   void draw(const Job& job);
 

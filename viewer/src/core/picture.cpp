@@ -38,21 +38,20 @@ PictureRequest picture_of(const State& state,
   request.back_color = back_color_of(state);
   request.line_style.width = kLineWidth;
   request.line_style.color = line_color_of(state);
-  if (lines_of(state) == Lines::kOutline)
+  if (state.looks.lines == Lines::kOutline)
     request.line_style.classes &= ~set_of(EdgeClass::kCrease);
   return request;
 }
 
-Result<std::shared_ptr<const fast::Drawing>> lines_for(const Scene& scene,
-                                                       const Camera& camera,
-                                                       Lines lines, bool cull) {
-  DrawingOptions options;
-  options.cull = cull;
+Result<std::shared_ptr<const fast::Drawing>> lines_for(
+    const PictureRequest& picture, Lines lines) {
+  DrawingOptions options = drawing_over(picture.options);
   if (lines != Lines::kWire) {
     options.crease_cosine = static_cast<std::int32_t>(std::lround(std::ldexp(
         std::cos(kCreaseDeg * std::numbers::pi / 180), kCosineBits)));
   }
-  Result<fast::Drawing> drawing = fast::draw(scene, camera, options);
+  Result<fast::Drawing> drawing =
+      fast::draw(picture.model->loaded.file.scene, picture.camera, options);
   if (!drawing) return drawing.error();
   return std::shared_ptr<const fast::Drawing>(
       std::make_shared<fast::Drawing>(*std::move(drawing)));

@@ -33,11 +33,10 @@ PictureRequest picture_of(const State& state,
                           const Camera& camera,
                           std::shared_ptr<const ShownNumbers> numbers);
 
-/// The drawing whose lines the state asks for. Requires: it asks for some.
+/// The drawing whose lines are laid over the picture, but not kNone.
 /// Errors: kOutOfRange: there are too many.
-Result<std::shared_ptr<const fast::Drawing>> lines_for(const Scene& scene,
-                                                       const Camera& camera,
-                                                       Lines lines, bool cull);
+Result<std::shared_ptr<const fast::Drawing>> lines_for(
+    const PictureRequest& picture, Lines lines);
 
 /// Makes pictures, one after another.
 class PictureMaker {

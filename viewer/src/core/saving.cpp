@@ -23,10 +23,9 @@ const Scene& scene_of(const Shown& shown) {
 /// The picture with its lines.
 Result<ColorImage> drawn(const State& state, PictureRequest picture,
                          PictureMaker& maker) {
-  const Lines lines = lines_of(state);
+  const Lines lines = state.looks.lines;
   if (lines != Lines::kNone) {
-    auto drawing = lines_for(picture.model->loaded.file.scene, picture.camera,
-                             lines, state.looks.cull);
+    auto drawing = lines_for(picture, lines);
     if (!drawing) return drawing.error();
     picture.lines = *std::move(drawing);
   }

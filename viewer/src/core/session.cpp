@@ -67,7 +67,7 @@ bool Session::update() {
 }
 
 bool Session::has_its_lines() const {
-  return !model_ || lines_of(state_) == Lines::kNone ||
+  return !model_ || state_.looks.lines == Lines::kNone ||
          lined_number_ == frame_number_;
 }
 
@@ -75,13 +75,12 @@ bool Session::add_lines() {
   // Not while the camera moves: they take longer than pictures.
   if (!camera_ || has_its_lines() || loader_.is_busy() || !frames_.is_done())
     return false;
+  PictureRequest picture = picture_of(state_, model_, *camera_, numbers_);
   auto drawing = edges_.drawing_of(frame_number_);
   if (!drawing) {
-    edges_.request(frame_number_, model_, *camera_, lines_of(state_),
-                   state_.looks.cull);
+    edges_.request(frame_number_, picture, state_.looks.lines);
     return false;
   }
-  PictureRequest picture = picture_of(state_, model_, *camera_, numbers_);
   picture.lines = std::move(drawing);
   lined_number_ = ++frame_number_;
   frames_.request({frame_number_, std::move(picture)});

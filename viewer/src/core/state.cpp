@@ -326,10 +326,6 @@ std::optional<Rgb> back_color_of(const State& state) {
   return is_plain ? state.looks.back_color : std::nullopt;
 }
 
-Lines lines_of(const State& state) {
-  return has_sections(state) ? Lines::kNone : state.looks.lines;
-}
-
 Rgb line_color_of(const State& state) {
   constexpr int kDark = 3 * 90;
   const Rgb paper = state.looks.background;

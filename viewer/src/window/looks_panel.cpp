@@ -27,12 +27,10 @@ Rgb to_color(const std::array<float, 3>& floats) {
   return {channel(floats[0]), channel(floats[1]), channel(floats[2])};
 }
 
-void draw_lines(const State& state, Looks& looks) {
+void draw_lines(Looks& looks) {
   int lines = static_cast<int>(looks.lines);
-  ImGui::BeginDisabled(has_sections(state));
   if (ImGui::Combo("Edges", &lines, "none\0outline\0features\0all\0"))
     looks.lines = static_cast<Lines>(lines);
-  ImGui::EndDisabled();
 }
 
 void draw_back_sides(Looks& looks) {
@@ -146,7 +144,7 @@ void draw_looks(Session& session, Ui& ui) {
   ImGui::SameLine();
   ImGui::RadioButton("Smooth", &is_smooth, 1);
   looks.is_smooth = is_smooth == 1;
-  draw_lines(session.state(), looks);
+  draw_lines(looks);
   draw_back_sides(looks);
   draw_light(session, ui, looks);
   draw_coloring(looks);

@@ -107,9 +107,8 @@ std::uint8_t alpha_of(const State& state);
 /// have none.
 std::optional<Rgb> back_color_of(const State& state);
 
-/// The lines of the state's picture, and their colour, which the background is
-/// seen beside.
-Lines lines_of(const State& state);
+/// The colour of the lines of the state's picture, which the background is seen
+/// beside.
 Rgb line_color_of(const State& state);
 
 /// Whether any plane cuts the parts.
