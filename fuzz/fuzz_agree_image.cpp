@@ -59,6 +59,17 @@ void expect_scalars(const SceneFile& view, const ItemImage& items,
           fast::color_scalars(view.scene, *view.camera, view.options, fine,
                               prepared, how),
       text);
+  // Blended in these colours: what covers a pixel is asked for all of them.
+  const auto alpha = static_cast<std::uint8_t>(seed * 37 % 256);
+  HALFSPACE_FUZZ_EXPECT(
+      ref::blend_scalars(view.scene, ref::build(view.scene, {}), *view.camera,
+                         view.options, alpha, field, scale)
+              .colors ==
+          fast::blend_scalars(view.scene,
+                              fast::build_display_tree(view.scene, {}),
+                              *view.camera, view.options, alpha, prepared)
+              .colors,
+      text);
 }
 
 /// What is seen from behind, in a mark's colour.

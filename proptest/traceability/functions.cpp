@@ -398,10 +398,16 @@ void take_all() {
   take(&ref::color_of);  // S11.3
   take(&fast::prepare_scalars);  // S11.3
   take(&ref::color_scalars);  // S11.4
+  take(&ref::blend_scalars);  // S11.4
   {  // S11.4
     using namespace fast;
     using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
     take<Kind>(&fast::color_scalars);
+  }
+  {  // S11.4
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, std::uint8_t, const ScalarColors&, const RenderOptions&);
+    take<Kind>(&fast::blend_scalars);
   }
   take(&with_line);  // S14.1
   take(&ref::is_on_line);  // S14.2

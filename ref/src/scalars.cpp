@@ -6,6 +6,7 @@
 
 #include "exact_double.hpp"
 #include "halfspace/cap_parts.hpp"
+#include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/shade.hpp"
 
 namespace halfspace::ref {
@@ -49,6 +50,23 @@ Rgb color_of(const ColorScale& scale, const std::optional<Rational>& scalar) {
   return scale.colors[k];
 }
 
+namespace {
+
+/// The colour of a polygon by its scalar at an image point (S11.4).
+Rgb scalar_color(const Scene& scene, const Camera& camera,
+                 const ImageOptions& options, const ScalarField& field,
+                 const ColorScale& scale, PolygonId polygon,
+                 const ImagePoint& at) {
+  const Rgb full =
+      color_of(scale, scalar_at(scene, camera, field, polygon, at));
+  const ExactColor light =
+      exact_color_at(scene, camera, polygon, at, options.shading);
+  return Rgb{dimmed(full.r, light[0]), dimmed(full.g, light[1]),
+             dimmed(full.b, light[2])};
+}
+
+}  // namespace
+
 ColorImage color_scalars(const Scene& scene, const Camera& camera,
                          const ImageOptions& options, const ItemImage& items,
                          const ScalarField& field, const ColorScale& scale,
@@ -65,11 +83,7 @@ ColorImage color_scalars(const Scene& scene, const Camera& camera,
     }
     const ImagePoint at = {Rational(2 * i + 1) / Rational(2 * samples),
                            Rational(2 * j + 1) / Rational(2 * samples)};
-    const Rgb full = color_of(scale, scalar_at(scene, camera, field, seen, at));
-    const ExactColor light =
-        exact_color_at(scene, camera, seen, at, options.shading);
-    return Rgb{dimmed(full.r, light[0]), dimmed(full.g, light[1]),
-               dimmed(full.b, light[2])};
+    return scalar_color(scene, camera, options, field, scale, seen, at);
   };
   ColorImage image(camera->width_px, camera->height_px, options.background);
   const int count = samples * samples;
@@ -86,6 +100,20 @@ ColorImage color_scalars(const Scene& scene, const Camera& camera,
     }
   }
   return image;
+}
+
+Rendering blend_scalars(const Scene& scene, const BspTree& tree,
+                        const Camera& camera, const ImageOptions& options,
+                        std::uint8_t alpha, const ScalarField& field,
+                        const ColorScale& scale) {
+  return blend_in_colors(
+      scene, tree, camera, options, alpha,
+      [&](PolygonId polygon, std::int32_t i, std::int32_t j) {
+        const ImagePoint centre = {Rational(2 * i + 1) / Rational(2),
+                                   Rational(2 * j + 1) / Rational(2)};
+        return scalar_color(scene, camera, options, field, scale, polygon,
+                            centre);
+      });
 }
 
 }  // namespace halfspace::ref

@@ -73,6 +73,20 @@ expect 0 'span' render cube.ply "${size[@]}" "${heat[@]}" --aa 4 --impl ref \
   -o ref.png
 same fast.png ref.png
 cmp -s fast.png span.png && wrong "--aa changes no colour of a scalar"
+# Blended in the colours of numbers, by each way there is to an image.
+glass=("${heat[@]}" --alpha 90)
+expect 0 'painter' render cube.ply "${size[@]}" "${glass[@]}" -o glass.png
+cmp -s glass.png span.png && wrong "--alpha changes no colour of a scalar"
+expect 0 'painter' render cube.ply "${size[@]}" --alpha 90 -o other.png
+cmp -s glass.png other.png && wrong "--scalar changes no blended colour"
+for way in "--impl ref" --lazy "--priority depthsort" "--threads 2"; do
+  # shellcheck disable=SC2086
+  expect 0 'painter' render cube.ply "${size[@]}" "${glass[@]}" $way -o other.png
+  same glass.png other.png
+done
+expect 0 'painter' render cube.ply "${size[@]}" "${heat[@]}" --alpha 255 \
+  -o other.png
+same span.png other.png
 expect 0 'span' render cube.ply "${size[@]}" "${heat[@]}" --rows 0:$half \
   -o r-0.png
 expect 0 'span' render cube.ply "${size[@]}" "${heat[@]}" \
@@ -116,7 +130,6 @@ bad 'LOW below HIGH' --scalar heat --range 3,3
 bad 'begins above 0' --scalar heat --range -1,3 --log
 bad 'at least 2 and at most 4096' --scalar heat --steps 1
 bad 'needs --scalar' --legend
-bad 'not blended' --scalar heat --alpha 90
 bad 'no exact areas' --scalar heat --aa exact
 bad 'would overwrite' --scalar no.png.npy --ids no.png.npy
 bad 'whole pictures' --scalar heat --legend --rows 0:9

@@ -8,8 +8,8 @@ namespace halfspace::fast {
 ObjectPainter::Painter::Painter(const MovingFrame& all, const ModelTree& model,
                                 const Scene& scene, TileView& screen)
     : reader(scene, model.tree),
-      frame{reader,     all.camera, all.image, shown.view,
-            all.kernel, all.clips,  kOpaque,   &shown.camera},
+      frame{reader,    all.camera, all.image, shown.view,   all.kernel,
+            all.clips, kOpaque,    nullptr,   &shown.camera},
       rasterizer(frame, screen) {}
 
 ObjectPainter::ObjectPainter(const MovingFrame& frame, TileBuffer& buffer)

@@ -12,6 +12,8 @@
 
 namespace halfspace::fast {
 
+class LayerColors;
+
 /// What all threads of one frame share.
 struct Frame {
   const TreeReader& reader;
@@ -21,6 +23,8 @@ struct Frame {
   const TileKernel& kernel;
   const ClipSet& clips;
   std::uint8_t alpha = kOpaque;  ///< below that colours are blended (S5.6)
+  /// Colours in place of the scene's where they are blended, or null.
+  const LayerColors* colors = nullptr;
   /// In the frame of an object: the camera there, and the id of its polygon 0.
   const MovedCamera* moved = nullptr;
   PolygonId first_id = 0;

@@ -19,7 +19,7 @@ class LazyWalk {
         buffer_(buffer),
         reader_(frame.reader),
         frame_{*reader_,     frame.camera, frame.image, frame.view,
-               frame.kernel, frame.clips,  frame.alpha},
+               frame.kernel, frame.clips,  frame.alpha, frame.colors},
         rasterizer_(frame_, buffer.view()) {}
 
   PolygonRasterizer<kBits>& rasterizer() { return rasterizer_; }
@@ -50,9 +50,9 @@ class LazyWalk {
       return;
     }
     const TreeReader reader(*tree_.scene, part.tree);
-    const Frame frame = {reader,      frame_.camera, frame_.image,
-                         frame_.view, frame_.kernel, frame_.clips,
-                         frame_.alpha};
+    const Frame frame = {reader,       frame_.camera, frame_.image,
+                         frame_.view,  frame_.kernel, frame_.clips,
+                         frame_.alpha, frame_.colors};
     const TileView& screen = buffer_.view();
     const EyeClassifier eye_side(reader, frame.view, frame.camera, stats);
     walk<kNearFirst>(

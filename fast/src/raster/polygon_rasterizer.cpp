@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include "raster/layers/layer_colors.hpp"
+
 namespace halfspace::fast {
 namespace {
 
@@ -226,10 +229,12 @@ PixelSource PolygonRasterizer<kBits>::start(const TreeFragment& fragment,
   screen_.corner_colors = nullptr;
   if (smooth) start_shader(fragment, eye_sign);
   const Rgb color = gouraud_ ? colors[0] : scene.color(fragment.source);
-  const PixelSource source = {
+  PixelSource source = {
       frame_.first_id + fragment.source,
       smooth ? PixelSource::kSmooth : packed_color(color.r, color.g, color.b),
       eye_sign, 0};
+  if (frame_.colors != nullptr)
+    source.color = frame_.colors->color_of(fragment.source);
   layer_ = {&fragment, block_, source};
   return source;
 }

@@ -131,7 +131,8 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
       make_view(camera, extent_of(tree, scene.grid_bits()), pass.samples);
   const ClipSet clips(image.clips, image.caps.has_value(), scene.grid_bits());
   const Frame frame = {
-      reader, data, image, view, best_kernel(options.simd), clips, pass.alpha};
+      reader, data,       image,      view, best_kernel(options.simd),
+      clips,  pass.alpha, pass.colors};
   const std::vector<PixelRange> bands = bands_of(rectangle, threads);
   std::vector<BandResult> found(bands.size());
   const CapChanges own =

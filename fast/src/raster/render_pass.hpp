@@ -12,10 +12,10 @@ enum class Order : std::uint8_t { kFrontToBack, kBackToFront };
 
 /// In which order a tree is displayed, what of a polygon is not seen through,
 /// how many samples a pixel has each way, the caps' changes where those of all
-/// rows are known, of which lazy tree it is the root, if of one, and where the
+/// rows are known, of which lazy tree it is the root, if of one, where the
 /// means of samples go, if they are drawn in place of images: those of the
-/// rectangle's pixels, row by row. All colours are flat then, and no sample
-/// shows a cap.
+/// rectangle's pixels, row by row, all colours being flat then and no sample
+/// showing a cap; and the colours of layers where they are not the scene's.
 struct Pass {
   Order order = Order::kFrontToBack;
   std::uint8_t alpha = kOpaque;
@@ -23,6 +23,7 @@ struct Pass {
   const CapChanges* caps = nullptr;
   const LazyTree::State* lazy = nullptr;
   Rgb* means = nullptr;
+  const LayerColors* colors = nullptr;
 };
 
 /// Lazy trees are not part of the module for the web, for its size.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -11,6 +14,9 @@
 #include "halfspace/assert.hpp"
 #include "halfspace/cap_parts.hpp"
 #include "halfspace/threads.hpp"
+#include "raster/layers/layer_colors.hpp"
+#include "raster/render_pass.hpp"
+#include "sah/lazy_cells.hpp"
 #include "shade/corner_blend.hpp"
 #include "shade/exact_double.hpp"
 #include "shade/scalar_classes.hpp"
@@ -44,6 +50,26 @@ class ScalarShader {
       shaded_.push_back({kBackground, false, CornerBlend(scene, camera, view)});
   }
 
+  /// The colour of all of a polygon, if it has one.
+  static std::optional<Rgb> flat_color(const Scene& scene,
+                                       const ImageOptions& options,
+                                       const ScalarColors& scalars,
+                                       PolygonId polygon) {
+    const std::int32_t own = scalars.classes[static_cast<std::size_t>(polygon)];
+    if (own < 0) return std::nullopt;
+    Rgb light = scene.color(polygon);
+    const auto lights = options.shading == Shading::kGouraud
+                            ? scene.corner_colors(polygon)
+                            : std::span<const Rgb>();
+    if (!lights.empty()) {
+      light = lights[0];
+      if (std::any_of(lights.begin(), lights.end(),
+                      [&](const Rgb& other) { return other != light; }))
+        return std::nullopt;
+    }
+    return plain_color(scalars.colors[static_cast<std::size_t>(own)], light);
+  }
+
   /// The colour of sample (i, j).
   Rgb color(PolygonId seen, std::int32_t i, std::int32_t j) {
     if (seen == last_) return last_color_;
@@ -53,17 +79,15 @@ class ScalarShader {
       return cap_color_at_sample(options_, cap_item(p - scene_.polygon_count()),
                                  i, j, samples_);
     }
+    if (const auto flat = flat_color(scene_, options_, scalars_, seen)) {
+      last_ = seen;
+      last_color_ = *flat;
+      return last_color_;
+    }
     const std::int32_t known = scalars_.classes[p];
     const auto lights = scene_.corner_colors(seen);
     const bool varies = is_smooth_ && !std::equal(lights.begin() + 1,
                                                   lights.end(), lights.begin());
-    if (known >= 0 && !varies) {
-      last_ = seen;
-      last_color_ =
-          plain_color(scalars_.colors[static_cast<std::size_t>(known)],
-                      is_smooth_ ? lights[0] : scene_.color(seen));
-      return last_color_;
-    }
     const CornerBlend& blend = blend_of(seen);
     const CornerBlend::Shares shares = blend.at(i, j);
     const std::int32_t own =
@@ -211,6 +235,55 @@ void color_row(std::int32_t samples, ScalarShader& shader,
   }
 }
 
+/// The colours of layers by scalars.
+class ScalarLayers final : public LayerColors {
+ public:
+  ScalarLayers(const Scene& scene, const Camera& camera,
+               const ImageOptions& options, const ScalarColors& scalars)
+      : scene_(scene),
+        camera_(camera.data()),
+        view_(make_view(camera, scene.grid_bits())),
+        options_(options),
+        scalars_(scalars) {}
+
+  std::uint32_t color_of(PolygonId polygon) const override {
+    const auto flat =
+        ScalarShader::flat_color(scene_, options_, scalars_, polygon);
+    return flat ? packed_color(flat->r, flat->g, flat->b)
+                : PixelSource::kSmooth;
+  }
+  std::unique_ptr<Shader> shader() const override {
+    return std::make_unique<OwnShader>(*this);
+  }
+
+ private:
+  class OwnShader final : public Shader {
+   public:
+    explicit OwnShader(const ScalarLayers& all)
+        : shader_(all.scene_, all.camera_, all.view_, all.options_,
+                  all.scalars_) {}
+    void shade(PolygonId polygon, std::int32_t x, std::int32_t y,
+               std::uint32_t bits, LineColors& colors) override {
+      for (; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
+        const Rgb color = shader_.color(polygon, x + i, y);
+        std::uint8_t* const to = colors.data() + 3 * i;
+        to[0] = color.r, to[1] = color.g, to[2] = color.b;
+      }
+    }
+    const FilterStats& stats() const override { return shader_.stats(); }
+
+   private:
+    ScalarShader shader_;
+  };
+
+  const Scene& scene_;
+  const CameraData& camera_;
+  View view_;
+  const ImageOptions& options_;
+  const ScalarColors& scalars_;
+};
+
 /// Of all the classes that a polygon's corners have the one, or -1.
 std::int32_t class_of_all(const ScalarClasses& classes,
                           std::span<const double> values) {
@@ -286,6 +359,32 @@ ColorImage color_scalars(const Scene& scene, const Camera& camera,
   ColorImage colors;
   color_scalars(scene, camera, options, items, scalars, how, colors);
   return colors;
+}
+
+Rendering blend_scalars(const Scene& scene, const BspTree& tree,
+                        const Camera& camera, const ImageOptions& image,
+                        std::uint8_t alpha, const ScalarColors& scalars,
+                        const RenderOptions& options) {
+  const ScalarLayers layers(scene, camera, image, scalars);
+  Pass pass = {Order::kBackToFront, alpha};
+  pass.colors = &layers;
+  Rendering result;
+  run(scene, tree, camera, image, options, pass, result);
+  return result;
+}
+
+Rendering blend_scalars(const LazyTree& tree, const Camera& camera,
+                        const ImageOptions& image, std::uint8_t alpha,
+                        const ScalarColors& scalars,
+                        const RenderOptions& options) {
+  const ScalarLayers layers(tree.scene(), camera, image, scalars);
+  Pass pass = {Order::kBackToFront, alpha};
+  pass.lazy = &tree.state();
+  pass.colors = &layers;
+  Rendering result;
+  run(tree.scene(), tree.state().root.tree, camera, image, options, pass,
+      result);
+  return result;
 }
 
 }  // namespace halfspace::fast

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -8,8 +9,11 @@
 #include "adapters/both.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/ref/scalars.hpp"
+#include "halfspace/visible_map.hpp"
 #include "laws/changed_views.hpp"
 #include "laws/frames/clipped_views.hpp"
 #include "laws/law.hpp"
@@ -27,6 +31,14 @@ struct RefScalars : Ref {
     return ref::color_scalars(view.scene, *view.camera, view.options, items,
                               field, scale, samples);
   }
+  static std::vector<ColorImage> blended(const SceneFile& view,
+                                         std::uint8_t alpha,
+                                         const ScalarField& field,
+                                         const ColorScale& scale) {
+    return {ref::blend_scalars(view.scene, ref::build(view.scene, {}),
+                               *view.camera, view.options, alpha, field, scale)
+                .colors};
+  }
 };
 struct FastScalars : Fast {
   static ColorImage colors(const SceneFile& view, const ItemImage& items,
@@ -38,6 +50,30 @@ struct FastScalars : Fast {
     return fast::color_scalars(view.scene, *view.camera, view.options, items,
                                fast::prepare_scalars(view.scene, field, scale),
                                how);
+  }
+  static std::vector<ColorImage> blended(const SceneFile& view,
+                                         std::uint8_t alpha,
+                                         const ScalarField& field,
+                                         const ColorScale& scale) {
+    const auto colors = fast::prepare_scalars(view.scene, field, scale);
+    std::vector<ColorImage> images;
+    for (const std::size_t leaf_size : {1u, 8u, 500u}) {
+      fast::DisplayTreeOptions options;
+      options.leaf_size = leaf_size;
+      options.threads = 1;
+      fast::RenderOptions how;
+      how.threads = leaf_size == 8 ? 3 : 1;
+      images.push_back(
+          fast::blend_scalars(view.scene,
+                              fast::build_display_tree(view.scene, options),
+                              *view.camera, view.options, alpha, colors, how)
+              .colors);
+    }
+    const fast::LazyTree lazy(view.scene);
+    images.push_back(
+        fast::blend_scalars(lazy, *view.camera, view.options, alpha, colors)
+            .colors);
+    return images;
   }
 };
 
@@ -157,12 +193,10 @@ std::uint8_t half_up(const Fraction& x) {
   return static_cast<std::uint8_t>(twice / (2 * denominator(x)));
 }
 
-/// The colour of pixel (i, j) by S11.4.
-Rgb expected_color(const SceneFile& view, const ItemImage& items,
-                   const ScalarField& field, const ColorScale& scale,
-                   std::int32_t i, std::int32_t j, std::size_t& ties) {
-  const PolygonId id = items.at(i, j);
-  if (id == kBackground) return view.options.background;
+/// The colour of a polygon at pixel (i, j) by S11.4.
+Rgb polygon_color(const SceneFile& view, PolygonId id, const ScalarField& field,
+                  const ColorScale& scale, std::int32_t i, std::int32_t j,
+                  std::size_t& ties) {
   const Rgb full = scale_color(scale, scalar_at(view, field, id, i, j), ties);
   const auto lights = view.scene.corner_colors(id);
   Rgb result;
@@ -181,6 +215,15 @@ Rgb expected_color(const SceneFile& view, const ItemImage& items,
     result.*channel = half_up(Fraction(int{full.*channel}) * light / 255);
   }
   return result;
+}
+
+/// The colour of pixel (i, j).
+Rgb expected_color(const SceneFile& view, const ItemImage& items,
+                   const ScalarField& field, const ColorScale& scale,
+                   std::int32_t i, std::int32_t j, std::size_t& ties) {
+  const PolygonId id = items.at(i, j);
+  return id == kBackground ? view.options.background
+                           : polygon_color(view, id, field, scale, i, j, ties);
 }
 
 TYPED_TEST(S11Scalars, L1TheColourIsThatOfTheScalarSeen) {
@@ -283,6 +326,59 @@ TYPED_TEST(S11Scalars, L4APixelIsTheMeanOfItsSamplesColours) {
       },
       kScalarViews);
   EXPECT_GT(compared, 1000u);
+}
+
+TYPED_TEST(S11Scalars, L5PolygonsAreBlendedInTheColoursOfTheirScalars) {
+  std::size_t layered = 0;
+  law::for_all_views(
+      [&](const SceneFile& original) {
+        const std::uint64_t salt = seed_of(original);
+        SceneFile view = lit_view(original, salt);
+        view.options.clips.clear();
+        view.options.caps.reset();
+        const ScalarField field = field_of(view.scene, salt % 4 != 0, salt);
+        const ColorScale scale = scale_of(salt);
+        const auto alpha = static_cast<std::uint8_t>(salt >> 9 & 255);
+        std::vector<definition::Projection> seen;
+        for (const PolygonId id : ids_of(view.scene)) {
+          seen.push_back(definition::project(
+              definition::facet_of(view.scene,
+                                   definition::whole(view.scene, id)),
+              *view.camera, view.options.cull));
+        }
+        ColorImage expected((*view.camera)->width_px, (*view.camera)->height_px,
+                            view.options.background);
+        std::size_t ties = 0;
+        for (std::int32_t j = 0; j < expected.height_px; ++j) {
+          for (std::int32_t i = 0; i < expected.width_px; ++i) {
+            std::vector<PolygonId> here;
+            for (const PolygonId id : ids_of(view.scene)) {
+              if (definition::covers(seen[static_cast<std::size_t>(id)], i, j))
+                here.push_back(id);
+            }
+            std::sort(here.begin(), here.end(), [&](PolygonId p, PolygonId q) {
+              const int order =
+                  p == q ? 0
+                         : definition::compare_depth(
+                               seen[static_cast<std::size_t>(p)],
+                               seen[static_cast<std::size_t>(q)], i, j);
+              return order != 0 ? order > 0 : p > q;
+            });
+            layered += here.size() > 1;
+            Rgb& color = expected.at(i, j);
+            for (const PolygonId id : here) {
+              color = composed_color(
+                  polygon_color(view, id, field, scale, i, j, ties), color,
+                  alpha);
+            }
+          }
+        }
+        for (const ColorImage& image :
+             TypeParam::blended(view, alpha, field, scale))
+          HALFSPACE_LAW(image == expected);
+      },
+      kScalarViews);
+  EXPECT_GT(layered, 500u);
 }
 
 }  // namespace

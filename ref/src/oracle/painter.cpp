@@ -83,6 +83,16 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
 
 Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& options, std::uint8_t alpha) {
+  return blend_in_colors(
+      scene, tree, camera, options, alpha,
+      [&](PolygonId polygon, std::int32_t i, std::int32_t j) {
+        return color_at(scene, camera, polygon, i, j, options.shading);
+      });
+}
+
+Rendering blend_in_colors(const Scene& scene, const BspTree& tree,
+                          const Camera& camera, const ImageOptions& options,
+                          std::uint8_t alpha, const PixelColor& color_of) {
   Rendering image;
   image.items = ItemImage(camera->width_px, camera->height_px, kBackground);
   image.colors =
@@ -92,10 +102,8 @@ Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
   blend_caps(scene, camera, options, alpha, Side::kPositive, image.colors);
   set_back_to_front(scene, tree, camera, options, image,
                     [&](std::int32_t i, std::int32_t j, PolygonId source) {
-                      const Rgb over = color_at(scene, camera, source, i, j,
-                                                options.shading);
                       Rgb& color = image.colors.at(i, j);
-                      color = blended(over, color, alpha);
+                      color = blended(color_of(source, i, j), color, alpha);
                       image.items.at(i, j) = source;
                     });
   blend_caps(scene, camera, options, alpha, Side::kNegative, image.colors);

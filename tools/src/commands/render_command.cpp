@@ -229,11 +229,10 @@ Result<RenderArguments> with_view_file(const RenderArguments& arguments) {
   const auto state = viewer::read_state(arguments.path);
   if (!state) return state.error();
   all.own_view = state->camera;
-  if (!all.lines.edges && all.clip.planes.empty() && !all.clip.yon)
-    add_lines_of(*state, all.lines);
+  if (!all.lines.edges) add_lines_of(*state, all.lines);
+  if (!all.alpha && state->looks.alpha != kOpaque)
+    all.alpha = state->looks.alpha;
   if (arguments.scalars.source) return all;
-  if (!all.alpha && viewer::alpha_of(*state) != kOpaque)
-    all.alpha = viewer::alpha_of(*state);
   if (!all.back_color && !all.alpha)
     all.back_color = viewer::back_color_of(*state);
   if (!state->looks.scalar || state->parts.empty()) return all;

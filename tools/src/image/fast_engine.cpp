@@ -90,7 +90,7 @@ class FastEngine : public Engine {
     if (shot.rows) {
       how.rectangle = {0, shot.rows->first, camera->width_px, shot.rows->end};
     }
-    how.colors = !shot.by_scalars;
+    how.colors = !shot.by_scalars || shot.alpha != kOpaque;
     Picture picture;
     fast::Rendering image;
     if (shot.priority == Priority::kDepthSort) {
@@ -104,7 +104,8 @@ class FastEngine : public Engine {
     } else {
       image = image_of(scene, tree_, camera, shot, how);
     }
-    if (shot.by_scalars) color(scene, camera, shot, image);
+    if (shot.by_scalars && shot.alpha == kOpaque)
+      color(scene, camera, shot, image);
     picture.items = std::move(image.items);
     picture.colors = std::move(image.colors);
     picture.pixels_painted = image.pixels_painted;
@@ -168,9 +169,9 @@ class FastEngine : public Engine {
   std::string warning(std::size_t) const override { return {}; }
 
  private:
-  static fast::Rendering image_of(const Scene& scene, const fast::BspTree& tree,
-                                  const Camera& camera, const Shot& shot,
-                                  const fast::RenderOptions& how) {
+  fast::Rendering image_of(const Scene& scene, const fast::BspTree& tree,
+                           const Camera& camera, const Shot& shot,
+                           const fast::RenderOptions& how) const {
     if (const auto samples = samples_of(shot.anti_aliasing); samples > 1) {
       fast::RenderOptions own = how;
       own.items = shot.items || shot.by_scalars;
@@ -186,12 +187,16 @@ class FastEngine : public Engine {
     if (shot.alpha == kOpaque) {
       return fast::paint(scene, tree, camera, shot.options, how);
     }
+    if (shot.by_scalars) {
+      return fast::blend_scalars(scene, tree, camera, shot.options, shot.alpha,
+                                 scalars_, how);
+    }
     return fast::blend(scene, tree, camera, shot.options, shot.alpha, how);
   }
 
-  static fast::Rendering image_of(const fast::LazyTree& tree,
-                                  const Camera& camera, const Shot& shot,
-                                  const fast::RenderOptions& how) {
+  fast::Rendering image_of(const fast::LazyTree& tree, const Camera& camera,
+                           const Shot& shot,
+                           const fast::RenderOptions& how) const {
     HALFSPACE_ASSERT(!shot.screen);
     if (const auto samples = samples_of(shot.anti_aliasing); samples > 1) {
       fast::RenderOptions own = how;
@@ -202,6 +207,10 @@ class FastEngine : public Engine {
       return fast::render(tree, camera, shot.options, how);
     if (shot.alpha == kOpaque)
       return fast::paint(tree, camera, shot.options, how);
+    if (shot.by_scalars) {
+      return fast::blend_scalars(tree, camera, shot.options, shot.alpha,
+                                 scalars_, how);
+    }
     return fast::blend(tree, camera, shot.options, shot.alpha, how);
   }
 

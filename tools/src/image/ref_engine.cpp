@@ -138,7 +138,7 @@ class RefEngine : public Engine {
     } else {
       image = image_of(scene, tree_, camera, shot);
     }
-    if (shot.by_scalars) {
+    if (shot.by_scalars && shot.alpha == kOpaque) {
       image.colors =
           ref::color_scalars(scene, camera, shot.options, image.items, field_,
                              scale_, samples_of(shot.anti_aliasing));
@@ -150,8 +150,8 @@ class RefEngine : public Engine {
     return picture;
   }
 
-  static ref::Rendering image_of(const Scene& scene, const ref::BspTree& tree,
-                                 const Camera& camera, const Shot& shot) {
+  ref::Rendering image_of(const Scene& scene, const ref::BspTree& tree,
+                          const Camera& camera, const Shot& shot) const {
     const ImageOptions& options = shot.options;
     switch (shot.method) {
       case Method::kSpan:
@@ -159,9 +159,13 @@ class RefEngine : public Engine {
           return ref::render_on(scene, tree, camera, options, *shot.screen);
         break;
       case Method::kPainter:
-        return shot.alpha == kOpaque
-                   ? ref::paint(scene, tree, camera, options)
-                   : ref::blend(scene, tree, camera, options, shot.alpha);
+        if (shot.alpha == kOpaque)
+          return ref::paint(scene, tree, camera, options);
+        if (shot.by_scalars) {
+          return ref::blend_scalars(scene, tree, camera, options, shot.alpha,
+                                    field_, scale_);
+        }
+        return ref::blend(scene, tree, camera, options, shot.alpha);
       case Method::kZBuffer:
         return ref::zbuffer(scene, camera, options);
       case Method::kRayCast:

@@ -101,7 +101,6 @@ std::string scalars_complaint(const RenderArguments& arguments) {
   if (!arguments.scalars.source || !alone.empty()) return alone;
   if (io::has_extension(arguments.path, ".objects"))
     return "--scalar: colours one mesh, no objects that move";
-  if (arguments.alpha) return "--scalar: is not blended; leave out --alpha";
   if (arguments.anti_aliasing == AntiAliasing::kExact)
     return "--scalar: has colours of samples, no exact areas; take --aa 8";
   if (arguments.shadow)

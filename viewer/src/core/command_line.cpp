@@ -118,8 +118,8 @@ std::string render_command(const State& state, const std::string& output,
       command += " --shade flat";
     command += state.looks.cull ? " --cull" : " --no-cull";
     command += " --background " + color_text(state.looks.background);
-    if (alpha_of(state) != kOpaque)
-      command += fmt::format(" --alpha {}", alpha_of(state));
+    if (state.looks.alpha != kOpaque)
+      command += fmt::format(" --alpha {}", state.looks.alpha);
     if (part.color) command += " --color " + color_text(*part.color);
     if (state.looks.light) {
       const auto& [x, y, z] = *state.looks.light;

@@ -374,8 +374,7 @@ ImageOptions image_options(const State& state, const Model& model) {
   }
   const auto clips = make_clips(options.clips, scene.grid_bits());
   options.clips = clips ? *clips : std::vector<ClipPlane>();
-  // What lets light through has no caps (S5.6).
-  if (!options.clips.empty() && model.is_closed && alpha_of(state) == kOpaque) {
+  if (!options.clips.empty() && model.is_closed) {
     options.caps = kCaps;
     options.parts = model.cap_parts;
   }

@@ -33,7 +33,7 @@ PictureRequest picture_of(const State& state,
   request.options = image_options(state, *model);
   request.model = std::move(model);
   request.camera = camera;
-  request.alpha = alpha_of(state);
+  request.alpha = state.looks.alpha;
   request.numbers = std::move(numbers);
   request.back_color = back_color_of(state);
   request.line_style.width = kLineWidth;
@@ -57,21 +57,27 @@ Result<std::shared_ptr<const fast::Drawing>> lines_for(
       std::make_shared<fast::Drawing>(*std::move(drawing)));
 }
 
+const fast::ScalarColors& PictureMaker::scalar_colors(
+    const PictureRequest& request) {
+  if (colored_ != request.numbers) {
+    colored_ = request.numbers;
+    scalar_colors_ =
+        fast::prepare_scalars(request.model->loaded.file.scene,
+                              colored_->numbers->field, colored_->scale);
+  }
+  return scalar_colors_;
+}
+
 /// Colours the rows from `row` on.
 void PictureMaker::color_numbers(const PictureRequest& request,
                                  std::int32_t row, int threads,
                                  fast::Rendering& rendering) {
   const Scene& scene = request.model->loaded.file.scene;
-  if (colored_ != request.numbers) {
-    colored_ = request.numbers;
-    scalar_colors_ =
-        fast::prepare_scalars(scene, colored_->numbers->field, colored_->scale);
-  }
   fast::ScalarOptions how;
   how.top = row;
   how.threads = threads;
   fast::color_scalars(scene, request.camera, request.options, rendering.items,
-                      scalar_colors_, how, rendering.colors);
+                      scalar_colors(request), how, rendering.colors);
 }
 
 void PictureMaker::draw(const PictureRequest& request, std::int32_t first_row,
@@ -80,16 +86,21 @@ void PictureMaker::draw(const PictureRequest& request, std::int32_t first_row,
   fast::RenderOptions how;
   how.threads = thread_count();
   how.items = request.numbers != nullptr || request.back_color;
-  how.colors = request.numbers == nullptr;
+  const bool is_opaque = request.alpha == kOpaque;
+  how.colors = request.numbers == nullptr || !is_opaque;
   how.rectangle = {0, first_row, request.camera->width_px, end_row};
-  if (request.alpha == kOpaque) {
+  if (is_opaque) {
     fast::render(scene, *request.model->tree, request.camera, request.options,
                  how, rendering);
+  } else if (request.numbers) {
+    rendering = fast::blend_scalars(scene, *request.model->tree, request.camera,
+                                    request.options, request.alpha,
+                                    scalar_colors(request), how);
   } else {
     rendering = fast::blend(scene, *request.model->tree, request.camera,
                             request.options, request.alpha, how);
   }
-  if (request.numbers)
+  if (request.numbers && is_opaque)
     color_numbers(request, first_row, how.threads, rendering);
   if (request.back_color) {
     fast::mark_back_faces(scene, request.camera, rendering.items,

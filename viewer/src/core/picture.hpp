@@ -20,7 +20,7 @@ struct PictureRequest {
   std::shared_ptr<const Model> model;
   Camera camera;
   ImageOptions options;
-  std::uint8_t alpha = kOpaque;                 ///< with numbers: kOpaque
+  std::uint8_t alpha = kOpaque;
   std::shared_ptr<const ShownNumbers> numbers;  ///< null: the scene's colours
   std::optional<Rgb> back_color;  ///< nothing with numbers, or with an alpha
   std::shared_ptr<const fast::Drawing> lines;  ///< null: none
@@ -48,6 +48,7 @@ class PictureMaker {
             std::int32_t end_row, fast::Rendering& rendering);
 
  private:
+  const fast::ScalarColors& scalar_colors(const PictureRequest& request);
   void color_numbers(const PictureRequest& request, std::int32_t row,
                      int threads, fast::Rendering& rendering);
 

@@ -317,12 +317,8 @@ bool have_same_scene(const State& a, const State& b) {
          source_of(a.looks) == source_of(b.looks);
 }
 
-std::uint8_t alpha_of(const State& state) {
-  return state.looks.scalar ? kOpaque : state.looks.alpha;
-}
-
 std::optional<Rgb> back_color_of(const State& state) {
-  const bool is_plain = !state.looks.scalar && alpha_of(state) == kOpaque;
+  const bool is_plain = !state.looks.scalar && state.looks.alpha == kOpaque;
   return is_plain ? state.looks.back_color : std::nullopt;
 }
 

@@ -148,14 +148,12 @@ void draw_looks(Session& session, Ui& ui) {
   draw_back_sides(looks);
   draw_light(session, ui, looks);
   draw_coloring(looks);
-  if (!looks.scalar) {
-    int alpha = looks.alpha;
-    if (ImGui::SliderInt("Opacity", &alpha, 0, kOpaque, "%d",
-                         ImGuiSliderFlags_AlwaysClamp))
-      looks.alpha = static_cast<std::uint8_t>(alpha);
-    if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("255 hides what is behind, 0 is not seen");
-  }
+  int alpha = looks.alpha;
+  if (ImGui::SliderInt("Opacity", &alpha, 0, kOpaque, "%d",
+                       ImGuiSliderFlags_AlwaysClamp))
+    looks.alpha = static_cast<std::uint8_t>(alpha);
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("255 hides what is behind, 0 is not seen");
   choose_color("Background", looks.background);
   for (const Rgb& color : {Rgb{255, 255, 255}, Rgb{232, 236, 241},
                            Rgb{43, 48, 56}, Rgb{0, 0, 0}}) {

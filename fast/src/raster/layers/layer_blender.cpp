@@ -63,12 +63,22 @@ void LayerBlender::set_flat(std::uint32_t color) {
 void LayerBlender::shade(const PixelSource& source, std::int32_t x,
                          std::int32_t y, std::uint32_t bits,
                          LineColors& colors) {
+  if (own_) {
+    own_->shade(source.id - frame_.first_id, x, y, bits, colors);
+    return;
+  }
   if (shaded_ != source.id) {
     shaded_ = source.id;
     shader_.start(source.id - frame_.first_id, source.eye_sign);
   }
   stats_.exact +=
       static_cast<std::uint64_t>(shader_.shade(x, y, bits, colors.data(), 0));
+}
+
+FilterStats LayerBlender::stats() const {
+  FilterStats all = stats_;
+  if (own_) all.add(own_->stats());
+  return all;
 }
 
 void LayerBlender::blend_line(const LineColors& over, std::uint32_t bits,

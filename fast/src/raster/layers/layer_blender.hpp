@@ -3,11 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "halfspace/image.hpp"
 #include "raster/frame.hpp"
 #include "raster/gouraud.hpp"
 #include "raster/kernel/tile_kernel.hpp"
+#include "raster/layers/layer_colors.hpp"
 
 namespace halfspace::fast {
 
@@ -31,9 +33,6 @@ constexpr std::uint8_t blended(std::uint8_t over, std::uint8_t under,
   return nearest_of_255(share_of(over, alpha) + (kOpaque - alpha) * under);
 }
 
-/// The colours of the 32 pixels of a tile's line.
-using LineColors = std::array<std::uint8_t, 3 * kTileWidth>;
-
 /// Writes polygons into the images, one over the other (S5.6; PD84 "over").
 class LayerBlender {
  public:
@@ -41,7 +40,8 @@ class LayerBlender {
       : frame_(frame),
         screen_(screen),
         rest_(static_cast<std::uint16_t>(kOpaque - frame.alpha)),
-        shader_(frame.reader.scene(), frame.camera, frame.view, frame.moved) {}
+        shader_(frame.reader.scene(), frame.camera, frame.view, frame.moved),
+        own_(frame.colors != nullptr ? frame.colors->shader() : nullptr) {}
 
   bool has_items() const { return screen_.items != nullptr; }
   bool has_colors() const { return screen_.colors != nullptr; }
@@ -67,7 +67,7 @@ class LayerBlender {
     return screen_.items + screen_.pixel_at(x, y);
   }
 
-  FilterStats stats() const { return stats_; }
+  FilterStats stats() const;
 
  private:
   void set_flat(std::uint32_t color);
@@ -76,8 +76,9 @@ class LayerBlender {
   const TileView& screen_;
   std::uint16_t rest_;  ///< what an alpha leaves of what is behind
   GouraudShader shader_;
-  PolygonId shaded_ = kBackground;  ///< whose colours shader_ has
-  LineColors over_{};               ///< of a smooth polygon
+  std::unique_ptr<LayerColors::Shader> own_;  ///< in place of that, or null
+  PolygonId shaded_ = kBackground;            ///< whose colours shader_ has
+  LineColors over_{};                         ///< of a smooth polygon
   /// The shares of a flat one's channels, so many that they repeat as vectors.
   std::array<std::uint16_t, 3 * kTileWidth> shares_{};
   std::uint32_t flat_ = PixelSource::kSmooth;  ///< whose shares these are

@@ -6,6 +6,7 @@
 #include "halfspace/camera.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/ref/projection.hpp"
+#include "halfspace/ref/render.hpp"
 #include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
 
@@ -35,5 +36,15 @@ ColorImage color_scalars(const Scene& scene, const Camera& camera,
                          const ImageOptions& options, const ItemImage& items,
                          const ScalarField& field, const ColorScale& scale,
                          std::int32_t samples = 1);
+
+/// The transparent image (S5.6) of polygons in the colours of their scalars
+/// (S11.4).
+///
+/// Requires: as blend(); a field of the scene.
+/// Exact:    yes.
+Rendering blend_scalars(const Scene& scene, const BspTree& tree,
+                        const Camera& camera, const ImageOptions& options,
+                        std::uint8_t alpha, const ScalarField& field,
+                        const ColorScale& scale);
 
 }  // namespace halfspace::ref

@@ -100,9 +100,6 @@ bool is_same(const io::ViewOptions& a, const io::ViewOptions& b);
 /// Whether the pictures of two states need the same scene.
 bool have_same_scene(const State& a, const State& b);
 
-/// The alpha of the state's picture (S5.6): numbers are not blended.
-std::uint8_t alpha_of(const State& state);
-
 /// The mark of the state's picture (S5.8): numbers and what lets light through
 /// have none.
 std::optional<Rgb> back_color_of(const State& state);

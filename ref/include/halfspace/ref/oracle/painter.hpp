@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "halfspace/ref/render.hpp"
 
@@ -24,5 +25,12 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
 /// Exact: yes.
 Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& options, std::uint8_t alpha);
+
+/// The same where polygons have these colours at pixel (i, j).
+using PixelColor =
+    std::function<Rgb(PolygonId polygon, std::int32_t i, std::int32_t j)>;
+Rendering blend_in_colors(const Scene& scene, const BspTree& tree,
+                          const Camera& camera, const ImageOptions& options,
+                          std::uint8_t alpha, const PixelColor& color_of);
 
 }  // namespace halfspace::ref
