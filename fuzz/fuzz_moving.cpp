@@ -1,4 +1,5 @@
 #include "fuzz.hpp"
+#include "generate/clip_planes.hpp"
 #include "generate/moving_views.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/ref/moving.hpp"
@@ -18,8 +19,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   if (!moving) return 0;
   const auto& [assembly, pose, placement, camera] = *moving;
   const std::string text = write_scene(view) + "# " + std::to_string(seed);
+  ImageOptions options = view.options;
+  options.caps = std::nullopt;
+  options.clips = generate::clip_planes(view.scene, seed, seed / 7 % 3);
   const auto expected =
-      ref::render_moving(assembly, placement, camera, view.options);
+      ref::render_moving(assembly, placement, camera, options);
   fast::DisplayTreeOptions display;
   display.leaf_size = 1 + seed % 5;
   display.threads = 1;
@@ -27,16 +31,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
       fast::build_moving_trees(assembly, fast::InRegion::kCut, display);
   HALFSPACE_FUZZ_EXPECT(trees.has_value(), text);
   const auto found =
-      fast::render_moving(assembly, *trees, placement, camera, view.options);
+      fast::render_moving(assembly, *trees, placement, camera, options);
   HALFSPACE_FUZZ_EXPECT(found.items == expected.items, text);
   HALFSPACE_FUZZ_EXPECT(found.colors == expected.colors, text);
   if (!ref::check_free(assembly)) return 0;
   const auto flat = ref::flat_scene(assembly, placement, camera);
   if (!flat) return 0;
-  auto image = ref::zbuffer(flat->scene, flat->camera, view.options);
-  for (PolygonId& item : image.items.pixels) {
-    if (item != kBackground) item = flat->ids[static_cast<std::size_t>(item)];
-  }
+  const auto own = ref::flat_options(*flat, options);
+  if (!own) return 0;
+  auto image = ref::zbuffer(flat->scene, flat->camera, *own);
+  for (PolygonId& item : image.items.pixels)
+    item = ref::moved_item(assembly, *flat, item);
   HALFSPACE_FUZZ_EXPECT(image.items == expected.items, text);
   HALFSPACE_FUZZ_EXPECT(image.colors == expected.colors, text);
   return 0;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/splitmix.hpp"
 
 namespace halfspace::generate {
@@ -272,18 +274,19 @@ std::optional<Camera> camera_at(const ObjectRegion& region, int grid_bits,
 
 }  // namespace
 
-std::optional<MovingView> moving_view(const SceneFile& view,
-                                      std::uint64_t seed) {
+namespace {
+
+/// The ids of the polygons of the three models.
+using Divided = std::array<std::vector<PolygonId>, 3>;
+
+/// Takes the polygons away that reach into regions.
+using Free = std::function<Scene(const Scene& scene,
+                                 const std::vector<MovingObject>& objects)>;
+
+std::optional<MovingView> moving_view(const SceneFile& view, std::uint64_t seed,
+                                      const Divided& ids, bool frees,
+                                      const Free& free) {
   const Scene& scene = view.scene;
-  const auto count = scene.polygon_count();
-  if (count == 0) return std::nullopt;
-  std::array<std::vector<PolygonId>, 3> ids;
-  for (std::size_t p = 0; p < count; ++p)
-    ids[mix(seed + p) % 3].push_back(static_cast<PolygonId>(p));
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (ids[k].empty())
-      ids[k].push_back(static_cast<PolygonId>(mix(seed + k) % count));
-  }
   const auto vertex = [&](std::uint64_t number) {
     const auto& vertices = scene.data().vertices;
     return vertices[mix(seed + number) % vertices.size()];
@@ -308,8 +311,7 @@ std::optional<MovingView> moving_view(const SceneFile& view,
       !share_space(beside.region, models[0].objects[0].region);
   if (has_beside) models[0].objects.push_back(beside);
   for (std::size_t k = 0; k < 2; ++k) {
-    if (mix(seed + 40) % 2 != 0)
-      models[k].scene = freed(models[k].scene, models[k].objects);
+    if (frees) models[k].scene = free(models[k].scene, models[k].objects);
   }
   Result<Assembly> assembly = make_assembly(std::move(models));
   if (!assembly) return std::nullopt;
@@ -334,6 +336,45 @@ std::optional<MovingView> moving_view(const SceneFile& view,
     if (aimed) camera = aimed;
   }
   return MovingView{*std::move(assembly), std::move(pose), *placement, *camera};
+}
+
+}  // namespace
+
+std::optional<MovingView> moving_view(const SceneFile& view,
+                                      std::uint64_t seed) {
+  const auto count = view.scene.polygon_count();
+  if (count == 0) return std::nullopt;
+  Divided ids;
+  for (std::size_t p = 0; p < count; ++p)
+    ids[mix(seed + p) % 3].push_back(static_cast<PolygonId>(p));
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (ids[k].empty())
+      ids[k].push_back(static_cast<PolygonId>(mix(seed + k) % count));
+  }
+  return moving_view(view, seed, ids, mix(seed + 40) % 2 != 0, freed);
+}
+
+std::optional<MovingView> moving_parts(const SceneFile& view,
+                                       std::uint64_t seed) {
+  const std::vector<std::uint32_t> parts = connected_parts(view.scene);
+  if (parts.empty()) return std::nullopt;
+  const std::uint32_t last = *std::max_element(parts.begin(), parts.end());
+  Divided ids;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const auto id = static_cast<PolygonId>(p);
+    // The first two parts are of objects, the same one where there is no other.
+    if (parts[p] == 0) ids[1].push_back(id);
+    if (parts[p] == std::min(last, 1u)) ids[2].push_back(id);
+    if (parts[p] > 1) ids[mix(seed + parts[p]) % 3].push_back(id);
+  }
+  return moving_view(
+      view, seed, ids, true,
+      [](const Scene& scene, const std::vector<MovingObject>& objects) {
+        Scene left = freed(scene, objects);
+        return left.polygon_count() == scene.polygon_count()
+                   ? left
+                   : part_of(scene, {});
+      });
 }
 
 }  // namespace halfspace::generate

@@ -27,4 +27,10 @@ struct MovingView {
 std::optional<MovingView> moving_view(const SceneFile& view,
                                       std::uint64_t seed);
 
+/// The same of whole connected parts (S10.6) that are not divided: where the
+/// scene is closed so are all models, and where polygons of an owner reach into
+/// a region it has none.
+std::optional<MovingView> moving_parts(const SceneFile& view,
+                                       std::uint64_t seed);
+
 }  // namespace halfspace::generate

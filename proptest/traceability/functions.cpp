@@ -426,6 +426,7 @@ void take_all() {
   take(&fast::build_moving_trees);  // S12.4
   take(&ref::render_moving);  // S12.5
   take(&ref::flat_scene);  // S12.5
+  take(&ref::flat_options);  // S12.5
   take(&fast::render_moving);  // S12.5
   take(&fast::build_moving_trees);  // S12.6
   take(&fast::build_model_tree);  // S12.6
@@ -438,5 +439,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 206 ? 0 : 1;
+  return halfspace::taken == 207 ? 0 : 1;
 }

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "halfspace/cap_parts.hpp"
+#include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/scan.hpp"
 #include "halfspace/ref/screen.hpp"
@@ -160,6 +163,20 @@ Rgb moved_color(const Assembly& assembly, const Placement& placement,
   return gouraud_color(corners, colors, camera, i, j);
 }
 
+/// Colours what shows caps, whose ids begin at `count`.
+void color_caps(std::size_t count, const ImageOptions& options,
+                Rendering& image) {
+  for (std::int32_t j = 0; j < image.items.height_px; ++j) {
+    for (std::int32_t i = 0; i < image.items.width_px; ++i) {
+      const PolygonId item = image.items.at(i, j);
+      if (item == kBackground || static_cast<std::size_t>(item) < count)
+        continue;
+      image.colors.at(i, j) = cap_color_at_sample(
+          options, cap_item(static_cast<std::size_t>(item) - count), i, j, 1);
+    }
+  }
+}
+
 /// The occurrences that are there, by their first ids.
 std::vector<std::size_t> in_order(const Assembly& assembly,
                                   const Placement& placement) {
@@ -226,6 +243,7 @@ MovedPolygons moved_polygons(const Assembly& assembly,
 Rendering render_moving(const Assembly& assembly, const Placement& placement,
                         const Camera& camera, const ImageOptions& options) {
   MovedPolygons moved = moved_polygons(assembly, placement);
+  const std::vector<Fragment> of_caps = moved.fragments;
   const BspTree tree = build(moved.planes, std::move(moved.fragments), {});
   const Projection projection = projection_of(camera);
   DynamicScreen screen(camera->width_px, camera->height_px);
@@ -238,8 +256,11 @@ Rendering render_moving(const Assembly& assembly, const Placement& placement,
         moved.planes[static_cast<std::size_t>(fragment.source)];
     if (options.cull && side_of_eye(plane, camera) == Side::kNegative)
       return true;
+    if (!is_there(plane, options)) return true;
+    const auto left = clipped(fragment, options);
+    if (!left) return true;
     ++image.fragments_displayed;
-    for (const auto& [line, span] : scan_convert(fragment, projection)) {
+    for (const auto& [line, span] : scan_convert(*left, projection)) {
       screen.merge(line, {span}, [&, row = line](Span lit) {
         for (std::int32_t i = lit.first; i <= lit.last; ++i) {
           image.items.at(i, row) = fragment.source;
@@ -252,7 +273,44 @@ Rendering render_moving(const Assembly& assembly, const Placement& placement,
     }
     return !screen.full();
   });
+  add_caps_of(of_caps, assembly.polygon_count(), camera, options, image.items);
+  color_caps(assembly.polygon_count(), options, image);
   return image;
+}
+
+Result<ImageOptions> flat_options(const FlatScene& flat,
+                                  const ImageOptions& options) {
+  ImageOptions result = options;
+  const Int128 scale = Int128{1} << flat.shift;
+  const Int128 most = (Int128{1} << 126) / scale;
+  for (ClipPlane& clip : result.clips) {
+    if (clip.d > most || -clip.d > most) {
+      return Error{ErrorCode::kOutOfRange,
+                   "a clip plane is too far away for so fine a grid"};
+    }
+    clip.d *= scale;
+  }
+  const auto clips = make_clips(result.clips, flat.scene.grid_bits());
+  if (!clips) return clips.error();
+  result.clips = *clips;
+  if (options.parts) {
+    CapParts parts = *options.parts;
+    parts.part_of.clear();
+    for (const PolygonId id : flat.ids)
+      parts.part_of.push_back(
+          options.parts->part_of[static_cast<std::size_t>(id)]);
+    result.parts = std::make_shared<const CapParts>(std::move(parts));
+  }
+  return result;
+}
+
+PolygonId moved_item(const Assembly& assembly, const FlatScene& flat,
+                     PolygonId item) {
+  if (item == kBackground) return item;
+  const auto count = static_cast<PolygonId>(flat.ids.size());
+  return item < count
+             ? flat.ids[static_cast<std::size_t>(item)]
+             : static_cast<PolygonId>(assembly.polygon_count()) + item - count;
 }
 
 Result<FlatScene> flat_scene(const Assembly& assembly,
@@ -331,7 +389,7 @@ Result<FlatScene> flat_scene(const Assembly& assembly,
   }
   const Result<Camera> fine = make_camera(view, 54);
   if (!fine) return fine.error();
-  return FlatScene{*std::move(scene), *fine, std::move(ids)};
+  return FlatScene{*std::move(scene), *fine, std::move(ids), finest};
 }
 
 }  // namespace halfspace::ref

@@ -27,6 +27,35 @@ expect 0 '40x30' render a.objects "${view[@]}" --ids b.npy --impl ref \
   --method zbuffer
 expect 0 'mismatches: 0 of' compare a.npy b.npy
 
+# Sections are those of the objects where they stand, with caps of each.
+for caps in "" "--cap hatch" "--cap part"; do
+  # shellcheck disable=SC2206
+  cut=("${view[@]}" --clip 0.2,1,0.1,-0.5 --clip 0,-1,-1,6 $caps)
+  expect 0 '40x30' render a.objects "${cut[@]}" -o cut.png --ids cut.npy
+  cmp -s cut.png a.png && wrong "--clip $caps changes nothing"
+  expect 0 '40x30' render a.objects "${cut[@]}" -o b.png --ids b.npy --impl ref
+  expect 0 'mismatches: 0 of' compare cut.npy b.npy
+  same cut.png b.png
+  expect 0 '40x30' render a.objects "${cut[@]}" --ids b.npy --impl ref \
+    --method zbuffer
+  expect 0 'mismatches: 0 of' compare cut.npy b.npy
+  cmp -s cut.png before.png && wrong "$caps changes nothing"
+  cp cut.png before.png
+done
+expect 0 '40x30' render a.objects "${view[@]}" --yon 19 -o far.png
+cmp -s far.png a.png && wrong "--yon changes nothing"
+expect 2 'needs --clip' render a.objects --cap hatch -o bad.png
+expect 2 'file is for draw' render a.objects --clip 0,1,0,0 --cap file \
+  -o bad.png
+objects cut "$left move -3,0,2.5"
+expect 0 '40x30' render a.objects "${view[@]}" --clip 0,1,0,0 -o cut.png
+expect 2 'leaves it open' render a.objects --clip 0,1,0,0 --cap hatch -o bad.png
+printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' >sheet.off
+printf '%s\n' 'halfspace-objects 1' 'world floor.off' 'model block sheet.off' \
+  "$left move -3,0,2.5" >a.objects
+expect 2 'models is not closed' render a.objects --clip 0,1,0,0 --cap hatch \
+  -o bad.png
+
 # Where the world's polygons are in the way, it says so, or cuts.
 objects 'object low block region 1,1,-0.5 6,6,4 move 3,3,2'
 expect 2 'region of object 0 of model 0 is not free: polygon' render a.objects \

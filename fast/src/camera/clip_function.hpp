@@ -3,6 +3,7 @@
 #include "camera/edge_function.hpp"
 #include "halfspace/clip.hpp"
 #include "halfspace/fast/types.hpp"
+#include "halfspace/moving.hpp"
 
 namespace halfspace::fast {
 
@@ -24,6 +25,42 @@ ProjectedPlane<kBits> projected(const ClipPlane& clip, const CameraData& camera,
   return {camera.perspective ? along(camera.eye) + offset : along(camera.eye),
           along(camera.sx), along(camera.sy),
           multiply<kWords>(at_s0, Int128{2 * samples})};
+}
+
+/// A clip plane in the frame of an object (S12.3): its function at the object's
+/// points, times 2^shift.
+///
+/// Bits: a normal of 109, a map's entries of 62, three times: 173; with the
+/// offset of 118 and the plane's, 126 and 62 of the shift, 229; at a point 231.
+struct MovedClip {
+  Wide<4> a, b, c, d;
+
+  MovedClip(const ClipPlane& clip, const ObjectMap& map)
+      : d(multiply<4>(clip.d, Int128{1} << map.shift) +
+          along(clip, map.t[0], map.t[1], map.t[2])) {
+    const auto column = [&](std::size_t k) {
+      return along(clip, Int128{map.m[k]}, Int128{map.m[3 + k]},
+                   Int128{map.m[6 + k]});
+    };
+    a = column(0), b = column(1), c = column(2);
+  }
+
+  int sign_at(const GridPoint& p) const {
+    return sign(multiply<4>(a, Int128{p.x}) + multiply<4>(b, Int128{p.y}) +
+                multiply<4>(c, Int128{p.z}) + d);
+  }
+
+ private:
+  static Wide<4> along(const ClipPlane& clip, const Int128& x, const Int128& y,
+                       const Int128& z) {
+    return multiply<4>(clip.a, x) + multiply<4>(clip.b, y) +
+           multiply<4>(clip.c, z);
+  }
+};
+
+inline Plane rounded(const MovedClip& clip) {
+  return {to_double(clip.a), to_double(clip.b), to_double(clip.c),
+          to_double(clip.d)};
 }
 
 /// The sign of a clip plane at a point of the grid.

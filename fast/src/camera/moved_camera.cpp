@@ -106,6 +106,8 @@ MovedCamera moved_camera(const CameraData& camera, const ObjectMap& to_world) {
   moved.near = camera.near;
   moved.width_px = camera.width_px;
   moved.height_px = camera.height_px;
+  moved.in_world = camera;
+  moved.to_world = to_world;
   moved.eye = camera.perspective ? point(camera.eye) : direction(camera.eye);
   moved.s0 = point(camera.s0);
   moved.sx = direction(camera.sx);
@@ -168,6 +170,14 @@ EdgeFunction<14> near_function(const ProjectedPlane<kMovedGrid>& p,
   }
   return {times(p.a, unit), times(p.b, unit),
           times(p.c, unit) - times(p.eye, Int128{2 * samples} * near)};
+}
+
+EdgeFunction<14> meet_function(const ProjectedPlane<kMovedGrid>& p,
+                               const ProjectedPlane<54>& q) {
+  const auto part = [&](const Wide<6>& p_part, const Wide<3>& q_part) {
+    return multiply<14>(p.eye, q_part) - multiply<14>(q.eye, p_part);
+  };
+  return {part(p.a, q.a), part(p.b, q.b), part(p.c, q.c)};
 }
 
 View make_view(const MovedCamera& camera, int grid_bits, int samples) {

@@ -50,6 +50,8 @@ struct MovedCamera {
   std::optional<std::int64_t> near;
   std::int32_t width_px = 0;
   std::int32_t height_px = 0;
+  CameraData in_world;
+  ObjectMap to_world;
 };
 
 MovedCamera moved_camera(const CameraData& camera, const ObjectMap& to_world);
@@ -87,6 +89,11 @@ EdgeFunction<14> edge_function(const GridPoint& p, const GridPoint& q,
 EdgeFunction<14> near_function(const ProjectedPlane<kMovedGrid>& p,
                                std::int64_t near, bool perspective,
                                int samples);
+
+/// As meet_function(), with a plane of the world, which keeps its values at the
+/// eye and the image's points. Bits: 374 and 196, twice.
+EdgeFunction<14> meet_function(const ProjectedPlane<kMovedGrid>& p,
+                               const ProjectedPlane<54>& q);
 
 /// As make_view(), in the object's frame.
 View make_view(const MovedCamera& camera, int grid_bits, int samples = 1);

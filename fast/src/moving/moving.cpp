@@ -1,5 +1,7 @@
 #include "halfspace/fast/image/moving.hpp"
 
+#include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -7,6 +9,7 @@
 #include "halfspace/assert.hpp"
 #include "moving/object_painter.hpp"
 #include "raster/bands.hpp"
+#include "raster/caps.hpp"
 #include "sah/cell_tree.hpp"
 
 namespace halfspace::fast {
@@ -41,6 +44,34 @@ MovingBand render_moving_band(const MovingFrame& all, const Frame& world,
   stats.add(objects.stats());
   return {static_cast<std::size_t>(area - unlit), fragments,
           static_cast<std::size_t>(screen.touches), stats};
+}
+
+/// Where the winding numbers of all that is there change in the clip planes.
+CapChanges cap_changes_of(const MovingFrame& all, const Frame& world,
+                          const Rectangle& rectangle) {
+  CapChanges changes = cap_changes(world, rectangle);
+  std::map<std::int32_t, TreeReader> readers;
+  const auto& occurrences = all.assembly.occurrences();
+  for (std::size_t o = 1; o < occurrences.size(); ++o) {
+    const auto& map = all.placement.to_world()[o];
+    const std::int32_t model = occurrences[o].model;
+    const Scene& scene = all.assembly.model(model).scene;
+    if (!map || scene.polygon_count() == 0) continue;
+    const TreeReader& reader =
+        readers
+            .try_emplace(model, scene,
+                         all.trees.models[static_cast<std::size_t>(model)].tree)
+            .first->second;
+    const MovedCamera camera = moved_camera(all.camera, *map);
+    const Frame frame = {reader,     all.camera,
+                         all.image,  world.view,
+                         all.kernel, all.clips,
+                         kOpaque,    nullptr,
+                         &camera,    occurrences[o].first_polygon};
+    add_object_changes(frame, rectangle, changes);
+  }
+  for (auto& own : changes) std::sort(own.begin(), own.end());
+  return changes;
 }
 
 std::optional<Error> fault_of_cells(const KeptCells& cells,
@@ -105,19 +136,20 @@ Rendering render_moving(const Assembly& assembly, const MovingTrees& trees,
                         const RenderOptions& options) {
   HALFSPACE_ASSERT(options.threads >= 0);
   const int threads = thread_count(options.threads);
-  HALFSPACE_ASSERT(image.clips.empty());
   const CameraData& data = camera.data();
   const Rectangle rectangle = options.rectangle.value_or(
       Rectangle{0, 0, data.width_px, data.height_px});
   const std::int32_t width = rectangle.right - rectangle.left;
   const std::int32_t height = rectangle.bottom - rectangle.top;
   Rendering result;
-  if (options.items) resize_image(result.items, width, height);
+  // Caps are put where nothing else is seen, or what is behind them.
+  const bool has_caps = image.caps && !image.clips.empty();
+  if (options.items || has_caps) resize_image(result.items, width, height);
   if (options.colors) resize_image(result.colors, width, height);
   const Scene& scene = assembly.models()[0].scene;
   const TreeReader reader(scene, trees.models[0].tree);
   const View view = make_view(camera, scene.grid_bits());
-  const ClipSet clips(image.clips, false, scene.grid_bits());
+  const ClipSet clips(image.clips, image.caps.has_value(), scene.grid_bits());
   const TileKernel& kernel = best_kernel(options.simd);
   const MovingFrame all = {assembly, trees,  placement, data,
                            image,    kernel, clips};
@@ -134,6 +166,11 @@ Rendering render_moving(const Assembly& assembly, const MovingTrees& trees,
     one(0);
   } else {
     for_bands(bands.size(), threads, one);
+  }
+  if (has_caps) {
+    add_caps(world, rectangle, cap_changes_of(all, world, rectangle),
+             static_cast<PolygonId>(assembly.polygon_count()), result);
+    if (!options.items) result.items = {};
   }
   for (const MovingBand& band : found) {
     result.pixels_painted += band.pixels;

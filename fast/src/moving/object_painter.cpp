@@ -7,9 +7,10 @@ namespace halfspace::fast {
 
 ObjectPainter::Painter::Painter(const MovingFrame& all, const ModelTree& model,
                                 const Scene& scene, TileView& screen)
-    : reader(scene, model.tree),
-      frame{reader,    all.camera, all.image, shown.view,   all.kernel,
-            all.clips, kOpaque,    nullptr,   &shown.camera},
+    : clips(all.clips),
+      reader(scene, model.tree),
+      frame{reader, all.camera, all.image, shown.view,   all.kernel,
+            clips,  kOpaque,    nullptr,   &shown.camera},
       rasterizer(frame, screen) {}
 
 ObjectPainter::ObjectPainter(const MovingFrame& frame, TileBuffer& buffer)
@@ -41,6 +42,8 @@ void ObjectPainter::show(std::int32_t owner, std::int32_t object) {
   Painter& painter = painter_of(occurrence.model, depth_);
   painter.shown.camera = moved_camera(frame_.camera, *map);
   painter.shown.view = make_view(painter.shown.camera, scene.grid_bits());
+  if (!frame_.clips.empty())
+    painter.clips = frame_.clips.moved(*map, scene.grid_bits());
   painter.frame.first_id = occurrence.first_polygon;
   painter.rasterizer.forget();
   if (is_gouraud_ && !scene.data().corner_colors.empty()) {

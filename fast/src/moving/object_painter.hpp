@@ -19,7 +19,7 @@ struct MovingFrame {
   const CameraData& camera;
   const ImageOptions& image;
   const TileKernel& kernel;
-  const ClipSet& clips;  ///< none
+  const ClipSet& clips;  ///< in the world
 };
 
 /// Displays the objects of a frame in one band, each where the walk of its
@@ -64,6 +64,7 @@ class ObjectPainter final : public ExactFallback {
     Painter(const MovingFrame& frame, const ModelTree& model,
             const Scene& scene, TileView& screen);
     Shown shown;
+    ClipSet clips;
     TreeReader reader;
     Frame frame;
     PolygonRasterizer<kMovedGrid> rasterizer;

@@ -32,16 +32,24 @@ using CapChanges = std::vector<std::vector<CapChange>>;
 ///           function for each of them and row.
 CapChanges cap_changes(const Frame& frame, const Rectangle& rectangle);
 
+/// Adds the changes that the object of `frame` makes in the caps of the world:
+/// those of all objects and of the world add up. They are not sorted.
+///
+/// Requires: frame.moved; image.caps; a closed object.
+void add_object_changes(const Frame& frame, const Rectangle& rectangle,
+                        CapChanges& changes);
+
 /// Puts the caps of the frame's clip planes into a rendering of the clipped
 /// scene (S10.3): of the rectangle, items and maybe colours, but where the
 /// frame has an alpha items alone.
 ///
 /// Requires: a closed scene; image.caps; result.items of the rectangle, whose
 ///           rows are some of those of `changes`, and its columns the same.
+///           Ids of caps begin at `first_id`.
 /// Exact:    yes.
 /// Cost:     what is filled.
 void add_caps(const Frame& frame, const Rectangle& rectangle,
-              const CapChanges& changes, Rendering& result);
+              const CapChanges& changes, PolygonId first_id, Rendering& result);
 
 /// Blends the caps of planes that the eye is on that side of with the colours
 /// of some rows of a rendering (S10.7).

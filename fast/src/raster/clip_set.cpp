@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/clip_function.hpp"
 #include "tree/tree_access.hpp"
 
 namespace halfspace::fast {
@@ -14,16 +13,32 @@ namespace halfspace::fast {
 /// new vertex and for the bound's own roundings.
 ClipSet::ClipSet(const std::vector<ClipPlane>& planes, bool has_caps,
                  int grid_bits)
-    : exact_(planes),
+    : exact_(&planes),
       has_caps_(has_caps && !planes.empty()),
       rounding_(rounding_of_values(grid_bits)) {
+  for (const ClipPlane& clip : planes) add_filter(rounded(clip), grid_bits);
+}
+
+void ClipSet::add_filter(const Plane& coefficients, int grid_bits) {
   const double limit = std::ldexp(1.0, grid_bits - 1);
-  for (const ClipPlane& clip : planes) {
-    const FilterPlane plane = filter_plane(rounded(clip));
-    planes_.push_back(
-        {plane,
-         8 * kRounding * (plane.size * limit + std::abs(plane.plane.d))});
+  const FilterPlane plane = filter_plane(coefficients);
+  planes_.push_back(
+      {plane, 8 * kRounding * (plane.size * limit + std::abs(plane.plane.d))});
+}
+
+ClipSet ClipSet::moved(const ObjectMap& to_world, int grid_bits) const {
+  ClipSet result = *this;
+  result.planes_.clear();
+  result.rounding_ = rounding_of_values(grid_bits);
+  for (const ClipPlane& clip : *exact_) {
+    result.moved_.emplace_back(clip, to_world);
+    result.add_filter(rounded(result.moved_.back()), grid_bits);
   }
+  return result;
+}
+
+int ClipSet::sign_at(std::size_t k, const GridPoint& p) const {
+  return moved_.empty() ? fast::sign_at((*exact_)[k], p) : moved_[k].sign_at(p);
 }
 
 ClipState ClipSet::classify(const Box& box) const {
@@ -48,9 +63,14 @@ ClipState ClipSet::classify(const Box& box) const {
 
 std::vector<PolygonId> crossing_polygons(const TreeReader& reader,
                                          const ClipPlane& plane) {
-  const BspTree& tree = reader.tree();
   const std::vector<ClipPlane> one = {plane};
-  const ClipSet clip(one, false, reader.scene().grid_bits());
+  return crossing_polygons(reader,
+                           ClipSet(one, false, reader.scene().grid_bits()));
+}
+
+std::vector<PolygonId> crossing_polygons(const TreeReader& reader,
+                                         const ClipSet& clip) {
+  const BspTree& tree = reader.tree();
   const bool has_boxes = tree.boxes.size() == tree.nodes.size();
   std::vector<PolygonId> found;
   std::vector<NodeId> ahead;
@@ -81,7 +101,7 @@ int FragmentClipper::sign_at_corner(std::size_t plane, const At& at,
                                     const Bounded& value) {
   const int known = filtered_sign(value);
   if (known != 0 || at.index < 0) return known;
-  return sign_at(set_.exact_[plane], reader_.scene().point(at.index));
+  return set_.sign_at(plane, reader_.scene().point(at.index));
 }
 
 FragmentClipper::Cut FragmentClipper::cut(std::size_t plane) {

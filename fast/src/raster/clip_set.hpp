@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "camera/clip_function.hpp"
 #include "exact/filter.hpp"
 #include "halfspace/clip.hpp"
 #include "halfspace/fast/types.hpp"
@@ -33,11 +34,15 @@ struct ClippedFragment {
 class ClipSet {
  public:
   ClipSet(const std::vector<ClipPlane>& planes, bool has_caps, int grid_bits);
+  /// The planes, of which this is the set in the world, in the frame of an
+  /// object, whose scene has that grid.
+  ClipSet moved(const ObjectMap& to_world, int grid_bits) const;
 
   bool empty() const { return planes_.empty(); }
   /// Whether polygons in the planes are not there (S10.3).
   bool has_caps() const { return has_caps_; }
-  const ClipPlane& plane(std::size_t k) const { return exact_[k]; }
+  /// A plane, as it stands in the world.
+  const ClipPlane& plane(std::size_t k) const { return (*exact_)[k]; }
   ClipMask all() const { return (ClipMask{1} << planes_.size()) - 1; }
 
   /// The state of all that is in a box.
@@ -50,7 +55,11 @@ class ClipSet {
     double error = 0;  ///< how far rounding puts a value off
   };
 
-  const std::vector<ClipPlane>& exact_;
+  void add_filter(const Plane& plane, int grid_bits);
+  int sign_at(std::size_t k, const GridPoint& p) const;
+
+  const std::vector<ClipPlane>* exact_;
+  std::vector<MovedClip> moved_;  ///< in the frame of an object, if in one
   std::vector<Filter> planes_;
   bool has_caps_;
   double rounding_;
@@ -59,6 +68,9 @@ class ClipSet {
 /// The polygons of a tree that may cross a plane, each once, in order.
 std::vector<PolygonId> crossing_polygons(const TreeReader& reader,
                                          const ClipPlane& plane);
+/// The same for a set of one plane, in the frame of the tree.
+std::vector<PolygonId> crossing_polygons(const TreeReader& reader,
+                                         const ClipSet& plane);
 
 /// Cuts fragments by clip planes: in doubles with bounds, corners of the scene
 /// exactly.

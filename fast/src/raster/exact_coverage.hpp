@@ -55,10 +55,10 @@ class ExactScan {
     return {Wide<kWords>(line.a), Wide<kWords>(line.b), Wide<kWords>(line.c)};
   }
 
-  /// Objects and clip planes do not come together.
   Line clip_line(const ProjectedPlane<kBits>& support, std::size_t k) const {
     if constexpr (kBits == kMovedGrid) {
-      return {};
+      return meet_function(
+          support, projected<54>(clips_.plane(k), camera_.in_world, samples_));
     } else {
       return meet_function<kBits>(
           support, projected<kBits>(clips_.plane(k), camera_, samples_));

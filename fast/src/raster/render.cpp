@@ -167,7 +167,8 @@ void run(const Scene& scene, const BspTree& tree, const Camera& camera,
       blend_caps(frame, rectangle, {rectangle.top, rectangle.bottom}, changes,
                  -1, result);
     }
-    add_caps(frame, rectangle, changes, result);
+    add_caps(frame, rectangle, changes,
+             static_cast<PolygonId>(scene.polygon_count()), result);
     if (!options.items) result.items = {};
   }
   result.pixels_painted = 0;

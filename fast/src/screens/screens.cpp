@@ -220,7 +220,8 @@ Rendering render_on(const Scene& scene, const BspTree& tree,
     const Frame all = {reader, data, image, view, best_kernel(SimdLevel::kBest),
                        clips};
     const Rectangle whole = {0, 0, data.width_px, data.height_px};
-    add_caps(all, whole, cap_changes(all, whole), result);
+    add_caps(all, whole, cap_changes(all, whole),
+             static_cast<PolygonId>(scene.polygon_count()), result);
   }
   return result;
 }

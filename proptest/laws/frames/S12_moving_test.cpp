@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "adapters/both.hpp"
+#include "generate/cut_boxes.hpp"
 #include "generate/moving_views.hpp"
 #include "halfspace/big_integer.hpp"
+#include "halfspace/boolean.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/ref/moving.hpp"
 #include "halfspace/splitmix.hpp"
+#include "laws/frames/clipped_views.hpp"
 #include "laws/law.hpp"
 
 /// Laws of moving objects (S12).
@@ -110,15 +113,16 @@ std::optional<Image> flat_image(const MovingView& moving, const Camera& camera,
   if (!ref::check_free(moving.assembly)) return std::nullopt;
   const auto flat = ref::flat_scene(moving.assembly, moving.placement, camera);
   if (!flat) return std::nullopt;
-  Image image = oracle::zbuffer(flat->scene, flat->camera, options);
+  const auto own = ref::flat_options(*flat, options);
+  if (!own) return std::nullopt;
+  Image image = oracle::zbuffer(flat->scene, flat->camera, *own);
   const auto tree = ref::build(flat->scene, {});
-  HALFSPACE_LAW(ref::paint(flat->scene, tree, flat->camera, options).items ==
+  HALFSPACE_LAW(ref::paint(flat->scene, tree, flat->camera, *own).items ==
                 image.items);
-  HALFSPACE_LAW(ref::raycast(flat->scene, flat->camera, options).items ==
+  HALFSPACE_LAW(ref::raycast(flat->scene, flat->camera, *own).items ==
                 image.items);
-  for (PolygonId& item : image.items.pixels) {
-    if (item != kBackground) item = flat->ids[static_cast<std::size_t>(item)];
-  }
+  for (PolygonId& item : image.items.pixels)
+    item = ref::moved_item(moving.assembly, *flat, item);
   return image;
 }
 
@@ -147,6 +151,83 @@ TYPED_TEST(S12Moving, L1TheImageIsThatOfTheMovedPolygons) {
   EXPECT_GT(compared, 200u);
   EXPECT_GT(slanted, 100u);
   EXPECT_GT(objects_seen, 800u);
+}
+
+/// The occurrence of every polygon.
+std::vector<std::uint32_t> occurrences_of(const Assembly& assembly) {
+  std::vector<std::uint32_t> parts(assembly.polygon_count());
+  const auto& all = assembly.occurrences();
+  for (std::size_t o = 0; o < all.size(); ++o) {
+    const auto count = assembly.model(all[o].model).scene.polygon_count();
+    for (std::size_t p = 0; p < count; ++p) {
+      parts[static_cast<std::size_t>(all[o].first_polygon) + p] =
+          static_cast<std::uint32_t>(o);
+    }
+  }
+  return parts;
+}
+
+/// Whether caps can be put there.
+bool is_closed(const MovingView& moving) {
+  const auto& models = moving.assembly.models();
+  return std::all_of(models.begin(), models.end(), [](const Model& model) {
+    return bad_edges(model.scene).empty();
+  });
+}
+
+TYPED_TEST(S12Moving, L6ClipPlanesCutTheMovedSceneAndItsCaps) {
+  std::size_t cut = 0, caps = 0, parts = 0, turned = 0;
+  const auto compare = [&](const MovingView& moving,
+                           const ImageOptions& options) {
+    const auto expected = flat_image(moving, moving.camera, options);
+    if (!expected) return;
+    ImageOptions whole = options;
+    whole.clips.clear();
+    const auto without = ref::render_moving(moving.assembly, moving.placement,
+                                            moving.camera, whole);
+    cut += without.items != expected->items;
+    const auto first = static_cast<PolygonId>(moving.assembly.polygon_count());
+    for (const PolygonId item : expected->items.pixels) {
+      if (item < first) continue;
+      ++caps;
+      parts += item >= first + 16;
+    }
+    turned += orientation_of(*moving.pose.maps[0][0]) < 0;
+    for (const Image& image : TypeParam::images(
+             moving.assembly, moving.placement, moving.camera, options)) {
+      HALFSPACE_LAW(image.items == expected->items);
+      HALFSPACE_LAW(image.colors == expected->colors);
+    }
+  };
+  for_all_moving([&](const SceneFile& view, const MovingView& moving) {
+    ImageOptions options = plain_options(view);
+    options.clips = clips_of(view, seed_of(view));
+    compare(moving, options);
+  });
+  law::check(kMovingViews / 3, [&] {
+    const auto number = *rc::gen::arbitrary<std::uint64_t>();
+    const SceneFile view = cut_boxes(number, 3, 16, 12);
+    const auto moving = generate::moving_parts(view, number);
+    if (!moving || !is_closed(*moving)) return;
+    ImageOptions options = view.options;
+    options.parts = nullptr;
+    options.cull = number % 7 == 0;
+    options.caps = CapStyle{{9, 8, 7}, Rgb{1, 250, 3}};
+    if (mix(number + 3) % 2 == 0) {
+      const auto more = clips_of(view, number);
+      options.clips.insert(options.clips.end(), more.begin(), more.end());
+      options.clips = *make_clips(options.clips, view.scene.grid_bits());
+    }
+    if (number % 2 == 0) {
+      options.parts =
+          told_apart(occurrences_of(moving->assembly), *options.caps);
+    }
+    compare(*moving, options);
+  });
+  EXPECT_GT(cut, 200u);
+  EXPECT_GT(caps, 100u);
+  EXPECT_GT(parts, 30u);
+  EXPECT_GT(turned, 50u);
 }
 
 TYPED_TEST(S12Moving, L2WhatIsInsideOfRegionsIsCutAway) {

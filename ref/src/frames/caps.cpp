@@ -56,6 +56,13 @@ std::vector<PolygonId> all_ids(const Scene& scene) {
   return ids;
 }
 
+std::vector<Fragment> whole_polygons(const Scene& scene,
+                                     std::span<const PolygonId> ids) {
+  std::vector<Fragment> polygons;
+  for (const PolygonId id : ids) polygons.push_back(whole(scene, id));
+  return polygons;
+}
+
 }  // namespace
 
 Caps::Caps(const Scene& scene, const Camera& camera,
@@ -65,11 +72,17 @@ Caps::Caps(const Scene& scene, const Camera& camera,
 Caps::Caps(const Scene& scene, const Camera& camera,
            const ImageOptions& options, std::int32_t samples,
            std::span<const PolygonId> ids)
+    : Caps(whole_polygons(scene, ids), camera, options, samples) {}
+
+Caps::Caps(std::span<const Fragment> polygons, const Camera& camera,
+           const ImageOptions& options, std::int32_t samples)
     : cull_(options.cull), parts_(options.parts) {
-  for (const PolygonId id : ids) {
-    walls_.push_back(wall_of(whole(scene, id), camera, samples));
-    if (parts_)
-      walls_.back().part = parts_->part_of[static_cast<std::size_t>(id)];
+  for (const Fragment& polygon : polygons) {
+    walls_.push_back(wall_of(polygon, camera, samples));
+    if (parts_) {
+      walls_.back().part =
+          parts_->part_of[static_cast<std::size_t>(polygon.source)];
+    }
   }
   for (const ClipPlane& clip : options.clips) {
     SeenPlane plane(function_of(clip), camera, samples);
@@ -197,6 +210,26 @@ PolygonId with_caps(const Caps& caps, const PlaneOf& plane_of_item,
 
 }  // namespace
 
+namespace {
+
+/// Puts caps into items; `plane_of` tells planes of polygons.
+template <class PlaneOf>
+void put_caps(const Caps& caps, const PlaneOf& plane_of, PolygonId count,
+              const std::vector<bool>& are_asked, ItemImage& items) {
+  const auto plane_of_item = [&](PolygonId item) -> const SeenPlane& {
+    if (item < count) return plane_of(item);
+    return caps.plane(cap_item(static_cast<std::size_t>(item - count)).plane);
+  };
+  for (std::int32_t j = 0; j < items.height_px; ++j) {
+    for (std::int32_t i = 0; i < items.width_px; ++i) {
+      items.at(i, j) = with_caps(caps, plane_of_item, count, i, j,
+                                 items.at(i, j), are_asked);
+    }
+  }
+}
+
+}  // namespace
+
 void add_caps(const Scene& scene, const Camera& camera,
               const ImageOptions& options, ItemImage& items,
               std::int32_t samples, std::optional<Side> eye) {
@@ -207,19 +240,28 @@ void add_caps(const Scene& scene, const Camera& camera,
   for (PolygonId id = 0; id < count; ++id) {
     planes.emplace_back(plane_of(whole(scene, id).vertices), camera, samples);
   }
-  const auto plane_of_item = [&](PolygonId item) -> const SeenPlane& {
-    if (item < count) return planes[static_cast<std::size_t>(item)];
-    return caps.plane(cap_item(static_cast<std::size_t>(item - count)).plane);
-  };
   std::vector<bool> are_asked;
   for (const ClipPlane& clip : options.clips)
     are_asked.push_back(!eye || side_of_eye(function_of(clip), camera) == *eye);
-  for (std::int32_t j = 0; j < items.height_px; ++j) {
-    for (std::int32_t i = 0; i < items.width_px; ++i) {
-      items.at(i, j) = with_caps(caps, plane_of_item, count, i, j,
-                                 items.at(i, j), are_asked);
-    }
+  const auto seen_plane = [&](PolygonId id) -> const SeenPlane& {
+    return planes[static_cast<std::size_t>(id)];
+  };
+  put_caps(caps, seen_plane, count, are_asked, items);
+}
+
+void add_caps_of(std::span<const Fragment> polygons, std::size_t count,
+                 const Camera& camera, const ImageOptions& options,
+                 ItemImage& items) {
+  if (!options.caps || options.clips.empty()) return;
+  const Caps caps(polygons, camera, options, 1);
+  std::map<PolygonId, SeenPlane> planes;
+  for (const Fragment& polygon : polygons) {
+    planes.try_emplace(polygon.source, plane_of(polygon.vertices), camera, 1);
   }
+  put_caps(
+      caps, [&](PolygonId id) -> const SeenPlane& { return planes.at(id); },
+      static_cast<PolygonId>(count), std::vector<bool>(caps.count(), true),
+      items);
 }
 
 PolygonId with_caps_at(const Scene& scene, const Camera& camera,

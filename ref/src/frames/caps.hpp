@@ -60,6 +60,10 @@ class Caps {
   Caps(const Scene& scene, const Camera& camera, const ImageOptions& options,
        std::int32_t samples, std::span<const PolygonId> ids);
 
+  /// The same for polygons that are no scene's.
+  Caps(std::span<const Fragment> polygons, const Camera& camera,
+       const ImageOptions& options, std::int32_t samples);
+
   std::size_t count() const { return planes_.size(); }
   const SeenPlane& plane(std::size_t k) const { return planes_[k].plane; }
   /// The part whose cap is there in plane k, all else left out, or that of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,8 @@
 #include "cli/long_work.hpp"
 #include "cli/measuring.hpp"
 #include "cli/outputs.hpp"
+#include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/ref/moving.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
@@ -38,9 +41,6 @@ std::string object_complaint(const RenderArguments& arguments) {
   if (arguments.rows) return not_for("--rows");
   if (arguments.tree_file) return not_for("--tree");
   if (arguments.turntable) return not_for("--turntable");
-  if (!arguments.clip.planes.empty()) return not_for("--clip");
-  if (arguments.clip.yon) return not_for("--yon");
-  if (arguments.clip.caps) return not_for("--cap");
   if (arguments.build.rule) return not_for("--heuristic");
   const auto& background = arguments.view.background;
   if (background && background->style != Background::Style::kColor)
@@ -62,6 +62,9 @@ class ObjectFilm {
   double build_ms() const { return build_ms_; }
 
   std::optional<Error> prepare() {
+    if (arguments_.clip.caps) {
+      if (auto error = prepare_caps()) return error;
+    }
     if (library_of(arguments_) == Library::kRef) {
       const Result<Done> is_free = ref::check_free(file_.assembly);
       if (!is_free && !file_.cut) return is_free.error();
@@ -118,6 +121,10 @@ class ObjectFilm {
     if (!placement) return named(placement.error());
     Frame frame;
     frame.options = choose_options(file_.world.file, arguments_.view);
+    const Result<Done> clipped = add_clips(file_.world.file.scene, camera,
+                                           arguments_.clip, frame.options);
+    if (!clipped) return clipped.error();
+    frame.options.parts = parts_;
     std::vector<double> times_ms;
     for (std::uint32_t i = 0; i < arguments_.repeat.value_or(1); ++i) {
       const Stopwatch watch;
@@ -131,6 +138,42 @@ class ObjectFilm {
   }
 
  private:
+  /// Caps are of surfaces that are closed, and stay so.
+  std::optional<Error> prepare_caps() {
+    const Assembly& assembly = file_.assembly;
+    if (arguments_.clip.planes.empty() && !arguments_.clip.yon) {
+      return Error{ErrorCode::kEmpty,
+                   "--cap: needs --clip, which says what is cut"};
+    }
+    if (file_.cut) {
+      return Error{ErrorCode::kOpen,
+                   "--cap: only cuts of solids are filled, and what is `cut` "
+                   "away of one leaves it open"};
+    }
+    for (const Model& model : assembly.models()) {
+      if (!bad_edges(model.scene).empty()) {
+        return Error{ErrorCode::kOpen,
+                     "--cap: only cuts of solids are filled, and one of the "
+                     "models is not closed"};
+      }
+    }
+    const auto& [style, by] = *arguments_.clip.caps;
+    if (by == CapsBy::kFile) {
+      return Error{ErrorCode::kUnknownFormat,
+                   "--cap: file is for draw, which takes several; give part"};
+    }
+    if (by != CapsBy::kPart) return std::nullopt;
+    std::vector<std::uint32_t> part_of(assembly.polygon_count());
+    const auto& occurrences = assembly.occurrences();
+    for (std::size_t o = 0; o < occurrences.size(); ++o) {
+      const Scene& scene = assembly.model(occurrences[o].model).scene;
+      std::fill_n(part_of.begin() + occurrences[o].first_polygon,
+                  scene.polygon_count(), static_cast<std::uint32_t>(o));
+    }
+    parts_ = told_apart(std::move(part_of), style);
+    return std::nullopt;
+  }
+
   template <class Rendering>
   static Picture picture_of(Rendering rendering) {
     return {std::move(rendering.items), std::move(rendering.colors),
@@ -159,21 +202,24 @@ class ObjectFilm {
     }
     const auto flat = ref::flat_scene(assembly, placement, camera);
     if (!flat) return flat.error();
-    const auto& [scene, view, ids] = *flat;
-    Picture picture = picture_of(
-        method == Method::kZBuffer ? ref::zbuffer(scene, view, options)
-        : method == Method::kRayCast
-            ? ref::raycast(scene, view, options)
-            : ref::paint(scene, ref::build(scene, {}), view, options));
-    for (PolygonId& item : picture.items.pixels) {
-      if (item != kBackground) item = ids[static_cast<std::size_t>(item)];
-    }
+    const auto own = ref::flat_options(*flat, options);
+    if (!own) return own.error();
+    const Scene& scene = flat->scene;
+    const Camera& view = flat->camera;
+    Picture picture =
+        picture_of(method == Method::kZBuffer ? ref::zbuffer(scene, view, *own)
+                   : method == Method::kRayCast
+                       ? ref::raycast(scene, view, *own)
+                       : ref::paint(scene, ref::build(scene, {}), view, *own));
+    for (PolygonId& item : picture.items.pixels)
+      item = ref::moved_item(assembly, *flat, item);
     return picture;
   }
 
   const RenderArguments& arguments_;
   ObjectFile file_;
   std::vector<Stand> start_;
+  std::shared_ptr<const CapParts> parts_;  ///< each object one
   fast::MovingTrees trees_;
   double build_ms_ = 0;
 };

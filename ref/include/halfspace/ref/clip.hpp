@@ -38,6 +38,14 @@ void add_caps(const Scene& scene, const Camera& camera,
               const ImageOptions& options, ItemImage& items,
               std::int32_t samples = 1, std::optional<Side> eye = std::nullopt);
 
+/// The same for polygons that are no scene's, with planes: `count` is beyond
+/// all their ids, and the id of the first cap.
+///
+/// Requires: polygons that are closed together, each whole.
+void add_caps_of(std::span<const Fragment> polygons, std::size_t count,
+                 const Camera& camera, const ImageOptions& options,
+                 ItemImage& items);
+
 /// What pixel (i, j) of the clipped scene shows, caps too, where polygons alone
 /// show `seen` there.
 ///

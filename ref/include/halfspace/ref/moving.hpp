@@ -31,7 +31,7 @@ MovedPolygons moved_polygons(const Assembly& assembly,
 /// The image of the moved polygons (S12.5): a tree of all of them, and F2B's
 /// method. Regions and objects play no part in it.
 ///
-/// Requires: options without clip planes.
+/// Requires: with caps surfaces that are all closed, and check_free().
 /// Exact:    yes.
 Rendering render_moving(const Assembly& assembly, const Placement& placement,
                         const Camera& camera, const ImageOptions& options);
@@ -42,6 +42,7 @@ struct FlatScene {
   Scene scene;
   Camera camera;
   std::vector<PolygonId> ids;  ///< by polygon of the scene
+  int shift = 0;               ///< a step of the world is 2^shift of its steps
 };
 
 /// Requires: check_free().
@@ -49,5 +50,16 @@ struct FlatScene {
 ///           camera.
 Result<FlatScene> flat_scene(const Assembly& assembly,
                              const Placement& placement, const Camera& camera);
+
+/// The options by which the flat scene has the same image: clip planes on its
+/// grid, and parts of its polygons.
+///
+/// Errors: those of make_clips().
+Result<ImageOptions> flat_options(const FlatScene& flat,
+                                  const ImageOptions& options);
+
+/// The item of the moved polygons for one of the flat scene, caps too.
+PolygonId moved_item(const Assembly& assembly, const FlatScene& flat,
+                     PolygonId item);
 
 }  // namespace halfspace::ref

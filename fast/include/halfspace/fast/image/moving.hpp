@@ -58,7 +58,9 @@ Result<ModelTree> build_model_tree(const Assembly& assembly, std::int32_t model,
 /// the object's frame: a map keeps ray parameters and sides, so that nothing of
 /// the object is computed but what is seen.
 ///
-/// Requires: the assembly's trees; options as of render(); no clip planes.
+/// Clip planes and caps are those of the world, on its grid (S12.5).
+/// Requires: the assembly's trees; options as of render(); with caps surfaces
+///           that are all closed, with free regions (S12.4).
 /// Exact:    yes: doubles with bounds, integers of 896 bits where they touch.
 /// Cost:     that of the world's image, and for each region that is seen a
 ///           walk of its object's tree.
