@@ -113,6 +113,15 @@ chain "A | $moved | box(1) | half(z < 2) & \"b.off\"" '-' "$moved & half(x < 2)"
 chain 'mirror(A & half(x < 2) | box(1, 2, 9), 1, 0, 0)' '|' \
   'mirror(A, 1, 0, 0) | "b.off" & half(x > -2)'
 chain "translate(translate(A, -1, 0, 0) | $moved, 1, 0, 0)" '^' 'A | box(1)'
+# Planes that no vertex on the grid is on are named by their place in space.
+tetrahedron() { # CORNERS
+  printf '%s\n' OFF '4 4 0' "$@" '3 0 2 1' '3 0 1 3' '3 1 2 3' '3 2 0 3'
+}
+tetrahedron '-1 0.5 0' '3 -1 0.25' '2 3 0' '1 1 3.5' >a.off
+tetrahedron '0 0 0' '4 1 0' '1 4 1' '1 1 5' >t.off
+chain 'A & half(2, 0.5, -2, 2, -2, -2, 0, 3, 1)' '&' 'A & "t.off"'
+chain 'A & half(0, 3, 0.1, 0.5, 0.5, 0.1, 0.5, 1.25, 1)' '&' 'A - box(1, 1, 2)'
+box 0 0 0 3 3 3 >a.off
 
 # Primitives are called by what they are, not by where they stood, and have no
 # colour; a colour of a file goes on.

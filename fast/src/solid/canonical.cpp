@@ -9,6 +9,7 @@
 #include "base/id_map.hpp"
 #include "halfspace/big_integer.hpp"
 #include "halfspace/fast/solid/canonical_solid.hpp"
+#include "solid/lattice_point.hpp"
 #include "solid/loops.hpp"
 #include "solid/move_to_table.hpp"
 #include "solid/vertex_order.hpp"
@@ -88,6 +89,13 @@ class Canonizer {
             plane_id(old.planes[2])};
   }
   std::int32_t plane_id(std::int32_t old);
+  /// What names a plane without a vertex on the grid, through this point.
+  GridPoint naming_point(const Vector3<Int128>& normal,
+                         const GridPoint& origin) const {
+    return names_ ? lattice_point(normal, origin, from_.unit.base,
+                                  grid_bits_of(from_))
+                  : origin;
+  }
   /// Whether both ends are of the grid, so that no plane need be named.
   bool is_on_grid(const SolidEdge& edge) const {
     const auto is_grid = [this](std::int32_t rank) {
@@ -237,14 +245,6 @@ void Canonizer::find_planes_at_vertices() {
   std::sort(at_vertices_.begin(), at_vertices_.end());
   at_vertices_.erase(std::unique(at_vertices_.begin(), at_vertices_.end()),
                      at_vertices_.end());
-}
-
-/// What names a plane without a vertex on the grid: a plane across an axis the
-/// point of the axis, wherever it came from; another the point that it has.
-GridPoint naming_point(const Vector3<Int128>& normal, GridPoint origin) {
-  const bool x = normal.x != 0, y = normal.y != 0, z = normal.z != 0;
-  if (int{x} + int{y} + int{z} != 1) return origin;
-  return {x ? origin.x : 0, y ? origin.y : 0, z ? origin.z : 0};
 }
 
 /// Adds the planes of faces, by their first vertices on the grid.

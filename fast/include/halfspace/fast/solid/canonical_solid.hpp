@@ -13,7 +13,9 @@ namespace halfspace::fast {
 /// With `names`: where more than three planes meet in a vertex it is named by
 /// the first three that do; an edge names the first plane of another face
 /// there; and a plane the first point of the grid that is a vertex on it, if
-/// there is one, and else, if it lies across an axis, where it meets that.
+/// there is one, and else a point that its place in space decides: of the
+/// coarsest grid, of powers of the unit's base, that has points on it, the
+/// nearest to the origin.
 /// Nothing but a file of an exact solid shows these.
 ///
 /// Half-spaces and other unbounded solids are left as they are.
