@@ -191,7 +191,7 @@ class SeenPlanes {
 
 /// What the reference's drawing takes up to a second for.
 constexpr std::size_t kMostCut = 18;
-constexpr int kCutViews = kLineViews / 3;
+constexpr int kCutViews = 75;
 
 /// Calls the property for views that are cut, with caps where they can be: of
 /// any scenes, of closed ones, and of boxes.
