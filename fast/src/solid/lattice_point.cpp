@@ -1,16 +1,16 @@
 #include "solid/lattice_point.hpp"
 
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cstddef>
 #include <utility>
 
+#include "exact/big_rational.hpp"
 #include "halfspace/big_integer.hpp"
 
 namespace halfspace::fast {
 namespace {
 
-using Big = boost::multiprecision::cpp_int;
+using Big = BigInteger;
 using Vector = std::array<Big, 3>;
 
 Big dot(const Vector& a, const Vector& b) {
