@@ -7,15 +7,20 @@
 #include <optional>
 #include <random>
 
+#include "exact/big_rational.hpp"
+#include "halfspace/big_integer.hpp"
+
 namespace halfspace::fast {
 namespace {
 
-Int128 along(const Vector3<Int128>& n, const GridPoint& p) {
-  return n.x * p.x + n.y * p.y + n.z * p.z;
+BigInteger along(const Vector3<Int128>& n, const GridPoint& p) {
+  return to_big<BigInteger>(n.x) * p.x + to_big<BigInteger>(n.y) * p.y +
+         to_big<BigInteger>(n.z) * p.z;
 }
 
 /// The first of all points of a small box, by the words of the definition.
-std::optional<GridPoint> sought(const Vector3<Int128>& n, Int128 d, int base) {
+std::optional<GridPoint> sought(const Vector3<Int128>& n, const BigInteger& d,
+                                int base) {
   constexpr std::int64_t kReach = 40;
   std::int64_t step = 1;
   while (d != 0 && d % (step * base) == 0) step *= base;
@@ -51,7 +56,7 @@ TEST(LatticePoint, IsTheNearestOfTheCoarsestGrid) {
     const Vector3<Int128> n = {a, b, c};
     const int base = tried % 2 == 0 ? 2 : 10;
     const GridPoint p = {number(9), number(9), number(9)};
-    const Int128 d = along(n, p);
+    const BigInteger d = along(n, p);
     const auto expected = sought(n, d, base);
     ASSERT_TRUE(expected);
     EXPECT_EQ(lattice_point(n, p, base, 26), *expected)
