@@ -108,7 +108,8 @@ void show_back_to_front(const Frame& frame, TileBuffer& buffer,
                     fragment.source);
   };
   LeafPainter leaf_painter(screen, rasterizer, layers, side_of_source);
-  const bool is_opaque = frame.alpha == kOpaque;
+  // Other colours than the scene's are only asked for by layers.
+  const bool is_opaque = frame.alpha == kOpaque && frame.colors == nullptr;
   std::vector<std::int32_t> scratch;
   const auto show = [&](const Node& node, int sign) {
     if (node.first_fragment == kNoFragment) return true;
