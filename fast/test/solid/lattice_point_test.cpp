@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <optional>
@@ -19,8 +20,8 @@ BigInteger along(const Vector3<Int128>& n, const GridPoint& p) {
 }
 
 /// The first of all points of a small box, by the words of the definition.
-std::optional<GridPoint> sought(const Vector3<Int128>& n, const BigInteger& d,
-                                int base) {
+std::optional<GridPoint> sought(const std::array<std::int64_t, 3>& n,
+                                std::int64_t d, int base) {
   constexpr std::int64_t kReach = 40;
   std::int64_t step = 1;
   while (d != 0 && d % (step * base) == 0) step *= base;
@@ -33,7 +34,7 @@ std::optional<GridPoint> sought(const Vector3<Int128>& n, const BigInteger& d,
     for (std::int64_t y = -most; y <= most; y += step) {
       for (std::int64_t z = -most; z <= most; z += step) {
         const GridPoint p = {x, y, z};
-        if (along(n, p) != d) continue;
+        if (n[0] * x + n[1] * y + n[2] * z != d) continue;
         if (!best || size(p) < size(*best)) best = p;
       }
     }
@@ -56,8 +57,8 @@ TEST(LatticePoint, IsTheNearestOfTheCoarsestGrid) {
     const Vector3<Int128> n = {a, b, c};
     const int base = tried % 2 == 0 ? 2 : 10;
     const GridPoint p = {number(9), number(9), number(9)};
-    const BigInteger d = along(n, p);
-    const auto expected = sought(n, d, base);
+    const std::int64_t d = a * p.x + b * p.y + c * p.z;
+    const auto expected = sought({a, b, c}, d, base);
     ASSERT_TRUE(expected);
     EXPECT_EQ(lattice_point(n, p, base, 26), *expected)
         << a << ' ' << b << ' ' << c;
