@@ -16,8 +16,7 @@ namespace halfspace::fast {
 /// that is beyond the grid, `point`.
 ///
 /// Requires: `point` is on the grid.
-/// Exact: yes. Cost: a reduction of two vectors (Lagrange and Gauss), some 20
-/// microseconds.
+/// Exact: yes. Cost: a reduction of two vectors (Lagrange and Gauss).
 GridPoint lattice_point(const Vector3<Int128>& normal, const GridPoint& point,
                         int base, int grid_bits);
 

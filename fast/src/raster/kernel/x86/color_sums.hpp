@@ -55,9 +55,8 @@ struct ColorSums : ColorStore {
     }
   }
 
-  /// Writes the means of a tile's pixels: of the columns from `first` up to
-  /// `end` of those rows of it from `top` up to `bottom`. The tile's first
-  /// pixel is at `means`, a row every `stride` bytes.
+  /// Writes the means of a tile's pixels in these of its columns and rows. The
+  /// tile's first pixel is at `means`, a row every `stride` bytes.
   static void write_tile_means(const std::uint16_t* sums, std::int32_t samples,
                                PixelRange columns, PixelRange rows,
                                std::uint8_t* means, std::int64_t stride) {
