@@ -1,6 +1,7 @@
 #include "fuzz.hpp"
 #include "generate/clip_planes.hpp"
 #include "generate/moving_views.hpp"
+#include "halfspace/fast/image/flat_scene.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/ref/moving.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -36,12 +37,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   HALFSPACE_FUZZ_EXPECT(found.colors == expected.colors, text);
   if (!ref::check_free(assembly)) return 0;
   const auto flat = ref::flat_scene(assembly, placement, camera);
+  const auto same = fast::flat_scene(assembly, placement, camera);
+  HALFSPACE_FUZZ_EXPECT(same.has_value() == flat.has_value(), text);
   if (!flat) return 0;
-  const auto own = ref::flat_options(*flat, options);
+  HALFSPACE_FUZZ_EXPECT(same->ids == flat->ids, text);
+  HALFSPACE_FUZZ_EXPECT(same->corners == flat->corners, text);
+  HALFSPACE_FUZZ_EXPECT(same->camera == flat->camera, text);
+  for (std::size_t k = 0; k < flat->corners.size(); ++k) {
+    HALFSPACE_FUZZ_EXPECT(same->scene.point(same->scene.data().corners[k]) ==
+                              flat->scene.point(flat->scene.data().corners[k]),
+                          text);
+  }
+  const auto own = flat_options(*flat, options);
   if (!own) return 0;
   auto image = ref::zbuffer(flat->scene, flat->camera, *own);
   for (PolygonId& item : image.items.pixels)
-    item = ref::moved_item(assembly, *flat, item);
+    item = moved_item(assembly, *flat, item);
   HALFSPACE_FUZZ_EXPECT(image.items == expected.items, text);
   HALFSPACE_FUZZ_EXPECT(image.colors == expected.colors, text);
   return 0;

@@ -59,6 +59,8 @@ def make(folder, environment):
     render("depthsort.png", "bars.off", "--priority", "depthsort", "--aa",
            "4", "--lines", "features")
     render("objects.png", "village.objects", "--size", "800x500")
+    render("objects-lines.png", "village.objects", "--size", "800x500",
+           "--lines", "features", "--aa", "4")
     write_torus(folder / "torus.off", folder / "torus.csv")
     render("scalars.png", "torus.off", "--scalar", "torus.csv",
            "--scalar-on", "vertices", "--map", "coolwarm", "--legend",

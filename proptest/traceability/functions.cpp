@@ -12,6 +12,7 @@
 #include "halfspace/fast/drawing.hpp"
 #include "halfspace/fast/image/behind.hpp"
 #include "halfspace/fast/image/depth_sort.hpp"
+#include "halfspace/fast/image/flat_scene.hpp"
 #include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/image/moving.hpp"
 #include "halfspace/fast/image/screens.hpp"
@@ -425,12 +426,14 @@ void take_all() {
   take(&ref::moved_polygons);  // S12.4
   take(&fast::build_moving_trees);  // S12.4
   take(&ref::render_moving);  // S12.5
-  take(&ref::flat_scene);  // S12.5
-  take(&ref::flat_options);  // S12.5
   take(&fast::render_moving);  // S12.5
   take(&fast::build_moving_trees);  // S12.6
   take(&fast::build_model_tree);  // S12.6
   take(&fast::render_moving);  // S12.6
+  take(&ref::flat_scene);  // S12.7
+  take(&flat_options);  // S12.7
+  take(&flat_camera);  // S12.7
+  take(&fast::flat_scene);  // S12.7
 }
 
 }  // namespace
@@ -439,5 +442,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 207 ? 0 : 1;
+  return halfspace::taken == 209 ? 0 : 1;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -278,61 +277,21 @@ Rendering render_moving(const Assembly& assembly, const Placement& placement,
   return image;
 }
 
-Result<ImageOptions> flat_options(const FlatScene& flat,
-                                  const ImageOptions& options) {
-  ImageOptions result = options;
-  const Int128 scale = Int128{1} << flat.shift;
-  const Int128 most = (Int128{1} << 126) / scale;
-  for (ClipPlane& clip : result.clips) {
-    if (clip.d > most || -clip.d > most) {
-      return Error{ErrorCode::kOutOfRange,
-                   "a clip plane is too far away for so fine a grid"};
-    }
-    clip.d *= scale;
-  }
-  const auto clips = make_clips(result.clips, flat.scene.grid_bits());
-  if (!clips) return clips.error();
-  result.clips = *clips;
-  if (options.parts) {
-    CapParts parts = *options.parts;
-    parts.part_of.clear();
-    for (const PolygonId id : flat.ids)
-      parts.part_of.push_back(
-          options.parts->part_of[static_cast<std::size_t>(id)]);
-    result.parts = std::make_shared<const CapParts>(std::move(parts));
-  }
-  return result;
-}
-
-PolygonId moved_item(const Assembly& assembly, const FlatScene& flat,
-                     PolygonId item) {
-  if (item == kBackground) return item;
-  const auto count = static_cast<PolygonId>(flat.ids.size());
-  return item < count
-             ? flat.ids[static_cast<std::size_t>(item)]
-             : static_cast<PolygonId>(assembly.polygon_count()) + item - count;
-}
-
 Result<FlatScene> flat_scene(const Assembly& assembly,
                              const Placement& placement, const Camera& camera) {
-  const Error too_fine = {ErrorCode::kOutOfRange,
-                          "moved corners do not fit a grid of 54 bits; use "
-                          "smaller shifts, or --method span"};
-  int finest = 0;
+  const int finest = flat_shift(placement);
   bool has_colors = false;
-  for (std::size_t o = 0; o < assembly.occurrences().size(); ++o) {
-    const auto& map = placement.to_world()[o];
-    if (map) finest = std::max(finest, map->shift);
-    const Occurrence& here = assembly.occurrences()[o];
+  for (const Occurrence& here : assembly.occurrences()) {
     has_colors = has_colors ||
                  !assembly.model(here.model).scene.data().corner_colors.empty();
   }
   const Rational scale = power_of_two(finest);
-  const Rational limit = power_of_two(53);
+  const Rational limit = power_of_two(kFlatGrid - 1);
   SceneData data;
   data.unit = assembly.models()[0].scene.unit();
-  data.grid_bits = 54;
+  data.grid_bits = kFlatGrid;
   std::vector<PolygonId> ids;
+  std::vector<std::uint32_t> of_models;
   for (const std::size_t o : in_order(assembly, placement)) {
     const Occurrence& here = assembly.occurrences()[o];
     const Scene& scene = assembly.model(here.model).scene;
@@ -354,9 +313,11 @@ Result<FlatScene> flat_scene(const Assembly& assembly,
         };
         if (!put(p.x, on_grid.x) || !put(p.y, on_grid.y) ||
             !put(p.z, on_grid.z)) {
-          return too_fine;
+          return off_flat_grid();
         }
         data.corners.push_back(static_cast<VertexId>(data.vertices.size()));
+        of_models.push_back(static_cast<std::uint32_t>(
+            scene.data().first_corner[static_cast<std::size_t>(id)] + k));
         data.vertices.push_back(on_grid);
         if (!has_colors) continue;
         const auto colors = scene.corner_colors(id);
@@ -371,25 +332,10 @@ Result<FlatScene> flat_scene(const Assembly& assembly,
   }
   Result<Scene> scene = make_scene(std::move(data));
   if (!scene) return scene.error();
-  CameraData view = camera.data();
-  const Int128 most = Int128{1} << 67;
-  for (LatticeVector* v : {&view.eye, &view.s0, &view.sx, &view.sy}) {
-    // Without perspective the eye is a direction: longer, t is shorter.
-    if (v == &view.eye && !view.perspective) continue;
-    for (Int128* x : {&v->x, &v->y, &v->z}) {
-      if (*x > (most >> finest) || -*x > (most >> finest)) return too_fine;
-      *x *= Int128{1} << finest;
-    }
-  }
-  if (!view.perspective && view.near) {
-    for (Int128* x : {&view.eye.x, &view.eye.y, &view.eye.z}) {
-      if (*x > (most >> finest) || -*x > (most >> finest)) return too_fine;
-      *x *= Int128{1} << finest;
-    }
-  }
-  const Result<Camera> fine = make_camera(view, 54);
+  const Result<Camera> fine = flat_camera(camera, finest);
   if (!fine) return fine.error();
-  return FlatScene{*std::move(scene), *fine, std::move(ids), finest};
+  return FlatScene{*std::move(scene), *fine, std::move(ids),
+                   std::move(of_models), finest};
 }
 
 }  // namespace halfspace::ref

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "halfspace/big_integer.hpp"
+#include "halfspace/cap_parts.hpp"
+#include "halfspace/clip.hpp"
 
 namespace halfspace {
 namespace {
@@ -348,6 +351,83 @@ Result<Placement> make_placement(const Assembly& assembly, const Pose& pose) {
     }
   }
   return placement;
+}
+
+namespace {
+
+/// The sizes of a camera's numbers (S4.1) on the grid of flat scenes.
+constexpr int kFlatCameraBits = kFlatGrid + 13;
+
+/// Makes a vector 2^shift times as long, if its numbers stay in size.
+bool lengthen(LatticeVector& v, int shift) {
+  const Int128 most = (Int128{1} << kFlatCameraBits) >> shift;
+  for (Int128* x : {&v.x, &v.y, &v.z}) {
+    if (*x > most || -*x > most) return false;
+    *x *= Int128{1} << shift;
+  }
+  return true;
+}
+
+}  // namespace
+
+int flat_shift(const Placement& placement) {
+  int finest = 0;
+  for (const auto& map : placement.to_world()) {
+    if (map) finest = std::max(finest, map->shift);
+  }
+  return finest;
+}
+
+Error off_flat_grid() {
+  return {ErrorCode::kOutOfRange,
+          "moved corners, or the camera among them, do not fit a grid of 54 "
+          "bits: maps have too many bits after each other"};
+}
+
+Result<Camera> flat_camera(const Camera& camera, int shift) {
+  CameraData view = camera.data();
+  for (LatticeVector* v : {&view.eye, &view.s0, &view.sx, &view.sy}) {
+    // An eye at infinity is a direction: t counts its length, and only a near
+    // distance counts t.
+    if (v == &view.eye && !view.perspective && !view.near) continue;
+    if (!lengthen(*v, shift)) return off_flat_grid();
+  }
+  return make_camera(view, kFlatGrid);
+}
+
+Result<ImageOptions> flat_options(const FlatScene& flat,
+                                  const ImageOptions& options) {
+  ImageOptions result = options;
+  const Int128 scale = Int128{1} << flat.shift;
+  const Int128 most = (Int128{1} << 126) / scale;
+  for (ClipPlane& clip : result.clips) {
+    if (clip.d > most || -clip.d > most) {
+      return Error{ErrorCode::kOutOfRange,
+                   "a clip plane is too far away for so fine a grid"};
+    }
+    clip.d *= scale;
+  }
+  const auto clips = make_clips(result.clips, flat.scene.grid_bits());
+  if (!clips) return clips.error();
+  result.clips = *clips;
+  if (options.parts) {
+    CapParts parts = *options.parts;
+    parts.part_of.clear();
+    for (const PolygonId id : flat.ids)
+      parts.part_of.push_back(
+          options.parts->part_of[static_cast<std::size_t>(id)]);
+    result.parts = std::make_shared<const CapParts>(std::move(parts));
+  }
+  return result;
+}
+
+PolygonId moved_item(const Assembly& assembly, const FlatScene& flat,
+                     PolygonId item) {
+  if (item == kBackground) return item;
+  const auto count = static_cast<PolygonId>(flat.ids.size());
+  return item < count
+             ? flat.ids[static_cast<std::size_t>(item)]
+             : static_cast<PolygonId>(assembly.polygon_count()) + item - count;
 }
 
 }  // namespace halfspace

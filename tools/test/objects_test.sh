@@ -27,6 +27,66 @@ expect 0 '40x30' render a.objects "${view[@]}" --ids b.npy --impl ref \
   --method zbuffer
 expect 0 'mismatches: 0 of' compare a.npy b.npy
 
+# All other looks are those of the scene of what has moved, by both libraries
+# alike; what only says how to draw changes no byte.
+cp a.png plain.png
+for look in "--lines features --line-width 2" "--lines wire --rows 5:25" \
+  "--back-color 255,0,0 --clip 1,0,0,3" "--aa 2" "--aa exact" "--alpha 120" \
+  "--lines outline --aa 4 --clip 1,0,0,3" "--rows 5:25" \
+  "--background gradient" "--shade gouraud --smooth 60 --aa 2"; do
+  # shellcheck disable=SC2086
+  expect 0 '40x' render a.objects "${view[@]}" $look -o a.png --ids a.npy
+  # shellcheck disable=SC2086
+  expect 0 '40x' render a.objects "${view[@]}" $look -o b.png --ids b.npy \
+    --impl ref
+  expect 0 'mismatches: 0 of' compare a.npy b.npy
+  same a.png b.png
+  cmp -s a.png plain.png && wrong "$look changes nothing"
+done
+for same in "--priority depthsort" "--screen quad" "--alpha 255"; do
+  # shellcheck disable=SC2086
+  expect 0 '40x30' render a.objects "${view[@]}" $same -o a.png
+  same a.png plain.png
+done
+expect 0 '40x10' render a.objects "${view[@]}" --lines wire --rows 0:10 \
+  -o rows-0.png
+expect 0 '40x20' render a.objects "${view[@]}" --lines wire --rows 10:30 \
+  -o rows-1.png
+expect 0 '40x30' render a.objects "${view[@]}" --lines wire -o a.png
+expect 0 '' join rows-0.png rows-1.png -o joined.png
+same joined.png a.png
+expect 0 '3 frames' render a.objects --size 40x30 --turntable 3 --lines wire \
+  -o t-%d.png
+cmp -s t-0.png t-1.png && wrong "the turntable does not turn"
+for option in --lazy "--heuristic first" "--shadow 1" "--tree a.tree"; do
+  # shellcheck disable=SC2086
+  expect 2 'objects' render a.objects $option -o bad.png
+done
+
+# Numbers of the models have one scale; what has none has no data.
+{
+  printf 'ply\nformat ascii 1.0\nelement vertex 4\n'
+  printf 'property float %s\n' x y z heat
+  printf 'element face 4\nproperty list uchar int vertex_index\nend_header\n'
+  printf '%s\n' '-1 -1 -1 0' '1 -1 -1 3' '0 1 -1 7' '0 0 1 9' \
+    '3 0 2 1' '3 0 1 3' '3 1 2 3' '3 2 0 3'
+} >hot.ply
+printf '%s\n' 'halfspace-objects 1' 'world floor.off' 'model hot hot.ply' \
+  'model block block.off' "${left/block/hot} move -3,0,2.5 turn 0,0,1,30" \
+  "$right move 4,0,2.5 scale -0.5" >hot.objects
+for look in "" "--aa 2" "--alpha 90" "--legend"; do
+  # shellcheck disable=SC2086
+  expect 0 '40x30' render hot.objects "${view[@]}" --scalar heat $look -o a.png
+  # shellcheck disable=SC2086
+  expect 0 '40x30' render hot.objects "${view[@]}" --scalar heat $look -o b.png \
+    --impl ref
+  same a.png b.png
+done
+expect 2 'no model is a PLY with numbers called cold' render hot.objects \
+  --scalar cold -o bad.png
+printf '1\n' >n.csv
+expect 2 'give a property' render hot.objects --scalar n.csv -o bad.png
+
 # Sections are those of the objects where they stand, with caps of each.
 for caps in "" "--cap hatch" "--cap part"; do
   # shellcheck disable=SC2206
@@ -64,6 +124,7 @@ objects 'cut' 'object low block region 1,1,-0.5 6,6,4 move 3,3,2'
 expect 0 '1 objects' render a.objects "${view[@]}" --ids a.npy
 expect 0 '40x30' render a.objects "${view[@]}" --ids b.npy --impl ref
 expect 0 'mismatches: 0 of' compare a.npy b.npy
+expect 2 '--lines: draws whole polygons' render a.objects --lines wire -o bad.png
 
 # wrong_objects PATTERN LINE...: these lines are an error.
 wrong_objects() {

@@ -12,6 +12,11 @@ namespace {
 /// maps stay within S12.3.
 constexpr int kEntryBits = 20;
 
+/// The bits that a limit of shifts leaves it at least: a corner that is turned
+/// about a point moves by 2^-15 of its distance, a sixtieth of a pixel where
+/// that is 500 of them.
+constexpr int kLeastEntryBits = 14;
+
 double length_of(const Unit& unit) {
   return std::pow(unit.base, unit.exponent);
 }
@@ -24,7 +29,7 @@ double whole(double value, double most) {
 }  // namespace
 
 ObjectMap object_map(const std::array<std::array<double, 4>, 3>& rows,
-                     const Unit& inner, const Unit& outer) {
+                     const Unit& inner, const Unit& outer, int most_shift) {
   const double size = length_of(inner) / length_of(outer);
   double greatest = 0;
   for (const auto& row : rows) {
@@ -32,8 +37,12 @@ ObjectMap object_map(const std::array<std::array<double, 4>, 3>& rows,
       greatest = std::max(greatest, std::abs(row[k] * size));
   }
   ObjectMap map;
-  if (greatest > 0 && std::isfinite(greatest))
-    map.shift = std::clamp(kEntryBits - std::ilogb(greatest), 0, kMapBits);
+  if (greatest > 0 && std::isfinite(greatest)) {
+    const int bits = std::ilogb(greatest);
+    map.shift = std::clamp(kEntryBits - bits, 0, kMapBits);
+    if (most_shift + bits >= kLeastEntryBits)
+      map.shift = std::min(map.shift, most_shift);
+  }
   const double scale = std::ldexp(1.0, map.shift);
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t k = 0; k < 3; ++k) {

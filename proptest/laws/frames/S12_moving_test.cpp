@@ -10,7 +10,10 @@
 #include "generate/moving_views.hpp"
 #include "halfspace/big_integer.hpp"
 #include "halfspace/boolean.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/flat_scene.hpp"
 #include "halfspace/fast/image/moving.hpp"
+#include "halfspace/fast/render.hpp"
 #include "halfspace/ref/moving.hpp"
 #include "halfspace/splitmix.hpp"
 #include "laws/frames/clipped_views.hpp"
@@ -42,6 +45,11 @@ struct RefMoving {
   static Result<Done> check_free(const Assembly& assembly) {
     return ref::check_free(assembly);
   }
+  static Result<FlatScene> flat_scene(const Assembly& assembly,
+                                      const Placement& placement,
+                                      const Camera& camera) {
+    return ref::flat_scene(assembly, placement, camera);
+  }
   static std::vector<Image> images(const Assembly& assembly,
                                    const Placement& placement,
                                    const Camera& camera,
@@ -58,6 +66,11 @@ struct FastMoving {
         fast::build_moving_trees(assembly, fast::InRegion::kError, {});
     if (!trees) return trees.error();
     return Done{};
+  }
+  static Result<FlatScene> flat_scene(const Assembly& assembly,
+                                      const Placement& placement,
+                                      const Camera& camera) {
+    return fast::flat_scene(assembly, placement, camera);
   }
   static std::vector<Image> images(const Assembly& assembly,
                                    const Placement& placement,
@@ -113,7 +126,7 @@ std::optional<Image> flat_image(const MovingView& moving, const Camera& camera,
   if (!ref::check_free(moving.assembly)) return std::nullopt;
   const auto flat = ref::flat_scene(moving.assembly, moving.placement, camera);
   if (!flat) return std::nullopt;
-  const auto own = ref::flat_options(*flat, options);
+  const auto own = flat_options(*flat, options);
   if (!own) return std::nullopt;
   Image image = oracle::zbuffer(flat->scene, flat->camera, *own);
   const auto tree = ref::build(flat->scene, {});
@@ -122,7 +135,7 @@ std::optional<Image> flat_image(const MovingView& moving, const Camera& camera,
   HALFSPACE_LAW(ref::raycast(flat->scene, flat->camera, *own).items ==
                 image.items);
   for (PolygonId& item : image.items.pixels)
-    item = ref::moved_item(moving.assembly, *flat, item);
+    item = moved_item(moving.assembly, *flat, item);
   return image;
 }
 
@@ -410,6 +423,92 @@ TYPED_TEST(S12Moving, L5WithoutAnObjectTheOthersStayAsTheyAre) {
       if (before < first || before >= end) HALFSPACE_LAW(after == before);
     }
   });
+}
+
+/// Whether the flat scene's polygons are the moved ones, with the colours and
+/// the corners that they have in their models.
+void compare_polygons(const MovingView& moving, const FlatScene& flat) {
+  const Assembly& assembly = moving.assembly;
+  const auto polygons = ref::moved_polygons(assembly, moving.placement);
+  const auto owner = occurrences_of(assembly);
+  const ref::Rational scale = Int128{1} << flat.shift;
+  HALFSPACE_LAW(flat.ids.size() == polygons.fragments.size());
+  HALFSPACE_LAW(flat.ids.size() == flat.scene.polygon_count());
+  HALFSPACE_LAW(flat.corners.size() == flat.scene.data().corners.size());
+  for (std::size_t p = 0; p < flat.ids.size(); ++p) {
+    const auto id = static_cast<PolygonId>(p);
+    const ref::Fragment& fragment = polygons.fragments[p];
+    HALFSPACE_LAW(fragment.source == flat.ids[p]);
+    const Occurrence& here =
+        assembly.occurrences()[owner[static_cast<std::size_t>(flat.ids[p])]];
+    const Scene& model = assembly.model(here.model).scene;
+    const PolygonId own = flat.ids[p] - here.first_polygon;
+    const auto corners = flat.scene.corners(id);
+    HALFSPACE_LAW(corners.size() == fragment.vertices.size());
+    HALFSPACE_LAW(flat.scene.color(id) == model.color(own));
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const ref::Point at = ref::to_point(flat.scene.point(corners[k]));
+      const ref::Point& expected = fragment.vertices[k];
+      HALFSPACE_LAW(at.x == scale * expected.x && at.y == scale * expected.y &&
+                    at.z == scale * expected.z);
+      const std::size_t first =
+          model.data().first_corner[static_cast<std::size_t>(own)];
+      const std::size_t corner =
+          flat.corners[flat.scene.data().first_corner[p] + k];
+      HALFSPACE_LAW(first <= corner && corner < first + corners.size());
+      // The corner of the model stands where that of the flat scene is.
+      const GridPoint& q = model.point(model.data().corners[corner]);
+      const auto map = *moving.placement.to_world()[static_cast<std::size_t>(
+          &here - assembly.occurrences().data())];
+      const BigPoint placed = place_of(q, map);
+      HALFSPACE_LAW(placed[0] << (flat.shift - map.shift) ==
+                    flat.scene.point(corners[k]).x);
+      if (!flat.scene.data().corner_colors.empty() &&
+          !model.data().corner_colors.empty()) {
+        HALFSPACE_LAW(flat.scene.corner_colors(id)[k] ==
+                      model.corner_colors(own)[corner - first]);
+      }
+    }
+  }
+}
+
+TYPED_TEST(S12Moving, L7TheFlatSceneHasTheMovedPolygonsAndTheirImage) {
+  std::size_t compared = 0, refused = 0, turned = 0, cut = 0;
+  for_all_moving([&](const SceneFile& view, const MovingView& moving) {
+    if (!ref::check_free(moving.assembly)) return;
+    const auto flat =
+        TypeParam::flat_scene(moving.assembly, moving.placement, moving.camera);
+    const auto expected =
+        ref::flat_scene(moving.assembly, moving.placement, moving.camera);
+    HALFSPACE_LAW(flat.has_value() == expected.has_value());
+    if (!flat) {
+      ++refused;
+      HALFSPACE_LAW(flat.error().code == expected.error().code);
+      return;
+    }
+    ++compared;
+    turned += orientation_of(*moving.pose.maps[0][0]) < 0;
+    compare_polygons(moving, *flat);
+    HALFSPACE_LAW(flat->camera.data() == expected->camera.data());
+    ImageOptions options = plain_options(view);
+    if (compared % 2 == 0) options.clips = clips_of(view, seed_of(view));
+    const auto own = flat_options(*flat, options);
+    if (!own) return;
+    cut += !own->clips.empty();
+    auto image =
+        fast::render(flat->scene, fast::build_display_tree(flat->scene, {}),
+                     flat->camera, *own);
+    for (PolygonId& item : image.items.pixels)
+      item = moved_item(moving.assembly, *flat, item);
+    const auto moved = ref::render_moving(moving.assembly, moving.placement,
+                                          moving.camera, options);
+    HALFSPACE_LAW(image.items == moved.items);
+    HALFSPACE_LAW(image.colors == moved.colors);
+  });
+  EXPECT_GT(compared, 200u);
+  EXPECT_GT(turned, 50u);
+  EXPECT_GT(cut, 50u);
+  EXPECT_GT(refused, 0u);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "halfspace/camera.hpp"
+#include "halfspace/image.hpp"
 #include "halfspace/int128.hpp"
 #include "halfspace/polygon.hpp"
 #include "halfspace/region.hpp"
@@ -135,5 +137,41 @@ Result<Placement> make_placement(const Assembly& assembly, const Pose& pose);
 /// The sign of the determinant of M, which fits 128 bits only for maps that are
 /// not composed. Exact: yes.
 int orientation_of(const ObjectMap& map);
+
+/// The grid of flat scenes: the finest that there is.
+constexpr int kFlatGrid = 54;
+
+/// Moved polygons as a scene of their own (S12.7), and the camera that sees it
+/// as it sees them.
+struct FlatScene {
+  Scene scene;
+  Camera camera;
+  std::vector<PolygonId> ids;  ///< by polygon of the scene, that of S12.1
+  /// By corner of the scene, that of its model: which one in all its list.
+  std::vector<std::uint32_t> corners;
+  int shift = 0;  ///< a step of the world is 2^shift of its steps
+};
+
+/// The shift of the flat scene: the greatest of the maps that are there.
+int flat_shift(const Placement& placement);
+
+/// The camera that sees a scene in steps of 2^-shift as the given one does.
+///
+/// Errors: kOutOfRange: it is off the lattice of a grid of 54 bits.
+Result<Camera> flat_camera(const Camera& camera, int shift);
+
+/// The error of moved corners that a grid of 54 bits does not hold.
+Error off_flat_grid();
+
+/// The options by which the flat scene has the same image: clip planes on its
+/// grid, and parts of its polygons.
+///
+/// Errors: those of make_clips().
+Result<ImageOptions> flat_options(const FlatScene& flat,
+                                  const ImageOptions& options);
+
+/// The item of the moved polygons for one of the flat scene, caps too.
+PolygonId moved_item(const Assembly& assembly, const FlatScene& flat,
+                     PolygonId item);
 
 }  // namespace halfspace

@@ -14,7 +14,7 @@
 #include "cli/outputs.hpp"
 #include "cli/uncut_loading.hpp"
 #include "halfspace/viewer/state.hpp"
-#include "image/camera_path.hpp"
+#include "image/film.hpp"
 #include "image/object_film.hpp"
 #include "image/rendering.hpp"
 #include "image/shadowing.hpp"
@@ -42,46 +42,11 @@ Status conclude(const io::LoadedScene& loaded, const BuildMeasure& tree,
   return written ? shadow.status() : fail(*file, written.error());
 }
 
-/// The size asked for, or else that of the file's camera, or else the usual.
-Size whole_size(const Subject& subject, const RenderArguments& arguments) {
-  if (arguments.view.size) return *arguments.view.size;
-  const auto& camera = subject.loaded.file.camera;
-  return camera ? Size{(*camera)->width_px, (*camera)->height_px} : kUsualSize;
-}
-
-/// The arguments for the part of the picture beside the legend, where the view
-/// is chosen so that all is seen.
-ViewArguments beside_legend(const Subject& subject,
-                            const RenderArguments& arguments) {
-  ViewArguments view = arguments.view;
-  const bool is_chosen = !view.eye && !view.target &&
-                         !arguments.camera_path_file &&
-                         (view.view || !subject.loaded.file.camera);
-  if (is_chosen && subject.scalars && arguments.scalars.has_legend) {
-    view.size = size_beside_legend(subject.scalars, arguments.scalars,
-                                   whole_size(subject, arguments));
-  }
-  return view;
-}
-
-/// choose_camera() for that part, of a camera for the whole picture.
-Result<ChosenCamera> choose_wide_camera(const Subject& subject,
-                                        const ViewArguments& view,
-                                        const RenderArguments& arguments) {
-  const SceneFile& file = subject.loaded.file;
-  Result<ChosenCamera> chosen = choose_camera(file, view);
-  const Size whole = whole_size(subject, arguments);
-  if (!chosen || !view.size || arguments.camera_path_file ||
-      view.size->width_px >= whole.width_px)
-    return chosen;
-  return widened(*chosen, whole.width_px, file.scene);
-}
-
 Status run_still(Engine& engine, const Subject& subject,
                  const RenderArguments& arguments) {
   const io::LoadedScene& loaded = subject.loaded;
   const Result<ChosenCamera> chosen =
-      choose_wide_camera(subject, beside_legend(subject, arguments), arguments);
+      still_camera(loaded.file, subject.scalars, arguments);
   if (!chosen) return fail(camera_error(arguments.path, chosen.error()));
   BuildMeasure tree;
   const Status made = make_tree(engine, loaded.file.scene, arguments, tree);
@@ -97,33 +62,6 @@ Status run_still(Engine& engine, const Subject& subject,
   const Status checked = shadow.check(loaded, chosen->camera, *frame);
   if (checked != Status::kFine) return checked;
   return conclude(loaded, tree, *frame, 1, chosen->max_move, shadow, arguments);
-}
-
-/// The frames asked for, if the path has them.
-Result<Range> frames_of(const CameraPath& path,
-                        const RenderArguments& arguments) {
-  const Range asked = arguments.frames.value_or(Range{});
-  const std::int64_t first = asked.first.value_or(path.first_frame());
-  const std::int64_t end = asked.end.value_or(path.last_frame() + 1);
-  if (path.first_frame() <= first && first < end &&
-      end <= path.last_frame() + 1) {
-    return Range{first, end};
-  }
-  return Error{ErrorCode::kOutOfRange,
-               "--frames: the path has the frames " +
-                   std::to_string(path.first_frame()) + ":" +
-                   std::to_string(path.last_frame() + 1)};
-}
-
-/// The names of a frame's files.
-Outputs outputs_of(const RenderArguments& arguments, std::int64_t number) {
-  const auto numbered = [number](const std::optional<std::string>& name) {
-    const auto pattern =
-        name ? NumberedName::parse(*name) : std::optional<NumberedName>();
-    return pattern ? std::optional(pattern->with(number)) : std::nullopt;
-  };
-  return {numbered(arguments.picture_file), numbered(arguments.ids_file),
-          working_threads(arguments.build)};
 }
 
 /// What is wrong with the files that `pictures` writes, and those beside them.
@@ -148,15 +86,8 @@ Status run_film(Engine& engine, const Subject& subject,
                 const RenderArguments& arguments) {
   const io::LoadedScene& loaded = subject.loaded;
   const Result<CameraPath> path =
-      arguments.turntable
-          ? turntable(loaded.file, arguments.own_view, *arguments.turntable,
-                      beside_legend(subject, arguments))
-          : read_camera_path(*arguments.camera_path_file, arguments.view);
-  if (!path) {
-    return arguments.turntable
-               ? fail("--turntable: " + path.error().message)
-               : fail(*arguments.camera_path_file, path.error());
-  }
+      film_path(loaded.file, subject.scalars, arguments);
+  if (!path) return fail(path.error().message);
   if (!path->objects().empty()) {
     return fail(*arguments.camera_path_file + ": there is no object " +
                 *path->objects().begin() + " in " + arguments.path);
@@ -182,10 +113,8 @@ Status run_film(Engine& engine, const Subject& subject,
     const std::string name = "frame " + std::to_string(first + k);
     const double done = static_cast<double>(k) / static_cast<double>(count);
     if (!work.report(done)) return stop("interrupted before " + name);
-    const std::optional<ChosenCamera> own = path->camera_at(first + k);
     const Result<ChosenCamera> chosen =
-        own ? Result<ChosenCamera>(*own)
-            : choose_wide_camera(subject, path->at(first + k), arguments);
+        frame_camera(loaded.file, *path, first + k, arguments);
     if (!chosen)
       return fail(name + ": " + camera_error(arguments.path, chosen.error()));
     Result<Frame> frame =

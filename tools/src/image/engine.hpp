@@ -151,6 +151,21 @@ struct Picture {
   std::optional<BuiltCells> cells = std::nullopt;
 };
 
+/// Those rows of an image, and of a picture; what it took stays that of the
+/// whole.
+template <class T>
+Grid2<T> rows_of(const Grid2<T>& image, const Rows& rows) {
+  const auto at = [&](std::int32_t row) {
+    return image.pixels.begin() + std::ptrdiff_t{row} * image.width_px;
+  };
+  Grid2<T> part;
+  part.width_px = image.width_px;
+  part.height_px = rows.end - rows.first;
+  part.pixels.assign(at(rows.first), at(rows.end));
+  return part;
+}
+Picture rows_of(const Picture& whole, const Rows& rows);
+
 /// What of a tree is behind the viewer (S3.10).
 struct Behind {
   std::size_t subtrees = 0;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numbers>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -23,9 +24,41 @@ constexpr std::uint64_t kMostObjectBytes = std::uint64_t{1} << 28;
 /// What is read of a model before regions are on grids.
 struct ReadModel {
   std::string name;
-  Scene scene;
+  ModelFile file;
   std::vector<std::pair<std::int32_t, io::RegionPoints>> objects;
 };
+
+/// How deep an assembly's occurrences are nested.
+int depth_of(const Assembly& assembly) {
+  const auto& all = assembly.occurrences();
+  std::vector<int> depths(all.size(), 0);
+  int most = 0;
+  // Each comes after its owner.
+  for (std::size_t o = 1; o < all.size(); ++o) {
+    depths[o] = depths[static_cast<std::size_t>(all[o].owner)] + 1;
+    most = std::max(most, depths[o]);
+  }
+  return most;
+}
+
+/// The shift that every map may have so that all that moves is on the grid of a
+/// flat scene: objects stay in their regions, which the world's extent holds.
+int most_shift_of(const Assembly& assembly) {
+  const int depth = depth_of(assembly);
+  const auto& extent = assembly.extent(0);
+  if (depth == 0 || !extent) return kMapBits;
+  std::int64_t most = 1;
+  for (const GridPoint& p : {extent->low, extent->high})
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const int bits = std::ilogb(static_cast<double>(most)) + 1;
+  return std::clamp((kFlatGrid - 1 - bits) / depth, 0, kMapBits);
+}
+
+/// The words of a line, without its comment.
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream tokens(line.substr(0, line.find('#')));
+  return {std::istream_iterator<std::string>(tokens), {}};
+}
 
 /// Reads the lines.
 class ObjectReader {
@@ -35,13 +68,15 @@ class ObjectReader {
 
   std::optional<Error> read(const std::string& text) {
     std::istringstream lines(text);
-    std::string content;
+    std::vector<std::vector<std::string>> all;
+    for (std::string content; std::getline(lines, content);) {
+      all.push_back(words_of(content));
+      if (all.back().size() > 4 && all.back()[3] == "in")
+        owners_.insert(all.back()[4]);
+    }
     bool has_head = false;
-    while (std::getline(lines, content)) {
+    for (const auto& words : all) {
       ++line_;
-      std::istringstream tokens(content.substr(0, content.find('#')));
-      const std::vector<std::string> words{
-          std::istream_iterator<std::string>(tokens), {}};
       if (words.empty()) continue;
       if (!has_head) {
         if (words != std::vector<std::string>{"halfspace-objects", "1"})
@@ -59,18 +94,20 @@ class ObjectReader {
     std::vector<Model> models;
     for (ReadModel& read : models_) {
       Result<Model> model =
-          io::model_on_grid(std::move(read.scene), read.objects);
+          io::model_on_grid(read.file.loaded.file.scene, read.objects);
       if (!model) {
         Error error = model.error();
         error.message = "model " + read.name + ": " + error.message;
         return error;
       }
       models.push_back(*std::move(model));
+      file_.files.push_back(std::move(read.file));
     }
     Result<Assembly> assembly = make_assembly(std::move(models));
     if (!assembly) return assembly.error();
     file_.assembly = *std::move(assembly);
-    file_.world.file.scene = file_.assembly.models()[0].scene;
+    file_.files[0].loaded.file.scene = file_.assembly.models()[0].scene;
+    file_.most_shift = most_shift_of(file_.assembly);
     return std::move(file_);
   }
 
@@ -106,11 +143,14 @@ class ObjectReader {
 
   std::optional<Error> read_model(const std::string& name,
                                   const std::string& file) {
-    const std::string path = (folder_ / file).string();
-    Result<io::LoadedScene> loaded = load(path, options_);
+    std::string path = (folder_ / file).string();
+    io::ImportOptions options = options_;
+    // The camera is on the world's grid, and regions on their owners'. Others
+    // need none so fine, and their maps have more room.
+    if (!models_.empty() && !owners_.contains(name)) options.refine_bits = 0;
+    Result<io::LoadedScene> loaded = load(path, options);
     if (!loaded) return io::error_about(path, loaded.error());
-    models_.push_back({name, loaded->file.scene, {}});
-    if (models_.size() == 1) file_.world = *std::move(loaded);
+    models_.push_back({name, {std::move(path), *std::move(loaded)}, {}});
     return std::nullopt;
   }
 
@@ -166,12 +206,14 @@ class ObjectReader {
   std::filesystem::path folder_;
   const io::ImportOptions& options_;
   std::int64_t line_ = 0;
+  std::set<std::string> owners_;  ///< models that have objects
   std::vector<ReadModel> models_;
   ObjectFile file_;
 };
 
 /// The map of a stand, from steps of `inner` to those of `outer`.
-ObjectMap map_of(const Stand& stand, const Unit& inner, const Unit& outer) {
+ObjectMap map_of(const Stand& stand, const Unit& inner, const Unit& outer,
+                 int most_shift) {
   const double angle = stand.turn_deg * std::numbers::pi / 180;
   const double quarter = stand.turn_deg / 90;
   // Right angles are exact.
@@ -190,7 +232,7 @@ ObjectMap map_of(const Stand& stand, const Unit& inner, const Unit& outer) {
   for (auto& row : rows) {
     for (std::size_t k = 0; k < 3; ++k) row[k] *= stand.scale;
   }
-  return io::object_map(rows, inner, outer);
+  return io::object_map(rows, inner, outer, most_shift);
 }
 
 }  // namespace
@@ -257,7 +299,7 @@ Pose pose_of(const ObjectFile& file, const std::vector<Stand>& stands) {
     const Scene& inner =
         file.assembly.model(owner.objects[object.object].model).scene;
     pose.maps[object.owner][object.object] =
-        map_of(stands[k], inner.unit(), owner.scene.unit());
+        map_of(stands[k], inner.unit(), owner.scene.unit(), file.most_shift);
   }
   return pose;
 }

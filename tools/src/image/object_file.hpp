@@ -40,12 +40,24 @@ struct NamedObject {
   Stand stand;
 };
 
+/// What a model was read from.
+struct ModelFile {
+  std::string path;
+  io::LoadedScene loaded;
+};
+
 /// A file of objects (docs/guide.md): models from files, objects in regions.
 struct ObjectFile {
   Assembly assembly;
   std::vector<NamedObject> objects;
-  bool cut = false;       ///< what reaches into regions is cut away
-  io::LoadedScene world;  ///< for cameras, and what import did
+  bool cut = false;              ///< what reaches into regions is cut away
+  std::vector<ModelFile> files;  ///< by model
+  /// Maps are no finer than 2^-most_shift of a step, if that leaves enough of
+  /// them: so a flat scene is there (S12.7).
+  int most_shift = kMapBits;
+
+  /// For cameras: the world on the grid that it has now.
+  const SceneFile& world() const { return files.front().loaded.file; }
 };
 
 /// Errors: kSyntax, kBadIndex with the line; those of load_scene() and
@@ -54,8 +66,7 @@ Result<ObjectFile> read_object_file(const std::string& path,
                                     const io::ImportOptions& options);
 
 /// The pose in which the objects stand so, by index of `file.objects`. Maps are
-/// rounded here, once: entries to some 20 bits, what moves to a grid step's
-/// share of that.
+/// rounded here, once (io::object_map).
 Pose pose_of(const ObjectFile& file, const std::vector<Stand>& stands);
 
 }  // namespace halfspace::tools

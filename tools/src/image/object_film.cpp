@@ -1,7 +1,9 @@
 #include "image/object_film.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,12 +16,11 @@
 #include "cli/outputs.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/cap_parts.hpp"
+#include "halfspace/fast/image/flat_scene.hpp"
 #include "halfspace/fast/image/moving.hpp"
+#include "halfspace/io/scalars.hpp"
 #include "halfspace/ref/moving.hpp"
-#include "halfspace/ref/oracle/painter.hpp"
-#include "halfspace/ref/oracle/raycast.hpp"
-#include "halfspace/ref/oracle/zbuffer.hpp"
-#include "image/camera_path.hpp"
+#include "image/film.hpp"
 #include "image/object_file.hpp"
 
 namespace halfspace::tools {
@@ -27,25 +28,51 @@ namespace {
 
 std::string object_complaint(const RenderArguments& arguments) {
   const auto not_for = [](const std::string& option) {
-    return option + ": is not for objects; leave it out";
+    return option + ": is not for objects, each of which has a tree of its own";
   };
-  if (arguments.anti_aliasing) return not_for("--aa");
-  if (arguments.screen) return not_for("--screen");
   if (arguments.lazy) return not_for("--lazy");
-  if (arguments.priority) return not_for("--priority");
-  if (arguments.scalars.source) return not_for("--scalar");
-  if (arguments.lines.edges) return not_for("--lines");
-  if (arguments.alpha) return not_for("--alpha");
-  if (arguments.back_color) return not_for("--back-color");
-  if (arguments.shadow) return not_for("--shadow");
-  if (arguments.rows) return not_for("--rows");
   if (arguments.tree_file) return not_for("--tree");
-  if (arguments.turntable) return not_for("--turntable");
   if (arguments.build.rule) return not_for("--heuristic");
-  const auto& background = arguments.view.background;
-  if (background && background->style != Background::Style::kColor)
-    return not_for("--background gradient or none");
+  if (arguments.shadow)
+    return "--shadow: checks images of one scene, none of objects";
   return {};
+}
+
+/// What asks for a scene of all that has moved (S12.7): an option's name, or
+/// nothing where objects are displayed from their own trees.
+std::string flat_reason(const RenderArguments& arguments) {
+  if (arguments.anti_aliasing) return "--aa";
+  if (arguments.alpha) return "--alpha";
+  if (arguments.lines.edges) return "--lines";
+  if (arguments.back_color) return "--back-color";
+  if (arguments.scalars.source) return "--scalar";
+  if (arguments.screen) return "--screen";
+  if (arguments.priority) return "--priority";
+  const Method method = method_of(arguments);
+  if (library_of(arguments) == Library::kRef && method != Method::kSpan)
+    return "--method";
+  return {};
+}
+
+/// By corner of a model the numbers of a PLY's property; no data where it has
+/// none of that name.
+Result<std::vector<double>> corner_numbers(const ModelFile& model,
+                                           const std::string& property) {
+  const SceneData& data = model.loaded.file.scene.data();
+  const auto names = io::ply_scalar_names(model.path);
+  std::vector<double> numbers(data.corners.size(), kNoData);
+  if (std::find(names.begin(), names.end(), property) == names.end())
+    return numbers;
+  const auto column = io::read_ply_scalars(model.path, property);
+  if (!column) return column.error();
+  Result<ScalarField> field = io::scalars_of(model.loaded, *column);
+  if (!field) return io::error_about(model.path, field.error());
+  if (field->at_corners) return std::move(field->values);
+  for (std::size_t p = 0; p < field->values.size(); ++p) {
+    std::fill(numbers.begin() + data.first_corner[p],
+              numbers.begin() + data.first_corner[p + 1], field->values[p]);
+  }
+  return numbers;
 }
 
 /// Draws a file of objects, frame by frame.
@@ -61,9 +88,21 @@ class ObjectFilm {
   const fast::MovingTrees& trees() const { return trees_; }
   double build_ms() const { return build_ms_; }
 
+  const std::optional<ShownScalars>& scalars() const { return scalars_; }
+
   std::optional<Error> prepare() {
     if (arguments_.clip.caps) {
       if (auto error = prepare_caps()) return error;
+    }
+    if (arguments_.scalars.source) {
+      if (auto error = prepare_scalars()) return error;
+    }
+    const std::string reason = flat_reason(arguments_);
+    if (file_.cut && !reason.empty()) {
+      return Error{ErrorCode::kOutOfRange,
+                   reason +
+                       ": draws whole polygons, and what is `cut` away is "
+                       "drawn by span alone"};
     }
     if (library_of(arguments_) == Library::kRef) {
       const Result<Done> is_free = ref::check_free(file_.assembly);
@@ -119,22 +158,13 @@ class ObjectFilm {
     const Result<Placement> placement =
         make_placement(file_.assembly, pose_of(file_, stands));
     if (!placement) return named(placement.error());
-    Frame frame;
-    frame.options = choose_options(file_.world.file, arguments_.view);
-    const Result<Done> clipped = add_clips(file_.world.file.scene, camera,
-                                           arguments_.clip, frame.options);
-    if (!clipped) return clipped.error();
-    frame.options.parts = parts_;
-    std::vector<double> times_ms;
-    for (std::uint32_t i = 0; i < arguments_.repeat.value_or(1); ++i) {
-      const Stopwatch watch;
-      Result<Picture> picture = draw_placed(*placement, camera, frame.options);
-      if (!picture) return picture.error();
-      frame.picture = *std::move(picture);
-      times_ms.push_back(watch.elapsed_ms());
-    }
-    frame.frame_ms = median(std::move(times_ms));
-    return frame;
+    Result<ImageOptions> options =
+        image_options(file_.world(), camera, arguments_);
+    if (!options) return options.error();
+    options->parts = parts_;
+    if (!flat_reason(arguments_).empty())
+      return draw_flat(*placement, camera, *options);
+    return draw_from_trees(*placement, camera, *options);
   }
 
  private:
@@ -174,52 +204,138 @@ class ObjectFilm {
     return std::nullopt;
   }
 
+  /// The numbers of all models have one scale.
+  std::optional<Error> prepare_scalars() {
+    const std::string& property = *arguments_.scalars.source;
+    if (io::is_scalar_file_name(property)) {
+      return Error{ErrorCode::kUnknownFormat,
+                   "--scalar: objects have the numbers of their models; give a "
+                   "property of a PLY"};
+    }
+    ScalarField all = {true, {}};
+    for (const ModelFile& model : file_.files) {
+      Result<std::vector<double>> numbers = corner_numbers(model, property);
+      if (!numbers) return numbers.error();
+      all.values.insert(all.values.end(), numbers->begin(), numbers->end());
+      numbers_.push_back(*std::move(numbers));
+    }
+    if (std::all_of(all.values.begin(), all.values.end(),
+                    [](double value) { return std::isnan(value); })) {
+      return Error{
+          ErrorCode::kEmpty,
+          "--scalar: no model is a PLY with numbers called " + property};
+    }
+    Result<ShownScalars> shown =
+        shown_scalars(std::move(all), arguments_.scalars);
+    if (!shown) return shown.error();
+    scalars_ = *std::move(shown);
+    return std::nullopt;
+  }
+
+  /// The numbers of a flat scene's corners.
+  ScalarField numbers_of(const FlatScene& flat) const {
+    const Assembly& assembly = file_.assembly;
+    std::map<PolygonId, std::int32_t> models;  // by first polygon
+    for (const Occurrence& here : assembly.occurrences()) {
+      if (assembly.model(here.model).scene.polygon_count() > 0)
+        models[here.first_polygon] = here.model;
+    }
+    ScalarField field = {true, {}};
+    field.values.reserve(flat.corners.size());
+    for (std::size_t p = 0; p < flat.ids.size(); ++p) {
+      const auto& numbers = numbers_[static_cast<std::size_t>(
+          std::prev(models.upper_bound(flat.ids[p]))->second)];
+      const auto& first = flat.scene.data().first_corner;
+      for (std::size_t k = first[p]; k < first[p + 1]; ++k)
+        field.values.push_back(numbers[flat.corners[k]]);
+    }
+    return field;
+  }
+
+  /// As any other scene is drawn, with a tree of this frame.
+  Result<Frame> draw_flat(const Placement& placement, const Camera& camera,
+                          const ImageOptions& options) const {
+    const Assembly& assembly = file_.assembly;
+    const Library library = library_of(arguments_);
+    const auto flat = library == Library::kFast
+                          ? fast::flat_scene(assembly, placement, camera)
+                          : ref::flat_scene(assembly, placement, camera);
+    if (!flat) {
+      return Error{flat.error().code,
+                   flat_reason(arguments_) + ": " + flat.error().message};
+    }
+    const auto own = flat_options(*flat, options);
+    if (!own) return own.error();
+    const std::unique_ptr<Engine> engine = make_engine(library);
+    if (scalars_)
+      engine->set_scalars(flat->scene, numbers_of(*flat),
+                          scalars_->legend.scale);
+    TreeRequest request;
+    request.leaves =
+        !arguments_.screen && arguments_.anti_aliasing != AntiAliasing::kExact;
+    request.threads = working_threads(arguments_.build);
+    request.progress = [](double) { return !LongWork::interrupted(); };
+    if (needs_tree(arguments_) && !engine->build(flat->scene, request))
+      return Error{ErrorCode::kStopped, "interrupted"};
+    Result<Frame> frame =
+        make_frame(*engine, flat->scene, flat->camera, *own,
+                   scalars_ ? &scalars_->legend : nullptr, arguments_);
+    if (!frame) return frame;
+    for (PolygonId& item : frame->picture.items.pixels)
+      item = moved_item(assembly, *flat, item);
+    return frame;
+  }
+
   template <class Rendering>
   static Picture picture_of(Rendering rendering) {
     return {std::move(rendering.items), std::move(rendering.colors),
             rendering.pixels_painted, rendering.fragments_displayed};
   }
 
-  Result<Picture> draw_placed(const Placement& placement, const Camera& camera,
-                              const ImageOptions& options) const {
+  Picture placed_picture(const Placement& placement, const Camera& camera,
+                         const ImageOptions& options,
+                         const std::optional<Rows>& rows) const {
     const Assembly& assembly = file_.assembly;
-    if (library_of(arguments_) == Library::kFast) {
-      fast::RenderOptions how;
-      how.threads = thread_count(arguments_.build);
-      how.simd = arguments_.simd.value_or(fast::SimdLevel::kBest);
-      return picture_of(fast::render_moving(assembly, trees_, placement, camera,
-                                            options, how));
+    if (library_of(arguments_) == Library::kRef) {
+      Picture whole =
+          picture_of(ref::render_moving(assembly, placement, camera, options));
+      return rows ? rows_of(whole, *rows) : whole;
     }
-    const Method method = method_of(arguments_);
-    if (method == Method::kSpan) {
-      return picture_of(
-          ref::render_moving(assembly, placement, camera, options));
+    fast::RenderOptions how;
+    how.threads = thread_count(arguments_.build);
+    how.simd = arguments_.simd.value_or(fast::SimdLevel::kBest);
+    if (rows) how.rectangle = {0, rows->first, camera->width_px, rows->end};
+    return picture_of(
+        fast::render_moving(assembly, trees_, placement, camera, options, how));
+  }
+
+  /// Each object from the tree of its model.
+  Result<Frame> draw_from_trees(const Placement& placement,
+                                const Camera& camera,
+                                const ImageOptions& options) const {
+    const auto rows = asked_rows(arguments_, camera->height_px);
+    if (!rows) return rows.error();
+    Frame frame;
+    frame.options = options;
+    if (*rows)
+      frame.part = io::PartOfPicture{(*rows)->first, camera->height_px};
+    std::vector<double> times_ms;
+    for (std::uint32_t i = 0; i < arguments_.repeat.value_or(1); ++i) {
+      const Stopwatch watch;
+      frame.picture = placed_picture(placement, camera, options, *rows);
+      times_ms.push_back(watch.elapsed_ms());
     }
-    // The oracles draw ordinary scenes.
-    if (!ref::check_free(assembly)) {
-      return Error{ErrorCode::kOutOfRange,
-                   "--method: what is cut away is drawn by span alone"};
-    }
-    const auto flat = ref::flat_scene(assembly, placement, camera);
-    if (!flat) return flat.error();
-    const auto own = ref::flat_options(*flat, options);
-    if (!own) return own.error();
-    const Scene& scene = flat->scene;
-    const Camera& view = flat->camera;
-    Picture picture =
-        picture_of(method == Method::kZBuffer ? ref::zbuffer(scene, view, *own)
-                   : method == Method::kRayCast
-                       ? ref::raycast(scene, view, *own)
-                       : ref::paint(scene, ref::build(scene, {}), view, *own));
-    for (PolygonId& item : picture.items.pixels)
-      item = ref::moved_item(assembly, *flat, item);
-    return picture;
+    frame.frame_ms = median(std::move(times_ms));
+    add_background(arguments_, camera->height_px, frame);
+    return frame;
   }
 
   const RenderArguments& arguments_;
   ObjectFile file_;
   std::vector<Stand> start_;
   std::shared_ptr<const CapParts> parts_;  ///< each object one
+  std::optional<ShownScalars> scalars_;
+  std::vector<std::vector<double>> numbers_;  ///< by model and corner
   fast::MovingTrees trees_;
   double build_ms_ = 0;
 };
@@ -254,17 +370,6 @@ Status conclude_objects(const ObjectFilm& film, const Frame& frame,
                  : fail(*arguments.build.stats_file, written.error());
 }
 
-Outputs names_of(const RenderArguments& arguments,
-                 std::optional<std::int64_t> number) {
-  const auto numbered = [number](const std::optional<std::string>& name) {
-    if (!number || !name) return name;
-    const auto pattern = NumberedName::parse(*name);
-    return pattern ? std::optional(pattern->with(*number)) : std::nullopt;
-  };
-  return {numbered(arguments.picture_file), numbered(arguments.ids_file),
-          working_threads(arguments.build)};
-}
-
 Status draw_frames(ObjectFilm& film, const CameraPath* path, Range frames,
                    const RenderArguments& arguments) {
   std::vector<double> times_ms;
@@ -276,16 +381,20 @@ Status draw_frames(ObjectFilm& film, const CameraPath* path, Range frames,
     const std::string name =
         path != nullptr ? "frame " + std::to_string(k) + ": " : "";
     if (!work.report(done)) return stop("interrupted");
-    const Result<ChosenCamera> chosen = choose_camera(
-        film.file().world.file, path ? path->at(k) : arguments.view);
+    const SceneFile& world = film.file().world();
+    const Result<ChosenCamera> chosen =
+        path ? frame_camera(world, *path, k, arguments)
+             : still_camera(world, film.scalars(), arguments);
     if (!chosen)
       return fail(name + camera_error(arguments.path, chosen.error()));
     Result<Frame> frame = film.draw(chosen->camera, film.stands_at(path, k));
-    if (!frame) {
+    if (LongWork::interrupted()) return stop("interrupted");
+    if (!frame)
       return fail(arguments.path + ": " + name + frame.error().message);
-    }
     const Status written = write_frame(
-        *frame, names_of(arguments, path ? std::optional(k) : std::nullopt));
+        *frame, path ? outputs_of(arguments, k)
+                     : Outputs{arguments.picture_file, arguments.ids_file,
+                               working_threads(arguments.build)});
     if (written != Status::kFine) return written;
     times_ms.push_back(frame->frame_ms);
     last = *std::move(frame);
@@ -299,30 +408,26 @@ Status draw_frames(ObjectFilm& film, const CameraPath* path, Range frames,
 Status render_objects(const RenderArguments& arguments) {
   const std::string wrong = object_complaint(arguments);
   if (!wrong.empty()) return fail(wrong);
-  Result<ObjectFile> file = read_object_file(
-      arguments.path, import_options(arguments.view, arguments.grid_bits));
+  io::ImportOptions options =
+      import_options(arguments.view, arguments.grid_bits);
+  if (arguments.scalars.source) color_by_scalars(options);
+  Result<ObjectFile> file = read_object_file(arguments.path, options);
   if (!file) return fail(file.error().message);
   ObjectFilm film(arguments, *std::move(file));
   if (const auto error = film.prepare())
     return fail(arguments.path + ": " + error->message);
-  if (!arguments.camera_path_file)
+  if (!arguments.camera_path_file && !arguments.turntable)
     return draw_frames(film, nullptr, {0, 1}, arguments);
   const Result<CameraPath> path =
-      read_camera_path(*arguments.camera_path_file, arguments.view);
-  if (!path) return fail(*arguments.camera_path_file, path.error());
+      film_path(film.file().world(), film.scalars(), arguments);
+  if (!path) return fail(path.error().message);
   if (const auto name = film.unknown_in(*path)) {
     return fail(*arguments.camera_path_file + ": there is no object " + *name +
                 " in " + arguments.path);
   }
-  const Range asked = arguments.frames.value_or(Range{});
-  const Range frames = {asked.first.value_or(path->first_frame()),
-                        asked.end.value_or(path->last_frame() + 1)};
-  if (*frames.first < path->first_frame() || *frames.first >= *frames.end ||
-      *frames.end > path->last_frame() + 1) {
-    return fail("--frames: the path has the frames " +
-                std::to_string(path->first_frame()) + ":" +
-                std::to_string(path->last_frame() + 1));
-  }
+  const Result<Range> asked = frames_of(*path, arguments);
+  if (!asked) return fail(asked.error().message);
+  const Range frames = *asked;
   // Before anything is drawn: no object leaves its region in any frame.
   for (std::int64_t k = *frames.first; k < *frames.end; ++k) {
     const auto placed = make_placement(

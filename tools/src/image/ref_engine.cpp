@@ -22,27 +22,6 @@ namespace {
 /// From here on the reference takes more than a moment.
 constexpr std::size_t kManyPolygons = 2000;
 
-template <class T>
-Grid2<T> rows_of(const Grid2<T>& image, const Rows& rows) {
-  const auto at = [&](std::int32_t row) {
-    return image.pixels.begin() + std::ptrdiff_t{row} * image.width_px;
-  };
-  Grid2<T> part;
-  part.width_px = image.width_px;
-  part.height_px = rows.end - rows.first;
-  part.pixels.assign(at(rows.first), at(rows.end));
-  return part;
-}
-
-/// Those rows of the picture; what it took stays that of the whole.
-Picture cut_out(const Picture& whole, const Rows& rows) {
-  const std::int32_t samples = whole.items.height_px / whole.colors.height_px;
-  Picture part = whole;
-  part.items = rows_of(whole.items, {rows.first * samples, rows.end * samples});
-  part.colors = rows_of(whole.colors, rows);
-  return part;
-}
-
 class RefEngine : public Engine {
  public:
   // The reference knows no threads, no leaves, and nothing of the time.
@@ -82,7 +61,7 @@ class RefEngine : public Engine {
     const Result<Camera> moved = make_camera(data, scene.grid_bits());
     if (moved) return whole(scene, *moved, shot);
     // The corner of the rows is off the lattice.
-    return cut_out(whole(scene, camera, shot), *shot.rows);
+    return rows_of(whole(scene, camera, shot), *shot.rows);
   }
 
   // The reference shows every fragment: nothing is left out.

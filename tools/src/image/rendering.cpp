@@ -99,8 +99,6 @@ std::string priority_complaint(const RenderArguments& arguments) {
 std::string scalars_complaint(const RenderArguments& arguments) {
   const std::string alone = scalar_complaint(arguments.scalars);
   if (!arguments.scalars.source || !alone.empty()) return alone;
-  if (io::has_extension(arguments.path, ".objects"))
-    return "--scalar: colours one mesh, no objects that move";
   if (arguments.anti_aliasing == AntiAliasing::kExact)
     return "--scalar: has colours of samples, no exact areas; take --aa 8";
   if (arguments.shadow)
@@ -131,27 +129,11 @@ std::string back_color_complaint(const RenderArguments& arguments) {
 std::string lines_complaint(const RenderArguments& arguments) {
   const std::string alone = line_complaint(arguments.lines);
   if (!arguments.lines.edges || !alone.empty()) return alone;
-  if (io::has_extension(arguments.path, ".objects"))
-    return "--lines: are drawn over one mesh, no objects that move";
   if (arguments.shadow) return "--shadow: checks pictures without --lines";
   if (arguments.view.background &&
       arguments.view.background->style == Background::Style::kNone)
     return "--lines: need a background to stand on";
   return {};
-}
-
-/// The rows asked for, if there are such rows.
-Result<std::optional<Rows>> rows_of(const RenderArguments& arguments,
-                                    std::int32_t height_px) {
-  if (!arguments.rows) return std::optional<Rows>();
-  const std::int64_t first = arguments.rows->first.value_or(0);
-  const std::int64_t end = arguments.rows->end.value_or(height_px);
-  if (first < end && end <= height_px) {
-    return std::optional(
-        Rows{static_cast<std::int32_t>(first), static_cast<std::int32_t>(end)});
-  }
-  return Error{ErrorCode::kOutOfRange,
-               "--rows: the image has the rows 0:" + std::to_string(height_px)};
 }
 
 }  // namespace
@@ -256,7 +238,32 @@ Status make_tree(Engine& engine, const Scene& scene,
 
 namespace {
 
-/// Paints a gradient behind the picture, or takes what is there away.
+/// What a legend stands on: of a gradient, what is half way down.
+Rgb background_near_legend(const RenderArguments& arguments,
+                           const Frame& frame) {
+  const auto& background = arguments.view.background;
+  if (background && background->style == Background::Style::kGradient) {
+    const std::int32_t height = frame.picture.colors.height_px;
+    return gradient_color(height / 2, height);
+  }
+  return frame.options.background;
+}
+
+}  // namespace
+
+Result<std::optional<Rows>> asked_rows(const RenderArguments& arguments,
+                                       std::int32_t height_px) {
+  if (!arguments.rows) return std::optional<Rows>();
+  const std::int64_t first = arguments.rows->first.value_or(0);
+  const std::int64_t end = arguments.rows->end.value_or(height_px);
+  if (first < end && end <= height_px) {
+    return std::optional(
+        Rows{static_cast<std::int32_t>(first), static_cast<std::int32_t>(end)});
+  }
+  return Error{ErrorCode::kOutOfRange,
+               "--rows: the image has the rows 0:" + std::to_string(height_px)};
+}
+
 void add_background(const RenderArguments& arguments, std::int32_t height_px,
                     Frame& frame) {
   if (!arguments.view.background) return;
@@ -274,25 +281,32 @@ void add_background(const RenderArguments& arguments, std::int32_t height_px,
   }
 }
 
-/// What a legend stands on: of a gradient, what is half way down.
-Rgb background_near_legend(const RenderArguments& arguments,
-                           const Frame& frame) {
-  const auto& background = arguments.view.background;
-  if (background && background->style == Background::Style::kGradient) {
-    const std::int32_t height = frame.picture.colors.height_px;
-    return gradient_color(height / 2, height);
-  }
-  return frame.options.background;
+Result<ImageOptions> image_options(const SceneFile& file, const Camera& camera,
+                                   const RenderArguments& arguments) {
+  ImageOptions options = choose_options(file, arguments.view);
+  const Result<Done> clipped =
+      add_clips(file.scene, camera, arguments.clip, options);
+  if (!clipped) return clipped.error();
+  return options;
 }
-
-}  // namespace
 
 Result<Frame> make_frame(const Engine& engine, const Subject& subject,
                          const Camera& camera,
                          const RenderArguments& arguments) {
-  const io::LoadedScene& loaded = subject.loaded;
+  const SceneFile& file = subject.loaded.file;
+  const Result<ImageOptions> options = image_options(file, camera, arguments);
+  if (!options) return options.error();
+  return make_frame(engine, file.scene, camera, *options,
+                    subject.scalars ? &subject.scalars->legend : nullptr,
+                    arguments);
+}
+
+Result<Frame> make_frame(const Engine& engine, const Scene& scene,
+                         const Camera& camera, const ImageOptions& options,
+                         const io::Legend* legend,
+                         const RenderArguments& arguments) {
   const Result<std::optional<Rows>> rows =
-      rows_of(arguments, camera->height_px);
+      asked_rows(arguments, camera->height_px);
   if (!rows) return rows.error();
   const auto anti_aliasing =
       arguments.anti_aliasing.value_or(AntiAliasing::kNone);
@@ -304,10 +318,7 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
   }
   Shot shot;
   shot.method = method_of(arguments);
-  shot.options = choose_options(loaded.file, arguments.view);
-  const Result<Done> clipped =
-      add_clips(loaded.file.scene, camera, arguments.clip, shot.options);
-  if (!clipped) return clipped.error();
+  shot.options = options;
   shot.rows = *rows;
   shot.screen = arguments.screen;
   shot.priority = arguments.priority.value_or(Priority::kTree);
@@ -316,7 +327,7 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
   shot.alpha = arguments.alpha.value_or(kOpaque);
   shot.threads = thread_count(arguments.build);
   shot.simd = arguments.simd.value_or(fast::SimdLevel::kBest);
-  shot.by_scalars = subject.scalars.has_value();
+  shot.by_scalars = legend != nullptr;
   Frame frame;
   frame.options = shot.options;
   if (shot.rows) {
@@ -326,33 +337,31 @@ Result<Frame> make_frame(const Engine& engine, const Subject& subject,
   for (std::uint32_t i = 0; i < arguments.repeat.value_or(1); ++i) {
     const Stopwatch watch;
     if (anti_aliasing == AntiAliasing::kExact) {
-      frame.picture = engine.render_area(loaded.file.scene, camera, shot);
+      frame.picture = engine.render_area(scene, camera, shot);
     } else {
-      frame.picture = engine.render(loaded.file.scene, camera, shot);
+      frame.picture = engine.render(scene, camera, shot);
     }
     times_ms.push_back(watch.elapsed_ms());
   }
   frame.frame_ms = median(std::move(times_ms));
   frame.picture.cells = engine.built_cells();
   if (arguments.build.stats_file && needs_tree(arguments) && !arguments.lazy) {
-    const auto count = engine.count_behind(loaded.file.scene, camera);
+    const auto count = engine.count_behind(scene, camera);
     frame.picture.subtrees_behind = count.subtrees;
     frame.picture.fragments_behind = count.fragments;
   }
   if (arguments.back_color) {
-    engine.mark_back_faces(loaded.file.scene, camera, *arguments.back_color,
-                           frame.picture);
+    engine.mark_back_faces(scene, camera, *arguments.back_color, frame.picture);
   }
   add_background(arguments, camera->height_px, frame);
   if (arguments.lines.edges) {
     const ShownLines lines = shown_lines(arguments.lines, shot.options);
-    const Result<Done> drawn =
-        engine.add_lines(loaded.file.scene, camera, shot, lines.drawing,
-                         lines.style, frame.picture.colors);
+    const Result<Done> drawn = engine.add_lines(
+        scene, camera, shot, lines.drawing, lines.style, frame.picture.colors);
     if (!drawn) return drawn.error();
   }
   if (arguments.scalars.has_legend) {
-    io::draw_legend(subject.scalars->legend, frame.picture.items,
+    io::draw_legend(*legend, frame.picture.items,
                     background_near_legend(arguments, frame),
                     frame.picture.colors);
   }

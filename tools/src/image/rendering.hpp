@@ -88,8 +88,30 @@ struct Subject {
   std::optional<ShownScalars> scalars = std::nullopt;
 };
 
-/// Makes the image, or the rows asked for.
-/// Errors: kOutOfRange (there are no such rows).
+/// The rows asked for. Errors: kOutOfRange (there are no such rows).
+Result<std::optional<Rows>> asked_rows(const RenderArguments& arguments,
+                                       std::int32_t height_px);
+
+/// Paints a gradient behind a picture of one sample a pixel, or takes what is
+/// behind it away.
+void add_background(const RenderArguments& arguments, std::int32_t height_px,
+                    Frame& frame);
+
+/// The options of an image: the file's, but for what the arguments say, clip
+/// planes too. Errors: those of add_clips().
+Result<ImageOptions> image_options(const SceneFile& file, const Camera& camera,
+                                   const RenderArguments& arguments);
+
+/// The picture of a scene by these options, or the rows asked for: its image,
+/// then what is laid over it. `legend` is that of numbers the engine knows, or
+/// null.
+/// Errors: kOutOfRange (there are no such rows); those of Engine::add_lines().
+Result<Frame> make_frame(const Engine& engine, const Scene& scene,
+                         const Camera& camera, const ImageOptions& options,
+                         const io::Legend* legend,
+                         const RenderArguments& arguments);
+
+/// The same by image_options().
 Result<Frame> make_frame(const Engine& engine, const Subject& subject,
                          const Camera& camera,
                          const RenderArguments& arguments);

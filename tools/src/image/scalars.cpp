@@ -166,9 +166,15 @@ Result<ShownScalars> load_scalars(const std::string& path,
   if (arguments.place) column->place = arguments.place;
   Result<ScalarField> field = io::scalars_of(loaded, *column);
   if (!field) return io::error_about(is_file ? source : path, field.error());
+  return shown_scalars(*std::move(field), arguments);
+}
+
+Result<ShownScalars> shown_scalars(ScalarField field,
+                                   const ScalarArguments& arguments) {
+  const std::string& source = *arguments.source;
   const Result<io::ColorMap> map = chosen_map(arguments.map);
   if (!map) return map.error();
-  const Result<io::ScaleRange> range = range_of(*field, arguments, source);
+  const Result<io::ScaleRange> range = range_of(field, arguments, source);
   if (!range) return range.error();
   Result<ColorScale> scale = io::make_scale(*map, *range);
   if (!scale)
@@ -178,9 +184,9 @@ Result<ShownScalars> load_scalars(const std::string& path,
   shown.legend.scale = *std::move(scale);
   shown.legend.title = arguments.title.value_or(legend_title(source));
   shown.legend.shows_no_data =
-      std::any_of(field->values.begin(), field->values.end(),
+      std::any_of(field.values.begin(), field.values.end(),
                   [](double value) { return std::isnan(value); });
-  shown.field = *std::move(field);
+  shown.field = std::move(field);
   return shown;
 }
 

@@ -61,6 +61,12 @@ Result<ShownScalars> load_scalars(const std::string& path,
                                   const io::LoadedScene& loaded,
                                   const ScalarArguments& arguments);
 
+/// How a field is shown: `source` is what the command line calls it.
+/// Errors: those of io::read_color_map() and io::make_scale(); kEmpty (no
+///         number at all).
+Result<ShownScalars> shown_scalars(ScalarField field,
+                                   const ScalarArguments& arguments);
+
 /// The size of the part of a picture beside the legend, if there is one.
 Size size_beside_legend(const std::optional<ShownScalars>& scalars,
                         const ScalarArguments& arguments, const Size& size);

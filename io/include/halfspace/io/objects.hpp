@@ -14,12 +14,14 @@ namespace halfspace::io {
 
 /// The map of an object (S12.2) from doubles: its point (x, y, z) stands at
 /// rows[i] . (x, y, z, 1). Rounded here, once: entries to some 20 bits, what
-/// moves to a grid step's share of that.
+/// moves to a grid step's share of that. Its shift is `most_shift` at most if
+/// that leaves entries of 14 bits.
 ///
 /// Units: model units; `inner` and `outer` are the steps of the object and of
 ///        its owner. What is beyond S12.2 stays beyond it.
 ObjectMap object_map(const std::array<std::array<double, 4>, 3>& rows,
-                     const Unit& inner, const Unit& outer);
+                     const Unit& inner, const Unit& outer,
+                     int most_shift = kMapBits);
 
 /// Where an object may be, as people say it: the corners of a box, or at least
 /// 4 points of a hull. Units: model units.

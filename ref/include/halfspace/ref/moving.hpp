@@ -36,30 +36,12 @@ MovedPolygons moved_polygons(const Assembly& assembly,
 Rendering render_moving(const Assembly& assembly, const Placement& placement,
                         const Camera& camera, const ImageOptions& options);
 
-/// Moved polygons as an ordinary scene, in steps so fine that all their corners
-/// are on its grid, with the camera that sees it alike.
-struct FlatScene {
-  Scene scene;
-  Camera camera;
-  std::vector<PolygonId> ids;  ///< by polygon of the scene
-  int shift = 0;               ///< a step of the world is 2^shift of its steps
-};
-
+/// The moved polygons as a scene of their own (S12.7).
+///
 /// Requires: check_free().
 /// Errors:   kOutOfRange: a grid of 54 bits does not hold the corners, or the
 ///           camera.
 Result<FlatScene> flat_scene(const Assembly& assembly,
                              const Placement& placement, const Camera& camera);
-
-/// The options by which the flat scene has the same image: clip planes on its
-/// grid, and parts of its polygons.
-///
-/// Errors: those of make_clips().
-Result<ImageOptions> flat_options(const FlatScene& flat,
-                                  const ImageOptions& options);
-
-/// The item of the moved polygons for one of the flat scene, caps too.
-PolygonId moved_item(const Assembly& assembly, const FlatScene& flat,
-                     PolygonId item);
 
 }  // namespace halfspace::ref
