@@ -8,9 +8,11 @@
 
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/image/lazy_tree.hpp"
+#include "halfspace/fast/ray.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/read_mesh.hpp"
 #include "papers/table.hpp"
+#include "random_rays.hpp"
 #include "timing.hpp"
 #include "workloads.hpp"
 
@@ -27,6 +29,7 @@ struct Request {
   int repeats = 3;
   std::int32_t size_px = 1500;
   bool moves = false;
+  bool rays = false;
   std::vector<std::string> only;
   std::vector<std::string> meshes;
 };
@@ -188,8 +191,64 @@ void add_moves(const Request& request, const std::string& name,
   }
 }
 
+/// What the first ray takes, with the tree, and many of them after it.
+void add_rays(const Request& request, const std::string& name,
+              const Scene& scene, Table& table) {
+  constexpr std::size_t kMany = 100'000;
+  const std::vector<Ray> rays = random_rays(scene, extent_of(scene), kMany, 1);
+  fast::DisplayTreeOptions options;
+  options.threads = request.threads;
+  struct Spent {
+    double first = Times::kNone;
+    double thousand = Times::kNone;
+    double many = Times::kNone;
+    double again = Times::kNone;
+  };
+  const auto take = [&](Spent& spent, auto&& open, auto&& ask) {
+    const double start = process_ms();
+    const auto tree = open();
+    std::size_t r = 0;
+    const auto until = [&](std::size_t end) {
+      for (; r < end; ++r) ask(tree, rays[r]);
+      return process_ms() - start;
+    };
+    spent.first = std::min(spent.first, until(1));
+    spent.thousand = std::min(spent.thousand, until(1000));
+    const double all = until(kMany);
+    spent.many = std::min(spent.many, all);
+    r = 0;
+    spent.again = std::min(spent.again, until(kMany) - all);
+  };
+  Spent eager;
+  Spent lazy;
+  for (int k = 0; k < request.repeats; ++k) {
+    take(
+        eager, [&] { return fast::build_display_tree(scene, options); },
+        [&](const fast::BspTree& tree, const Ray& ray) {
+          (void)fast::first_hit(scene, tree, ray);
+        });
+    take(
+        lazy, [&] { return fast::LazyTree(scene, {.tree = options}); },
+        [&](const fast::LazyTree& tree, const Ray& ray) {
+          (void)fast::first_hit(tree, ray);
+        });
+  }
+  const fast::LazyTree one(scene, {.tree = options});
+  (void)fast::first_hit(one, rays.front());
+  table.rows.push_back(
+      {name, std::to_string(scene.polygon_count()), digits(eager.first),
+       digits(eager.thousand), digits(eager.many), digits(eager.again),
+       digits(lazy.first), digits(lazy.thousand), digits(lazy.many),
+       digits(lazy.again), std::to_string(one.stats().polygons_built)});
+}
+
 int run(const Request& request) {
   Comparison comparison(request);
+  Table rays;
+  rays.head = {"scene",           "polygons",    "built at once, one ray, ms",
+               "1,000",           "100,000",     "again",
+               "opened, one ray", "1,000",       "100,000",
+               "again",           "built by one"};
   Table moves;
   moves.head = {"scene", "moved", "scene, ms",   "move_to, ms",
                 "frame", "again", "opened anew", "built anew"};
@@ -208,6 +267,10 @@ int run(const Request& request) {
     std::vector<Camera> cameras;
     for (const View side : kSides)
       cameras.push_back(workload.camera(*scene, side, request.size_px));
+    if (request.rays) {
+      add_rays(request, workload.name, *scene, rays);
+      continue;
+    }
     comparison.add(workload.name, *scene, cameras);
     if (request.moves)
       add_moves(request, workload.name, *scene, cameras.front(), moves);
@@ -221,10 +284,18 @@ int run(const Request& request) {
     }
     const Result<io::Imported> made = io::import_scene(*mesh, {});
     if (!made) return 2;
+    if (request.rays) {
+      add_rays(request, path, made->scene, rays);
+      continue;
+    }
     std::vector<Camera> cameras;
     for (const View side : kSides)
       cameras.push_back(scene_camera(made->scene, side, request.size_px));
     comparison.add(path, made->scene, cameras);
+  }
+  if (request.rays) {
+    std::printf("%s", to_markdown(rays).c_str());
+    return 0;
   }
   comparison.print();
   if (request.moves) std::printf("\n%s", to_markdown(moves).c_str());
@@ -245,6 +316,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 8000));
   app.add_flag("--moves", request.moves,
                "What it takes when 10 and 1,000 polygons move, too");
+  app.add_flag("--rays", request.rays, "First hits of rays, no pictures");
   app.add_option("--only", request.only,
                  "Only workloads with one of these in their names");
   app.add_option("--mesh", request.meshes, "Files of meshes, instead");

@@ -3,6 +3,7 @@
 #include "fuzz.hpp"
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
@@ -62,11 +63,28 @@ void expect_same_hits(const SceneFile& view, const fast::BspTree& tree,
       fast::see_each_other(view.scene, tree, ray) == expected.empty(), text);
 }
 
+/// A lazy tree, of which that is built that rays and picks come to.
+void expect_same_lazily(const SceneFile& view, const fast::LazyTree& tree,
+                        const Ray& ray, const std::string& text) {
+  const auto expected = ref::all_hits(view.scene, ray);
+  const auto first = fast::first_hit(tree, ray);
+  HALFSPACE_FUZZ_EXPECT(first.has_value() == !expected.empty(), text);
+  if (first) HALFSPACE_FUZZ_EXPECT(is_same(*first, expected.front()), text);
+  if (ray->reach == Reach::kBetween) {
+    HALFSPACE_FUZZ_EXPECT(fast::see_each_other(tree, ray) == expected.empty(),
+                          text);
+  }
+  const auto found = fast::all_hits(tree, ray);
+  HALFSPACE_FUZZ_EXPECT(std::equal(found.begin(), found.end(), expected.begin(),
+                                   expected.end(), is_same),
+                        text);
+}
+
 }  // namespace
 }  // namespace halfspace
 
 /// Rays hit the same by the reference, which asks every polygon, and over trees
-/// of two kinds; picks are the item image.
+/// of three kinds; picks are the item image.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   using namespace halfspace;
@@ -83,6 +101,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   display.leaf_size = build.candidates;
   display.threads = 1;
   const fast::BspTree other = fast::build_display_tree(view.scene, display);
+  fast::LazyTreeOptions lazy;
+  lazy.tree = display;
+  lazy.cell_size = 1 + build.candidates % 4;
+  lazy.most_in_cell = 1 + build.candidates % 5;
+  lazy.most_listed = 4;
+  const fast::LazyTree opened(view.scene, lazy);
   std::uint8_t rays[24];
   for (std::size_t k = 0; k < 8; ++k) {
     rays[k] = static_cast<std::uint8_t>(first >> 8 * k);
@@ -100,6 +124,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     if (!ray) continue;
     expect_same_hits(view, plain, *ray, text);
     expect_same_hits(view, other, *ray, text);
+    expect_same_lazily(view, opened, *ray, text);
   }
   const auto image = ref::render(view.scene, ref::build(view.scene, build),
                                  *view.camera, view.options);
@@ -109,6 +134,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
           fast::pick(view.scene, other, *view.camera, view.options, i, j) ==
               image.items.at(i, j),
           text);
+      HALFSPACE_FUZZ_EXPECT(fast::pick(opened, *view.camera, view.options, i,
+                                       j) == image.items.at(i, j),
+                            text);
     }
   }
   return 0;

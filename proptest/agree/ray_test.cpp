@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "generate/random_scenes.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/render.hpp"
 
@@ -116,6 +120,81 @@ TEST(AgreeRay, PicksAreTheItemImage) {
       }
     }
   }
+}
+
+/// The same hits, by parameters that were computed in the same way.
+bool is_same(const RayHit& one, const RayHit& other) {
+  return one.polygon == other.polygon && one.numerator == other.numerator &&
+         one.denominator == other.denominator;
+}
+
+/// Whether a lazy tree says of a ray what a whole one says.
+bool agree_on(const fast::LazyTree& lazy, const fast::BspTree& whole,
+              const Ray& ray) {
+  const Scene& scene = lazy.scene();
+  const auto all = fast::all_hits(lazy, ray);
+  const auto expected = fast::all_hits(scene, whole, ray);
+  const auto first = fast::first_hit(lazy, ray);
+  return std::equal(all.begin(), all.end(), expected.begin(), expected.end(),
+                    is_same) &&
+         first.has_value() == !expected.empty() &&
+         (!first || is_same(*first, expected.front())) &&
+         fast::see_each_other(lazy, ray) == expected.empty();
+}
+
+/// Rays between points of the scene.
+std::vector<Ray> rays_between(const Scene& scene, Draws& draws, int count) {
+  std::vector<Ray> rays;
+  for (int k = 0; k < count; ++k) {
+    const LatticeVector p = random_point(scene, draws);
+    const LatticeVector q = random_point(scene, draws);
+    const auto ray =
+        make_ray({p, {q.x - p.x, q.y - p.y, q.z - p.z}, Reach::kBetween},
+                 scene.grid_bits());
+    if (ray) rays.push_back(*ray);
+  }
+  return rays;
+}
+
+TEST(AgreeRay, ThreadsAskOneLazyTree) {
+  std::size_t partly = 0;
+  for (const Kind kind : kKinds) {
+    SCOPED_TRACE(name_of(kind));
+    Draws draws(11);
+    const Scene scene = random_scene(kind, 26, 90, draws);
+    const Camera camera = random_camera(kind, scene, 40, 30, draws);
+    const auto whole = fast::build_display_tree(scene);
+    const ItemImage image = fast::render(scene, whole, camera, {}).items;
+    const std::vector<Ray> rays = rays_between(scene, draws, 60);
+    fast::LazyTreeOptions options;
+    options.tree.leaf_size = 4;
+    options.cell_size = 3;
+    options.most_listed = 6;
+    options.most_in_cell = 20;
+    const fast::LazyTree lazy(scene, options);
+    // Each thread begins somewhere else.
+    constexpr std::size_t kThreads = 4;
+    std::vector<int> wrong(kThreads);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < kThreads; ++t) {
+      threads.emplace_back([&, t] {
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+          const Ray& ray = rays[(k + t * rays.size() / 4) % rays.size()];
+          wrong[t] += agree_on(lazy, whole, ray) ? 0 : 1;
+          if (k % 20 == 5 * t)
+            wrong[t] += fast::render(lazy, camera, {}).items == image ? 0 : 1;
+          const auto i = static_cast<std::int32_t>(k % 40);
+          const auto j = static_cast<std::int32_t>((k + 7 * t) % 30);
+          wrong[t] +=
+              fast::pick(lazy, camera, {}, i, j) == image.at(i, j) ? 0 : 1;
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, std::vector<int>(kThreads));
+    partly += lazy.stats().cells > 1 ? 1u : 0u;
+  }
+  EXPECT_GT(partly, 3u);
 }
 
 }  // namespace

@@ -324,17 +324,49 @@ void take_all() {
   take(&make_ray);  // S8.1
   take(&ref::all_hits);  // S8.2
   take(&ref::distance_of);  // S8.2
-  take(&fast::all_hits);  // S8.2
+  {  // S8.2
+    using namespace fast;
+    using Kind = std::vector<RayHit>(const Scene&, const BspTree&, const Ray&);
+    take<Kind>(&fast::all_hits);
+  }
+  {  // S8.2
+    using namespace fast;
+    using Kind = std::vector<RayHit>(const LazyTree&, const Ray&);
+    take<Kind>(&fast::all_hits);
+  }
   take(&ref::all_hits);  // S8.3
   {  // S8.3
     using namespace fast;
     using Kind = std::optional<RayHit>(const Scene&, const BspTree&, const Ray&);
     take<Kind>(&fast::first_hit);
   }
+  {  // S8.3
+    using namespace fast;
+    using Kind = std::optional<RayHit>(const LazyTree&, const Ray&);
+    take<Kind>(&fast::first_hit);
+  }
   take(&ref::pick);  // S8.4
-  take(&fast::pick);  // S8.4
+  {  // S8.4
+    using namespace fast;
+    using Kind = PolygonId(const Scene&, const BspTree&, const Camera&, const ImageOptions&, std::int32_t, std::int32_t);
+    take<Kind>(&fast::pick);
+  }
+  {  // S8.4
+    using namespace fast;
+    using Kind = PolygonId(const LazyTree&, const Camera&, const ImageOptions&, std::int32_t, std::int32_t);
+    take<Kind>(&fast::pick);
+  }
   take(&ref::see_each_other);  // S8.5
-  take(&fast::see_each_other);  // S8.5
+  {  // S8.5
+    using namespace fast;
+    using Kind = bool(const Scene&, const BspTree&, const Ray&);
+    take<Kind>(&fast::see_each_other);
+  }
+  {  // S8.5
+    using namespace fast;
+    using Kind = bool(const LazyTree&, const Ray&);
+    take<Kind>(&fast::see_each_other);
+  }
   take(&ref::draw);  // S9.1
   take(&fast::draw);  // S9.1
   take(&ref::draw);  // S9.2
@@ -442,5 +474,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 209 ? 0 : 1;
+  return halfspace::taken == 213 ? 0 : 1;
 }

@@ -21,6 +21,9 @@ words = open("stdout").read().split()
 found = int(words[1]) if words[0] == "polygon" else -1
 sys.exit(item != found)
 PYTHON
+    mv stdout whole
+    expect 0 'polygon\|nothing' pick cubes.off "$@" --at $pixel --lazy
+    same stdout whole
   done
 done
 
@@ -35,6 +38,22 @@ expect 0 '"parameter": "3/4"' pick box.off --from -1,0.5,1 --to 3,0.5,1 --all \
 expect 0 'nothing' pick box.off --from -1,0.5,1 --to -0.5,0.5,1
 expect 0 'visible' pick box.off --from -1,-1,5 --sees 5,9,5
 expect 0 'hidden' pick box.off --from -1,0.5,1 --sees 3,0.5,1
+"$make_model" sphere --count 40 -o ball.off || exit 1
+for ask in "--from 9,8,7 --along -9,-8,-7" "--from 9,0.5,0.6 --to -9,-2,-1 --all" \
+  "--from 9,8,7 --sees -9,-8,-7" "--at 320,240 --clip 1,1,1,0 --cap hatch"; do
+  # shellcheck disable=SC2086
+  set -- $ask
+  expect 0 '.' pick ball.off "$@" --stats a.json
+  mv stdout whole
+  expect 0 '.' pick ball.off "$@" --lazy --stats b.json
+  same stdout whole
+  [ -n "$(number a.json ask_ms)" ] || wrong "$ask: no ask_ms in --stats"
+  [ "$(number a.json nodes)" -gt 0 ] || wrong "$ask: no tree in --stats"
+  [ "$(number b.json polygons_built)" -lt "$(number b.json polygons)" ] ||
+    wrong "$ask: all was built"
+  [ "$(number b.json cells_built)" -gt 0 ] || wrong "$ask: nothing was built"
+done
+expect 2 'none/a.json' pick box.off --at 1,1 --stats none/a.json
 expect 2 'X,Y, a column' pick box.off --at 1
 expect 2 'the image has the columns 0 to 639' pick box.off --at 640,0
 expect 2 'give --at' pick box.off

@@ -43,9 +43,11 @@ class LazyWalk {
   template <bool kNearFirst, class ShowTree>
   void show(const LazyPart& part, FilterStats& stats, ShowTree&& show_tree) {
     if (!part.has_cells()) {
-      // The rasterizer's frame refers to this one.
+      // The rasterizer's frame refers to this one. What it knows of polygons
+      // holds: it is of the view, or of a fragment by its address, of which
+      // none is reused while trees stay; and it compares the fragments of one
+      // leaf alone, each of which it has begun there.
       reader_.emplace(*tree_.scene, part.tree);
-      rasterizer_.forget();
       show_tree();
       return;
     }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "halfspace/assert.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "ray/ray_walk.hpp"
 #include "ray/sample_ray.hpp"
@@ -115,17 +116,18 @@ class Hits {
  public:
   Hits(const TreeReader& reader, const RayLine& line, const RayData& ray,
        FilterStats& stats)
-      : reader_(reader),
-        line_(line),
+      : line_(line),
         exact_(reader, ray),
         is_between_(ray.reach == Reach::kSegment ||
                     ray.reach == Reach::kBetween),
         has_begin_(ray.reach != Reach::kLine),
         stats_(stats) {}
 
-  /// The hit with a fragment, if there is one nearer than `limit`.
-  std::optional<Candidate> hit(const TreeFragment& fragment, double limit) {
-    const int passes = line_.passes(reader_, fragment);
+  /// The hit with a fragment of the reader's tree, if there is one nearer than
+  /// `limit`.
+  std::optional<Candidate> hit(const TreeReader& reader,
+                               const TreeFragment& fragment, double limit) {
+    const int passes = line_.passes(reader, fragment);
     if (passes < 0) {
       ++stats_.filtered;
       return std::nullopt;
@@ -133,7 +135,7 @@ class Hits {
     Candidate found;
     found.polygon = fragment.source;
     const auto near =
-        line_.meet(filter_plane(reader_.planes().plane(fragment.source)));
+        line_.meet(filter_plane(reader.planes().plane(fragment.source)));
     found.near = near.value_or(ParameterRange{-kInfinity, kInfinity});
     if (found.near.first > limit) return std::nullopt;
     const bool is_within = near && (!has_begin_ || near->first > 0) &&
@@ -169,7 +171,6 @@ class Hits {
   }
 
  private:
-  const TreeReader& reader_;
   const RayLine& line_;
   ExactRay<kBits> exact_;
   bool is_between_;
@@ -187,58 +188,52 @@ RayLine line_of(const RayData& ray, int grid_bits) {
 }
 
 /// The first hit; any hit where `any` will do.
-template <int kBits>
-std::optional<Candidate> first_of(const Scene& scene, const BspTree& tree,
-                                  const RayData& ray, bool any,
-                                  FilterStats& stats) {
-  const TreeReader reader(scene, tree);
+template <int kBits, class Tree>
+std::optional<Candidate> first_of(const Tree& tree, const RayData& ray,
+                                  bool any, FilterStats& stats) {
   const RayLine line = line_of(ray, kBits);
-  Hits<kBits> hits(reader, line, ray, stats);
+  Hits<kBits> hits(tree.reader(), line, ray, stats);
   Candidate best;
   best.near = {kInfinity, kInfinity};
   const auto limit = [&] { return best.near.last; };
-  walk_ray(reader, line, limit, [&](const TreeFragment& fragment) {
-    if (fragment.source == best.polygon) return;
-    auto found = hits.hit(fragment, limit());
-    if (!found) return;
-    if (best.polygon != kBackground && !hits.is_before(*found, best)) return;
-    best = *found;
-    if (any) best.near.last = -kInfinity;
-  });
+  tree.walk(line, limit,
+            [&](const TreeReader& reader, const TreeFragment& fragment) {
+              if (fragment.source == best.polygon) return;
+              auto found = hits.hit(reader, fragment, limit());
+              if (!found) return;
+              if (best.polygon != kBackground && !hits.is_before(*found, best))
+                return;
+              best = *found;
+              if (any) best.near.last = -kInfinity;
+            });
   if (best.polygon == kBackground) return std::nullopt;
   hits.settle(best);
   return best;
 }
 
-}  // namespace
-
-std::optional<RayHit> first_hit(const Scene& scene, const BspTree& tree,
-                                const Ray& ray, FilterStats& stats) {
-  const auto found = with_grid(scene.grid_bits(), [&](auto bits) {
-    return first_of<bits()>(scene, tree, ray.data(), false, stats);
-  });
+template <class Tree>
+std::optional<RayHit> first_hit_in(const Tree& tree, const Ray& ray,
+                                   FilterStats& stats) {
+  const auto found =
+      with_grid(tree.reader().scene().grid_bits(), [&](auto bits) {
+        return first_of<bits()>(tree, ray.data(), false, stats);
+      });
   return found ? std::optional(to_hit(*found)) : std::nullopt;
 }
 
-std::optional<RayHit> first_hit(const Scene& scene, const BspTree& tree,
-                                const Ray& ray) {
-  FilterStats stats;
-  return first_hit(scene, tree, ray, stats);
-}
-
-std::vector<RayHit> all_hits(const Scene& scene, const BspTree& tree,
-                             const Ray& ray) {
-  const TreeReader reader(scene, tree);
-  const RayLine line = line_of(ray.data(), scene.grid_bits());
+template <class Tree>
+std::vector<RayHit> all_hits_in(const Tree& tree, const Ray& ray) {
+  const int grid_bits = tree.reader().scene().grid_bits();
+  const RayLine line = line_of(ray.data(), grid_bits);
   std::vector<RayHit> result;
-  with_grid(scene.grid_bits(), [&](auto bits) {
+  with_grid(grid_bits, [&](auto bits) {
     FilterStats stats;
-    Hits<bits()> hits(reader, line, ray.data(), stats);
+    Hits<bits()> hits(tree.reader(), line, ray.data(), stats);
     std::vector<Candidate> found;
-    walk_ray(
-        reader, line, [] { return kInfinity; },
-        [&](const TreeFragment& fragment) {
-          auto hit = hits.hit(fragment, kInfinity);
+    tree.walk(
+        line, [] { return kInfinity; },
+        [&](const TreeReader& reader, const TreeFragment& fragment) {
+          auto hit = hits.hit(reader, fragment, kInfinity);
           if (!hit) return;
           hits.settle(*hit);
           found.push_back(*hit);
@@ -257,25 +252,18 @@ std::vector<RayHit> all_hits(const Scene& scene, const BspTree& tree,
   return result;
 }
 
-PolygonId pick(const Scene& scene, const BspTree& tree, const Camera& camera,
-               const ImageOptions& options, std::int32_t i, std::int32_t j) {
-  const CameraData& data = camera.data();
-  HALFSPACE_ASSERT(0 <= i && i < data.width_px);
-  HALFSPACE_ASSERT(0 <= j && j < data.height_px);
-  if (options.caps) {
-    RenderOptions one;
-    one.rectangle = Rectangle{i, j, i + 1, j + 1};
-    one.colors = false;
-    return render(scene, tree, camera, options, one).items.pixels.front();
-  }
-  const TreeReader reader(scene, tree);
-  const RayLine line = ray_of_centre(data, i, j, scene.grid_bits());
-  return with_grid(scene.grid_bits(), [&](auto bits) {
-    SampleRay<bits()> sample(reader, data, options, i, j);
+/// Requires: no caps.
+template <class Tree>
+PolygonId pick_in(const Tree& tree, const CameraData& camera,
+                  const ImageOptions& options, std::int32_t i, std::int32_t j) {
+  const int grid_bits = tree.reader().scene().grid_bits();
+  const RayLine line = ray_of_centre(camera, i, j, grid_bits);
+  return with_grid(grid_bits, [&](auto bits) {
+    SampleRay<bits()> sample(tree.reader(), camera, options, i, j);
     double limit = kInfinity;
-    walk_ray(
-        reader, line, [&] { return limit; },
-        [&](const TreeFragment& fragment) {
+    tree.walk(
+        line, [&] { return limit; },
+        [&](const TreeReader& reader, const TreeFragment& fragment) {
           if (line.passes(reader, fragment) < 0) return;
           sample.offer(fragment.source);
           if (sample.seen() != fragment.source) return;
@@ -287,13 +275,79 @@ PolygonId pick(const Scene& scene, const BspTree& tree, const Camera& camera,
   });
 }
 
-bool see_each_other(const Scene& scene, const BspTree& tree,
-                    const Ray& between) {
+template <class Tree>
+bool see_each_other_in(const Tree& tree, const Ray& between) {
   HALFSPACE_ASSERT(between->reach == Reach::kBetween);
   FilterStats stats;
-  return !with_grid(scene.grid_bits(), [&](auto bits) {
-    return first_of<bits()>(scene, tree, between.data(), true, stats);
+  return !with_grid(tree.reader().scene().grid_bits(), [&](auto bits) {
+    return first_of<bits()>(tree, between.data(), true, stats);
   });
+}
+
+void require_pixel(const CameraData& camera, std::int32_t i, std::int32_t j) {
+  HALFSPACE_ASSERT(0 <= i && i < camera.width_px);
+  HALFSPACE_ASSERT(0 <= j && j < camera.height_px);
+}
+
+/// The image of one pixel, where what is seen need not be a polygon.
+RenderOptions only(std::int32_t i, std::int32_t j) {
+  RenderOptions one;
+  one.rectangle = Rectangle{i, j, i + 1, j + 1};
+  one.colors = false;
+  return one;
+}
+
+}  // namespace
+
+std::optional<RayHit> first_hit(const Scene& scene, const BspTree& tree,
+                                const Ray& ray, FilterStats& stats) {
+  return first_hit_in(BuiltTree(scene, tree), ray, stats);
+}
+
+std::optional<RayHit> first_hit(const Scene& scene, const BspTree& tree,
+                                const Ray& ray) {
+  FilterStats stats;
+  return first_hit(scene, tree, ray, stats);
+}
+
+std::vector<RayHit> all_hits(const Scene& scene, const BspTree& tree,
+                             const Ray& ray) {
+  return all_hits_in(BuiltTree(scene, tree), ray);
+}
+
+PolygonId pick(const Scene& scene, const BspTree& tree, const Camera& camera,
+               const ImageOptions& options, std::int32_t i, std::int32_t j) {
+  require_pixel(camera.data(), i, j);
+  if (options.caps)
+    return render(scene, tree, camera, options, only(i, j))
+        .items.pixels.front();
+  return pick_in(BuiltTree(scene, tree), camera.data(), options, i, j);
+}
+
+bool see_each_other(const Scene& scene, const BspTree& tree,
+                    const Ray& between) {
+  return see_each_other_in(BuiltTree(scene, tree), between);
+}
+
+std::optional<RayHit> first_hit(const LazyTree& tree, const Ray& ray) {
+  FilterStats stats;
+  return first_hit_in(OpenedTree(tree), ray, stats);
+}
+
+std::vector<RayHit> all_hits(const LazyTree& tree, const Ray& ray) {
+  return all_hits_in(OpenedTree(tree), ray);
+}
+
+PolygonId pick(const LazyTree& tree, const Camera& camera,
+               const ImageOptions& options, std::int32_t i, std::int32_t j) {
+  require_pixel(camera.data(), i, j);
+  if (options.caps)
+    return render(tree, camera, options, only(i, j)).items.pixels.front();
+  return pick_in(OpenedTree(tree), camera.data(), options, i, j);
+}
+
+bool see_each_other(const LazyTree& tree, const Ray& between) {
+  return see_each_other_in(OpenedTree(tree), between);
 }
 
 }  // namespace halfspace::fast

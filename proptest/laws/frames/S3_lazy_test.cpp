@@ -11,6 +11,7 @@
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
 #include "laws/frames/clipped_views.hpp"
+#include "laws/frames/lazy_trees.hpp"
 #include "laws/law.hpp"
 
 /// The law of lazy trees (S3.12).
@@ -98,32 +99,9 @@ struct RefLazy {
 };
 
 struct FastLazy {
-  /// How small cells are, and how an image is made.
-  struct Kind {
-    std::size_t cell_size;
-    std::size_t most_in_cell;
-    std::size_t leaf_size;
-    int threads;
-    fast::SimdLevel simd;
-  };
-  static constexpr Kind kKinds[] = {{1, 1, 1, 1, fast::SimdLevel::kBest},
-                                    {1, 1000, 3, 2, fast::SimdLevel::kPortable},
-                                    {3, 2, 500, 1, fast::SimdLevel::kPortable},
-                                    {1000, 1000, 2, 2, fast::SimdLevel::kBest}};
-
   static Image image_of(fast::Rendering rendering) {
     return {std::move(rendering.items), std::move(rendering.colors),
             rendering.pixels_painted};
-  }
-
-  static fast::LazyTree open(const Scene& scene, const Kind& kind) {
-    fast::LazyTreeOptions options;
-    options.tree.leaf_size = kind.leaf_size;
-    options.tree.threads = kind.threads;
-    options.cell_size = kind.cell_size;
-    options.most_listed = 6;
-    options.most_in_cell = kind.most_in_cell;
-    return fast::LazyTree(scene, options);
   }
 
   /// Everything that is seen is built; made again, nothing more is.
@@ -142,13 +120,13 @@ struct FastLazy {
 
   static std::vector<Shown> show(const std::vector<SceneFile>& views) {
     std::vector<Shown> first;
-    for (const Kind& kind : kKinds) {
+    for (const LazyKind& kind : kLazyKinds) {
       fast::RenderOptions how;
       how.threads = kind.threads;
       how.simd = kind.simd;
       // One tree for each way of making images, and one for all of them.
-      const fast::LazyTree opaque = open(views.front().scene, kind);
-      const fast::LazyTree all = open(views.front().scene, kind);
+      const fast::LazyTree opaque = open_lazy(views.front().scene, kind);
+      const fast::LazyTree all = open_lazy(views.front().scene, kind);
       std::vector<Shown> shown;
       for (const SceneFile& view : views) {
         const auto& [camera, options] = std::tie(*view.camera, view.options);
@@ -178,11 +156,11 @@ struct FastLazy {
       const std::vector<std::vector<PolygonId>>& changed, const SceneFile& view,
       const ImageOptions& options) {
     std::size_t kept = 0;
-    for (const Kind& kind : kKinds) {
+    for (const LazyKind& kind : kLazyKinds) {
       fast::RenderOptions how;
       how.threads = kind.threads;
       how.simd = kind.simd;
-      fast::LazyTree tree = open(scenes.front(), kind);
+      fast::LazyTree tree = open_lazy(scenes.front(), kind);
       for (std::size_t k = 0; k < scenes.size(); ++k) {
         if (k > 0) tree.move_to(scenes[k], changed[k]);
         HALFSPACE_LAW(&tree.scene() == &scenes[k]);
@@ -199,7 +177,7 @@ struct FastLazy {
     return kept;
   }
 
-  static void note_built(const fast::LazyTree& tree, const Kind& kind) {
+  static void note_built(const fast::LazyTree& tree, const LazyKind& kind) {
     const fast::LazyTreeStats built = tree.stats();
     if (kind.cell_size == 1 && built.cells_built < built.cells) ++partly;
   }
@@ -236,53 +214,6 @@ TYPED_TEST(S3Lazy, L19ImagesOfALazyTreeAreThoseOfAnyTree) {
   if constexpr (std::is_same_v<TypeParam, FastLazy>) {
     EXPECT_GT(FastLazy::partly, 200u);
   }
-}
-
-/// The scene with other polygons in place of some: each has the points of
-/// another one, in its own vertices, or its own points exchanged or mirrored.
-std::optional<std::pair<Scene, std::vector<PolygonId>>> moved(
-    const Scene& scene, std::uint64_t seed) {
-  SceneData data = scene.data();
-  const std::size_t count = scene.polygon_count();
-  std::vector<PolygonId> changed;
-  for (std::size_t p = 0; p < count; ++p) {
-    if (mix(seed + 5 * p) % 3 != 0) continue;
-    const auto id = static_cast<PolygonId>(p);
-    const auto other = static_cast<PolygonId>(mix(seed + 7 * p) % count);
-    const auto to = scene.corners(id);
-    const auto from = scene.corners(other);
-    if (to.size() != from.size()) continue;
-    const bool turned = mix(seed + 11 * p) % 2 == 0;
-    const std::int64_t away = mix(seed + 13 * p) % 2 == 0 ? 1 : 0;
-    for (std::size_t k = 0; k < to.size(); ++k) {
-      GridPoint q = scene.point(from[turned ? to.size() - 1 - k : k]);
-      q.x += away;
-      data.vertices[static_cast<std::size_t>(to[k])] = q;
-    }
-    changed.push_back(id);
-  }
-  Result<Scene> made = make_scene(std::move(data));
-  if (!made || changed.empty()) return std::nullopt;
-  return std::pair(*std::move(made), std::move(changed));
-}
-
-/// The scene with vertices of each polygon of their own, so that one moves
-/// alone.
-std::optional<Scene> apart(const Scene& scene) {
-  SceneData data = scene.data();
-  for (VertexId& corner : data.corners) {
-    data.vertices.push_back(data.vertices[static_cast<std::size_t>(corner)]);
-    corner = static_cast<VertexId>(data.vertices.size() - 1);
-  }
-  const std::size_t own = data.corners.size();
-  const std::size_t unused = data.vertices.size() - own;
-  data.vertices.erase(
-      data.vertices.begin(),
-      data.vertices.begin() + static_cast<std::ptrdiff_t>(unused));
-  for (VertexId& corner : data.corners) corner -= static_cast<VertexId>(unused);
-  Result<Scene> made = make_scene(std::move(data));
-  if (!made) return std::nullopt;
-  return *std::move(made);
 }
 
 TYPED_TEST(S3Lazy, L20MovedPolygonsAreSeenWhereTheyAreNow) {

@@ -7,12 +7,15 @@
 
 #include "cli/command.hpp"
 #include "cli/loading.hpp"
+#include "cli/measuring.hpp"
 #include "cli/options.hpp"
 #include "cli/uncut_loading.hpp"
 #include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/io/ray.hpp"
+#include "image/building.hpp"
 #include "image/clipping.hpp"
 #include "image/viewing.hpp"
 
@@ -34,6 +37,8 @@ struct PickArguments {
   std::optional<glm::dvec3> sees;
   bool all = false;
   bool json = false;
+  bool lazy = false;
+  std::optional<std::string> stats_file;
   std::optional<int> grid_bits;
   ViewArguments view;
   ClipArguments clip;
@@ -112,12 +117,91 @@ class Report {
   nlohmann::json hits_ = nlohmann::json::array();
 };
 
-/// A tree whose leaves are short, for they are searched one by one.
-fast::BspTree tree_of(const Scene& scene) {
-  fast::DisplayTreeOptions options;
-  options.leaf_size = 8;
-  return fast::build_display_tree(scene, options);
-}
+/// A tree that is asked: one that is whole, or one of which that is built
+/// that the question comes to (S3.12).
+class AskedTree {
+  template <class Question>
+  auto timed(const Question& question) {
+    const Stopwatch watch;
+    auto answer = question();
+    ask_ms_ = watch.elapsed_ms();
+    return answer;
+  }
+
+ public:
+  AskedTree(const Scene& scene, bool lazy) : scene_(scene) {
+    fast::DisplayTreeOptions options;
+    // Leaves are searched one polygon after the other.
+    options.leaf_size = 8;
+    const Stopwatch watch;
+    const WallClock clock;
+    if (lazy) {
+      lazy_.emplace(scene, fast::LazyTreeOptions{.tree = options});
+    } else {
+      tree_ = fast::build_display_tree(scene, options);
+    }
+    measure_.build_ms = watch.elapsed_ms();
+    measure_.wall_ms = clock.elapsed_ms();
+    measure_.library = "fast";
+    measure_.kind = lazy ? "lazy" : "display";
+    measure_.is_lazy = lazy;
+    measure_.bytes = lazy ? lazy_->stats().bytes : fast::bytes_of(tree_);
+    if (!lazy) measure_.stats = fast::stats(tree_);
+  }
+
+  PolygonId pick(const Camera& camera, const ImageOptions& options, Pixel at) {
+    return timed([&] {
+      return lazy_ ? fast::pick(*lazy_, camera, options, at.x, at.y)
+                   : fast::pick(scene_, tree_, camera, options, at.x, at.y);
+    });
+  }
+  bool see_each_other(const Ray& between) {
+    return timed([&] {
+      return lazy_ ? fast::see_each_other(*lazy_, between)
+                   : fast::see_each_other(scene_, tree_, between);
+    });
+  }
+  /// All hits, or the first if there is one.
+  std::vector<RayHit> hits(const Ray& ray, bool all) {
+    return timed([&]() -> std::vector<RayHit> {
+      if (all) {
+        return lazy_ ? fast::all_hits(*lazy_, ray)
+                     : fast::all_hits(scene_, tree_, ray);
+      }
+      const std::optional<RayHit> first =
+          lazy_ ? fast::first_hit(*lazy_, ray)
+                : fast::first_hit(scene_, tree_, ray);
+      return first ? std::vector{*first} : std::vector<RayHit>();
+    });
+  }
+
+  /// Writes what `--stats` says, if it was asked for.
+  Status report(const std::optional<std::string>& path,
+                const io::LoadedScene& loaded) const {
+    if (!path) return Status::kFine;
+    nlohmann::json stats = stats_of(loaded, measure_);
+    stats["ask_ms"] = ask_ms_;
+    if (lazy_) add_cells(lazy_->stats(), stats);
+    const Result<Done> written = write_stats(*path, stats);
+    return written ? Status::kFine : fail(*path, written.error());
+  }
+
+ private:
+  static void add_cells(const fast::LazyTreeStats& built,
+                        nlohmann::json& stats) {
+    stats["cells"] = built.cells;
+    stats["cells_built"] = built.cells_built;
+    stats["polygons_built"] = built.polygons_built;
+    stats["fragments_built"] = built.fragments;
+    stats["bytes_built"] = built.bytes;
+  }
+
+  const Scene& scene_;
+  fast::BspTree tree_;
+  std::optional<fast::LazyTree> lazy_;  ///< instead of that
+  BuildMeasure measure_;
+  double ask_ms_ = 0;
+};
 
 Status run_pixel(const PickArguments& arguments, io::LoadedScene& loaded) {
   const std::string wrong = prepare_caps(loaded.file, arguments.clip);
@@ -126,7 +210,7 @@ Status run_pixel(const PickArguments& arguments, io::LoadedScene& loaded) {
       choose_camera(loaded.file, arguments.view);
   if (!chosen) return fail(camera_error(arguments.path, chosen.error()));
   const Camera& camera = chosen->camera;
-  const auto [x, y] = *arguments.at;
+  const auto& [x, y] = *arguments.at;
   if (x >= camera->width_px || y >= camera->height_px) {
     return fail(
         fmt::format("--at: the image has the columns 0 to {} and the "
@@ -138,8 +222,8 @@ Status run_pixel(const PickArguments& arguments, io::LoadedScene& loaded) {
   const Result<Done> clipped =
       add_clips(scene, camera, arguments.clip, options);
   if (!clipped) return fail(clipped.error().message);
-  const PolygonId polygon =
-      fast::pick(scene, tree_of(scene), camera, options, x, y);
+  AskedTree tree(scene, arguments.lazy);
+  const PolygonId polygon = tree.pick(camera, options, *arguments.at);
   Report report(loaded, arguments.json);
   const auto count = static_cast<PolygonId>(scene.polygon_count());
   if (polygon >= count) {
@@ -150,7 +234,7 @@ Status run_pixel(const PickArguments& arguments, io::LoadedScene& loaded) {
     report.add(polygon, at.point, at.distance, "");
   }
   report.finish();
-  return Status::kFine;
+  return tree.report(arguments.stats_file, loaded);
 }
 
 Status run_sees(const PickArguments& arguments, const io::LoadedScene& loaded) {
@@ -158,10 +242,11 @@ Status run_sees(const PickArguments& arguments, const io::LoadedScene& loaded) {
   const Result<io::RoundedRay> ray =
       io::ray_between(scene, *arguments.from, *arguments.sees, Reach::kBetween);
   if (!ray) return fail("--sees: " + ray.error().message);
-  const bool see = fast::see_each_other(scene, tree_of(scene), ray->ray);
+  AskedTree tree(scene, arguments.lazy);
+  const bool see = tree.see_each_other(ray->ray);
   print(arguments.json ? nlohmann::json{{"visible", see}}.dump(2) + "\n"
                        : std::string(see ? "visible\n" : "hidden\n"));
-  return Status::kFine;
+  return tree.report(arguments.stats_file, loaded);
 }
 
 Status run_ray(const PickArguments& arguments, const io::LoadedScene& loaded) {
@@ -174,21 +259,15 @@ Status run_ray(const PickArguments& arguments, const io::LoadedScene& loaded) {
     return fail((arguments.along ? "--along: " : "--to: ") +
                 made.error().message);
   const Ray& ray = made->ray;
-  const fast::BspTree tree = tree_of(scene);
-  std::vector<RayHit> hits;
-  if (arguments.all) {
-    hits = fast::all_hits(scene, tree, ray);
-  } else if (const auto hit = fast::first_hit(scene, tree, ray)) {
-    hits.push_back(*hit);
-  }
+  AskedTree tree(scene, arguments.lazy);
   Report report(loaded, arguments.json);
-  for (const RayHit& hit : hits) {
+  for (const RayHit& hit : tree.hits(ray, arguments.all)) {
     report.add(hit.polygon, io::point_of(hit, ray, scene.unit()),
                io::distance_of(hit, ray, scene.unit()),
                io::exact_parameter_of(hit));
   }
   report.finish();
-  return Status::kFine;
+  return tree.report(arguments.stats_file, loaded);
 }
 
 Status run_pick(const PickArguments& arguments) {
@@ -227,6 +306,13 @@ void add_pick(CLI::App& program, Status& status) {
   app->add_flag("--all", arguments->all, "All hits in order, not the first")
       ->group(group);
   app->add_flag("--json", arguments->json, "As JSON");
+  app->add_flag("--lazy", arguments->lazy,
+                "Build of the tree what the question comes to: the answer is "
+                "there sooner, and the same");
+  app->add_option("--stats", arguments->stats_file,
+                  "Write sizes and processor times as JSON; - is standard "
+                  "output")
+      ->type_name("FILE.json");
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
   add_clip_options(*app, arguments->clip);
@@ -238,7 +324,7 @@ void add_pick(CLI::App& program, Status& status) {
       "Examples:\n"
       "  halfspace pick part.stl --at 320,240\n"
       "  halfspace pick part.stl --from 0,0,90 --along 0,0,-1 --all\n"
-      "  halfspace pick part.stl --from 0,0,9 --sees 5,5,0");
+      "  halfspace pick part.stl --from 0,0,9 --sees 5,5,0 --lazy");
   app->callback([arguments, &status] { status = run_pick(*arguments); });
 }
 

@@ -3,12 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "halfspace/camera.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/image.hpp"
+#include "halfspace/ray.hpp"
 #include "halfspace/scene.hpp"
 
 namespace halfspace::fast {
@@ -46,10 +49,13 @@ struct LazyTreeStats {
 /// them. The first image whose walk comes to a cell while pixels in front of
 /// its box are unlit builds its tree: cuts the polygons at the cell's faces and
 /// divides what is in it, as build_display_tree() does. Cells that are hidden
-/// or outside the image stay lists.
+/// or outside the image stay lists. A ray builds the cells on its way, as far
+/// as it goes.
 ///
-/// Images are those of every other tree (S5.3), whatever was built before.
-/// May be used from several threads at once: a cell is built by one of them.
+/// Images (S5.3), hits (S8.3) and picks are those of every other tree, whatever
+/// was built before. Several threads may make images and ask rays of one tree
+/// at once: a cell is built by one of them, in its own thread, and who comes to
+/// it meanwhile waits. move_to() and stats() are for one thread alone.
 /// Requires: the scene outlives it, and does not change or move;
 ///           options.tree.leaf_size >= 1, options.tree.threads >= 0,
 ///           options.cell_size >= 1, options.most_in_cell >= 1,
@@ -67,7 +73,7 @@ class LazyTree {
 
   /// Goes on with a scene in which polygons have moved, or become others
   /// (S3.13): the cells that they were in, and those that they are in now, are
-  /// pending again, and built when an image asks for them.
+  /// pending again, and built when an image or a ray asks for them.
   ///
   /// Boxes are not made smaller: where much has gone far a new tree is better.
   /// Requires: `scene` as the constructor does, and until this returns the one
@@ -78,7 +84,7 @@ class LazyTree {
   ///           the lists of the cells there; no other polygon is looked at.
   void move_to(const Scene& scene, std::span<const PolygonId> polygons);
 
-  /// Not while an image is made. Cost: linear in what is built.
+  /// No other call at the same time. Cost: linear in what is built.
   LazyTreeStats stats() const;
 
   struct State;
@@ -101,5 +107,13 @@ Rendering paint(const LazyTree& tree, const Camera& camera,
 Rendering blend(const LazyTree& tree, const Camera& camera,
                 const ImageOptions& image, std::uint8_t alpha,
                 const RenderOptions& options = {});
+
+/// The rays of the tree's scene, and its picks: as those of the same names with
+/// a BspTree, in ray.hpp. They build what they come to.
+std::optional<RayHit> first_hit(const LazyTree& tree, const Ray& ray);
+std::vector<RayHit> all_hits(const LazyTree& tree, const Ray& ray);
+PolygonId pick(const LazyTree& tree, const Camera& camera,
+               const ImageOptions& options, std::int32_t i, std::int32_t j);
+bool see_each_other(const LazyTree& tree, const Ray& between);
 
 }  // namespace halfspace::fast
