@@ -17,14 +17,25 @@
 #include "halfspace/threads.hpp"
 
 namespace halfspace {
+namespace detail {
+
+/// How meshes to look at come onto a grid: so finely that cameras have room.
+io::ImportOptions import_options();
+
+struct VertexMoves;
+struct MovedScene;
+
+}  // namespace detail
 
 /// What a display is made of. A shared library does not show it, though it
 /// shows the class that it is in.
 struct [[gnu::visibility("hidden")]] Display::State {
-  io::Mesh mesh;  ///< empty of a scene file
+  /// As it was given, but coloured by face; empty of a scene file.
+  io::Mesh mesh;
   /// By face of the mesh, its number, where some are gone; else empty.
   std::vector<std::int32_t> numbers;
   Scene scene;
+  bool is_by_vertex = false;     ///< the scene's vertices are the mesh's
   std::vector<PolygonId> faces;  ///< by polygon of the scene
   std::size_t polygon_count = 0;
   std::vector<std::int32_t> solid_starts = {0};  ///< its first polygon
@@ -43,14 +54,26 @@ struct [[gnu::visibility("hidden")]] Display::State {
   std::optional<std::vector<std::uint32_t>> solids;
   bool solids_closed = false;
 
-  static Result<std::unique_ptr<State>> of(io::Mesh mesh);
+  static Result<std::unique_ptr<State>> of(
+      io::Mesh mesh,
+      const io::ImportOptions& options = detail::import_options());
+  /// Goes on with the numbers of a display, to which faces may have been added.
+  void continue_numbers(const State& before);
+
+  /// The scene with vertices that have moved: nothing, where its vertices are
+  /// not the mesh's, or its polygons would be others.
+  std::optional<detail::MovedScene> moved(const detail::VertexMoves& moves)
+      const;
+  /// The display with them made anew.
+  Result<std::unique_ptr<State>> made_anew(const detail::VertexMoves& moves)
+      const;
 
   /// Null where view.progress stopped it.
   const fast::BspTree* picture_tree(const View& view);
   const fast::BspTree& picture_tree() { return *picture_tree(View{}); }
   const fast::BspTree* ordered_tree(const View& view);
-  /// Null where the view asks for none, or there is a whole one.
-  const fast::LazyTree* lazy_tree(const View& view);
+  /// A tree that is built as it is asked; null where there is a whole one.
+  const fast::LazyTree* opened_tree(int threads);
   /// The polygon of the display that a polygon of the scene is part of, and its
   /// solid. Solids without polygons begin where the next one does.
   std::int32_t polygon_of(PolygonId id) const;
@@ -74,8 +97,6 @@ struct [[gnu::visibility("hidden")]] Display::State {
 
 namespace detail {
 
-/// How meshes to look at come onto a grid: so finely that cameras have room.
-io::ImportOptions import_options();
 io::Mesh exact_mesh(const Mesh& mesh);
 /// Adds the polygons of one mesh to another.
 void append(const io::Mesh& from, io::Mesh& to);

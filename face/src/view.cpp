@@ -165,7 +165,11 @@ Result<fast::Rendering> Display::State::rendered(
                      " columns and rows"};
   }
   fast::Rendering image;
-  if (const fast::LazyTree* opened = lazy_tree(view)) {
+  const bool may_be_lazy =
+      view.lazy && view.anti_aliasing != AntiAliasing::kExactArea;
+  const fast::LazyTree* opened =
+      may_be_lazy ? opened_tree(view.threads) : nullptr;
+  if (opened != nullptr) {
     image =
         !is_opaque ? fast::blend(*opened, *camera, *options, view.alpha, how)
         : samples == 1
@@ -221,9 +225,14 @@ Result<std::optional<Pick>> Display::pick(const View& view, std::int32_t x,
   if (!camera) return camera.error();
   const Result<ImageOptions> options = state_->options_of(view);
   if (!options) return options.error();
-  const fast::BspTree* tree = state_->picture_tree(view);
-  if (tree == nullptr) return detail::stopped();
-  const PolygonId seen = fast::pick(scene, *tree, *camera, *options, x, y);
+  const fast::LazyTree* opened =
+      view.lazy ? state_->opened_tree(view.threads) : nullptr;
+  const fast::BspTree* tree =
+      opened != nullptr ? nullptr : state_->picture_tree(view);
+  if (opened == nullptr && tree == nullptr) return detail::stopped();
+  const PolygonId seen =
+      opened != nullptr ? fast::pick(*opened, *camera, *options, x, y)
+                        : fast::pick(scene, *tree, *camera, *options, x, y);
   if (seen == kBackground) return std::optional<Pick>();
   const std::int32_t polygon = state_->polygon_of(seen);
   if (seen >= static_cast<PolygonId>(scene.polygon_count()))

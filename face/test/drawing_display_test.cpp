@@ -43,8 +43,46 @@ TEST(FaceDisplay, LazyTreesGiveTheSamePictures) {
   ASSERT_TRUE(less.remove(some));
   ASSERT_TRUE(lazy.remove(some));
   expect_same(less, lazy);
-  EXPECT_TRUE(lazy.pick(view, 10, 10));
+  View whole = view;
+  whole.lazy = false;
+  for (std::int32_t k = 0; k < 48; k += 5) {
+    const auto pick = *lazy.pick(view, k + 8, k);
+    const auto expected = *less.pick(whole, k + 8, k);
+    ASSERT_EQ(pick.has_value(), expected.has_value());
+    if (pick) {
+      EXPECT_EQ(pick->polygon, expected->polygon);
+    }
+  }
+  EXPECT_TRUE(lazy.pick(whole, 10, 10));
   expect_same(less, lazy);
+}
+
+TEST(FaceDisplay, RaysBuildWhatTheyComeToAndHitTheSame) {
+  const Mesh ball = *Solid::sphere(1, 64).mesh();
+  const Display eager = *Display::of(ball);
+  ASSERT_TRUE(eager.render(small_view()));
+  const Display lazy = *Display::of(ball);
+  View view = small_view();
+  view.lazy = true;
+  for (int k = 0; k < 40; ++k) {
+    const Point from = {4 * std::cos(k), 4 * std::sin(k), k * 0.1 - 2};
+    const Point along = {-from.x, -from.y, 0.25 - from.z};
+    const auto first = *lazy.first_hit(from, along);
+    const auto expected = *eager.first_hit(from, along);
+    ASSERT_TRUE(first && expected);
+    EXPECT_EQ(first->polygon, expected->polygon);
+    EXPECT_EQ(first->fraction, expected->fraction);
+    const Point to = {from.x + 2 * along.x, from.y + 2 * along.y,
+                      from.z + 2 * along.z};
+    EXPECT_EQ(lazy.all_hits(from, along)->size(),
+              eager.all_hits(from, along)->size());
+    EXPECT_EQ(lazy.hits_between(from, to)->size(),
+              eager.hits_between(from, to)->size());
+    EXPECT_EQ(*lazy.see_each_other(from, to), *eager.see_each_other(from, to));
+    if (k % 10 == 0) {
+      EXPECT_EQ(lazy.render(view)->polygons, eager.render(view)->polygons);
+    }
+  }
 }
 
 TEST(FaceDisplay, FeedsTrianglesInTheOrderOfATraversal) {

@@ -87,8 +87,9 @@ class View:
         makes; where it returns False the work stops. It must not ask anything
         of the display.
     lazy : bool
-        Pictures build the tree where they look; the first of many polygons is
-        there sooner. What else is asked of the display builds all of it.
+        Pictures and picks build the tree where they look, as rays do; the first
+        of many polygons is there sooner. What else is asked of the display
+        builds all of it.
 
     Raises
     ------
@@ -692,6 +693,39 @@ class Display:
         False
         """
         self._core.remove(np.asarray(polygons, np.int32).reshape(-1))
+
+    def move_to(self, vertices: npt.ArrayLike, points: npt.ArrayLike) -> None:
+        """Takes vertices to other points, and with them the polygons there,
+        which keep their numbers. A tree that was opened for `View.lazy`, or for
+        rays, goes on: few polygons of many move at a cost that follows them,
+        but for a copy of all. Others are made anew when they are needed.
+
+        Parameters
+        ----------
+        vertices : array_like of int32, shape (n,)
+            Numbered as they were given; of solids as `Solid.mesh` has them, one
+            after the other.
+        points : array_like of float64, shape (n, 3)
+            Rounded to the display's grid: to a millionth or so of its greatest
+            coordinate.
+
+        Raises
+        ------
+        Error
+            ``BAD_INDEX``, ``NOT_FINITE``, ``OUT_OF_RANGE``; ``UNKNOWN_FORMAT``
+            (a scene file's polygons); ``EMPTY``, where nothing has an area any
+            more; nothing is changed then.
+
+        Examples
+        --------
+        >>> from halfspace import Display
+        >>> display = Display.of(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))
+        >>> display.move_to([0, 1, 2], [(0, 0, 3), (1, 0, 3), (0, 1, 3)])
+        >>> display.first_hit((0.25, 0.25, 4), (0, 0, -1)).distance
+        1.0
+        """
+        self._core.move_to(np.asarray(vertices, np.int32).reshape(-1),
+                           np.asarray(points, np.float64).reshape(-1, 3))
 
     def visible_map(self, view: View = View(), *,
                     keys: Optional[npt.ArrayLike] = None,

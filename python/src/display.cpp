@@ -541,10 +541,21 @@ void bind_display(py::module_& module) {
                return shown.changed([&](Display& d) { return d.insert(mesh); });
              }));
            })
-      .def("remove", [](Shown& shown, const ArrayOf<std::int32_t>& array) {
-        const auto polygons = rows_of<std::int32_t>(array, "polygons");
+      .def("remove",
+           [](Shown& shown, const ArrayOf<std::int32_t>& array) {
+             const auto polygons = rows_of<std::int32_t>(array, "polygons");
+             value_of(without_lock([&] {
+               return shown.changed(
+                   [&](Display& d) { return d.remove(polygons); });
+             }));
+           })
+      .def("move_to", [](Shown& shown, const ArrayOf<std::int32_t>& vertices,
+                         const ArrayOf<double>& points) {
+        const auto which = rows_of<std::int32_t>(vertices, "vertices");
+        const auto where = rows_of<Point>(points, "points");
         value_of(without_lock([&] {
-          return shown.changed([&](Display& d) { return d.remove(polygons); });
+          return shown.changed(
+              [&](Display& d) { return d.move_to(which, where); });
         }));
       });
   module.def("save_picture", &save_picture);

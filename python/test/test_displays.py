@@ -373,3 +373,29 @@ def test_a_lazy_view_has_the_same_picture():
     lazy = Display.of(part).render(replace(view, lazy=True))
     assert (lazy.ids == whole.ids).all() and (whole.ids >= 0).any()
     assert (lazy.colors == whole.colors).all()
+    for x in range(0, 64, 7):
+        found = Display.of(part).pick(replace(view, lazy=True), x, 24)
+        assert found == Display.of(part).pick(view, x, 24)
+
+
+def test_vertices_move_and_polygons_with_them():
+    box = Solid.box((0, 0, 0), (1, 1, 1))
+    V, F = box.mesh(triangles=True)
+    both = np.concatenate([V, V + (3, 0, 0)]), np.concatenate([F, F + len(V)])
+    view = View(width_px=64, height_px=48, eye=(2, -20, 3), target=(2, 0, 0),
+                lazy=True)
+    display = Display.of(both)
+    display.render(view)
+    moving = np.arange(len(V), 2 * len(V))
+    for step in range(1, 4):
+        now = both[0].copy()
+        now[moving] += (0, 0, 0.5 * step)
+        display.move_to(moving, now[moving])
+        picture = display.render(view)
+        assert (picture.ids == Display.of((now, both[1])).render(view).ids).all()
+        hit = display.first_hit((3.5, 0.25, 9), (0, 0, -1))
+        assert hit.point == (3.5, 0.25, 1 + 0.5 * step)
+        assert hit.polygon >= len(F)
+    with pytest.raises(Error) as caught:
+        display.move_to([99], [(0, 0, 0)])
+    assert caught.value.code is ErrorCode.BAD_INDEX

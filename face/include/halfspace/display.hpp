@@ -68,10 +68,10 @@ struct View {
   int threads = 0;  ///< 0: as many as the machine has
   /// Of the display's tree, which the first view makes.
   Progress progress = {};
-  /// Makes of the tree what render() comes to, as it does, where there is no
-  /// whole one yet (S3.12): the first picture of many polygons is there sooner,
-  /// and the same. `progress` is not called then. Exact areas need a whole
-  /// tree.
+  /// Makes of the tree what render() and pick() come to, as they do, where
+  /// there is no whole one yet (S3.12): the first picture of many polygons is
+  /// there sooner, and the same. `progress` is not called then. Exact areas
+  /// need a whole tree.
   bool lazy = false;
 };
 
@@ -273,7 +273,8 @@ class HALFSPACE_API Display {
   /// included (S8.2): first, or all in order; and what the way from one point
   /// to another hits, its ends included. Polygons in whose plane the ray runs
   /// are not hit. Exact, once points are rounded to the camera's lattice.
-  /// Cost: a way through the tree, and what is hit.
+  /// Cost: a way through the tree, and what is hit. Where there is no whole
+  /// tree a ray makes what of it is on its way (S3.12), as far as it has to go.
   /// Errors: kNotFinite, kOutOfRange, kBadRay.
   Result<std::optional<Hit>> first_hit(const Point& from,
                                        const Point& along) const;
@@ -304,6 +305,28 @@ class HALFSPACE_API Display {
   /// Cost: linear. Errors: kBadIndex; kEmpty, where none would be left; nothing
   /// is changed then.
   Result<Done> remove(std::span<const std::int32_t> polygons);
+  /// Takes vertices to other points, and with them the polygons there, which
+  /// keep their numbers and colours; what has no colour is lit anew. Vertices
+  /// are numbered as they were given, of solids as Solid::mesh() has them, one
+  /// after the other, and so those of inserted polygons. One that is named
+  /// twice goes to the last point.
+  ///
+  /// Points are rounded to the display's grid: to a millionth or so of its
+  /// greatest coordinate.
+  /// Where one is beyond the grid the display is made anew, and so it is the
+  /// first time, and where polygons are cut otherwise, which stay planar no
+  /// more.
+  /// A tree that was opened for View::lazy, or for rays, goes on: of it is made
+  /// again what polygons leave or come to (S3.13). Others are made anew when
+  /// they are needed.
+  /// Cost:   a copy of the polygons, and of trees what moves; the first time
+  ///         that of Display::of().
+  /// Errors: kBadIndex (no such vertex); kNotFinite; kOutOfRange (not as many
+  ///         points as vertices; those of Display::of()); kUnknownFormat (a
+  ///         scene file's); kEmpty (nothing has an area any more); nothing is
+  ///         changed then.
+  Result<Done> move_to(std::span<const std::int32_t> vertices,
+                       std::span<const Point> points);
 
   /// The exact polygons behind the display, for who goes on with them by
   /// `spec/` and `fast/`: on their grid, polygons in pieces where they were cut

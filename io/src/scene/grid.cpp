@@ -215,7 +215,6 @@ Result<GridChoice> choose_grid(const Mesh& mesh, const std::vector<bool>& used,
 
 GridCoordinate to_grid(const Number& number, const Unit& unit) {
   if (const auto steps = exact_steps(number, unit)) return {*steps, false, 0};
-  HALFSPACE_ASSERT(unit.base == 2);  // rounded() makes no other
   const auto [two, five] = in_units(number, unit);
   Integer numerator = abs(number.mantissa);
   Integer denominator = 1;
@@ -230,9 +229,10 @@ GridCoordinate to_grid(const Number& number, const Unit& unit) {
   coordinate.steps = static_cast<std::int64_t>(steps);
   if (number.mantissa < 0) coordinate.steps = -coordinate.steps;
   coordinate.moved = move != 0;
-  // The denominator is 2^max(-two, 0) * 5^max(-five, 0) units of 2^exponent.
-  coordinate.move =
-      to_double({move, std::min(two, 0) + unit.exponent, std::min(five, 0)});
+  // The denominator is 2^max(-two, 0) * 5^max(-five, 0) units.
+  const std::int32_t fives = unit.base == 10 ? unit.exponent : 0;
+  coordinate.move = to_double(
+      {move, std::min(two, 0) + unit.exponent, std::min(five, 0) + fives});
   return coordinate;
 }
 

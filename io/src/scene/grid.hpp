@@ -29,7 +29,8 @@ struct GridCoordinate {
 };
 
 /// The grid coordinate nearest to a number; halves go away from zero.
-/// Requires: `choice` comes from choose_grid() for a mesh with that number.
+/// Requires: the number is less than 2^62 units, as it is in a unit that
+///           choose_grid() gives for a mesh with that number.
 /// Exact:    `steps` and `moved` are.
 GridCoordinate to_grid(const Number& number, const Unit& unit);
 

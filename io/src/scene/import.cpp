@@ -140,6 +140,12 @@ bool Importer::find_used() {
 }
 
 bool Importer::choose() {
+  if (options_.unit) {
+    data_.unit = report_.unit = *options_.unit;
+    data_.grid_bits = report_.grid_bits =
+        options_.grid_bits.value_or(report_.grid_bits);
+    return true;
+  }
   const Result<GridChoice> choice = choose_grid(mesh_, used_, options_);
   if (!choice) {
     error_ = choice.error();

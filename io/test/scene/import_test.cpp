@@ -71,6 +71,27 @@ TEST(ImportScene, FindsTheGridOfDecimals) {
   }
 }
 
+TEST(ImportScene, RoundsToAGridThatIsGiven) {
+  ImportOptions options;
+  options.unit = Unit{10, -1};
+  options.grid_bits = 26;
+  const Imported result =
+      imported(triangle("0.26 0 -0.25", "2.5 0 0", "0 -1 0"), options);
+  EXPECT_EQ(result.scene.unit(), (Unit{10, -1}));
+  EXPECT_EQ(result.scene.grid_bits(), 26);
+  EXPECT_EQ(result.scene.data().vertices,
+            (std::vector<GridPoint>{{3, 0, -3}, {25, 0, 0}, {0, -10, 0}}));
+  EXPECT_EQ(result.report.moved, 2u);
+  EXPECT_EQ(result.report.max_move, 0.05);
+  // Beyond the grid.
+  const auto far =
+      import_scene(triangle("3355443.2 0 0", "2.5 0 0", "0 -1 0"), options);
+  ASSERT_FALSE(far.has_value());
+  EXPECT_EQ(far.error().code, ErrorCode::kOutOfRange);
+  EXPECT_TRUE(
+      import_scene(triangle("3355443.1 0 0", "2.5 0 0", "0 -1 0"), options));
+}
+
 TEST(ImportScene, PutsATenthOnItsGridPoint) {
   const Imported result = imported(triangle("0.1 0 0", "2.5 0 0", "0 -1 0"));
   EXPECT_EQ(result.scene.unit(), (Unit{10, -1}));

@@ -45,6 +45,9 @@ struct ImportOptions {
   /// at most so much from the corner's own; nothing: of all.
   std::optional<double> crease_deg = std::nullopt;
   Stop stop = {};  ///< asked while the mesh is read and imported
+  /// Use this unit on that grid, or one of 26 bits, and round to it: for what
+  /// joins a scene. Requires: coordinates of less than 2^62 units.
+  std::optional<Unit> unit = std::nullopt;
 };
 
 /// Colours as they are, and the usual one unlit: for what is written again.
@@ -86,6 +89,7 @@ struct Imported {
 ///   the mesh was text, base two if it was not. If nothing fits, they are
 ///   rounded, halves away from zero, to the grid of 54 (or the asked-for) bits
 ///   whose unit is the least power of two that holds the greatest of them.
+///   Where the options give a unit, it is that one.
 /// Polygons: equal points become one vertex. Corners that repeat the one before
 ///   go; what has no area is dropped. What is not planar or not convex, or
 ///   visits a point twice, is cut into triangles, none of them without area,
@@ -100,7 +104,8 @@ struct Imported {
 /// Exact:  but for the rounding reported, yes.
 /// Errors: kEmpty (vertices, but no faces); kOutOfRange (a polygon to be cut
 ///         into triangles with over 100,000 corners; a grid of other than 26,
-///         40, 54 bits; coordinates that no unit reaches; polygons of which
+///         40, 54 bits; coordinates that no unit, or not the one that is given,
+///         reaches; polygons of which
 ///         rounding takes more than it leaves); kBadIndex; kStopped.
 /// Cost:   linear, but for polygons to be cut: n log n in their corners,
 ///         mostly, and quadratic at worst.
