@@ -9,8 +9,10 @@
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/shade/back_faces.hpp"
+#include "halfspace/fast/shade/look.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/ref/depth_sort.hpp"
+#include "halfspace/ref/oracle/look.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -60,14 +62,15 @@ void expect_scalars(const SceneFile& view, const ItemImage& items,
                               prepared, how),
       text);
   // Blended in these colours: what covers a pixel is asked for all of them.
-  const auto alpha = static_cast<std::uint8_t>(seed * 37 % 256);
+  Look look = {static_cast<std::uint8_t>(seed * 37 % 256)};
+  if (seed % 2 == 0) look.samples = samples;
   HALFSPACE_FUZZ_EXPECT(
-      ref::blend_scalars(view.scene, ref::build(view.scene, {}), *view.camera,
-                         view.options, alpha, field, scale)
+      ref::render_look(view.scene, ref::build(view.scene, {}), *view.camera,
+                       view.options, look, field, scale)
               .colors ==
-          fast::blend_scalars(view.scene,
-                              fast::build_display_tree(view.scene, {}),
-                              *view.camera, view.options, alpha, prepared)
+          fast::render_look(view.scene,
+                            fast::build_display_tree(view.scene, {}),
+                            *view.camera, view.options, look, {}, &prepared)
               .colors,
       text);
 }
@@ -82,6 +85,15 @@ void expect_marks(const SceneFile& view, const ItemImage& items,
   ref::mark_back_faces(view.scene, *view.camera, items, mark, marked);
   fast::mark_back_faces(view.scene, *view.camera, items, mark, 1, fast_marked);
   HALFSPACE_FUZZ_EXPECT(marked == fast_marked, text);
+  const Look look = {static_cast<std::uint8_t>(seed % 3 == 0 ? 255 : seed * 91),
+                     seed % 2 == 0 ? 1 : 2, mark};
+  const auto expected = ref::render_look(view.scene, ref::build(view.scene, {}),
+                                         *view.camera, view.options, look);
+  const auto found =
+      fast::render_look(view.scene, fast::build_display_tree(view.scene, {}),
+                        *view.camera, view.options, look);
+  HALFSPACE_FUZZ_EXPECT(found.items == expected.items, text);
+  HALFSPACE_FUZZ_EXPECT(found.colors == expected.colors, text);
 }
 
 /// A view, its trees and its picture, which all of these agree on: the four

@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include "adapters/both.hpp"
+#include "adapters/looks.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
 #include "halfspace/fast/display_tree.hpp"
@@ -13,6 +14,8 @@
 
 namespace halfspace {
 namespace {
+
+constexpr int kMarkedViews = 150;
 
 template <class Impl>
 class S5Color : public ::testing::Test {};
@@ -126,9 +129,25 @@ std::uint8_t nearest_255th(std::int32_t x) {
   return static_cast<std::uint8_t>(v);
 }
 
-/// The transparent image from its definition, pixel by pixel.
+constexpr Rgb kMark = {255, 130, 7};
+
+/// The mark where a polygon has that colour.
+Rgb marked_color(const Rgb& before) {
+  const int light = std::max({before.r, before.g, before.b});
+  // The v next to m (255 + light) / 510, the greater of two.
+  const auto dimmed = [light](int m) {
+    int v = 0;
+    while (510 * (2 * v + 1) <= 2 * m * (255 + light)) ++v;
+    return static_cast<std::uint8_t>(v);
+  };
+  return {dimmed(kMark.r), dimmed(kMark.g), dimmed(kMark.b)};
+}
+
+/// The transparent image from its definition, pixel by pixel. Polygons that are
+/// `behind`, if that says so of any, have the mark's colour.
 ColorImage blended(const SceneFile& view, const std::vector<Layer>& layers,
-                   std::int32_t alpha, std::size_t& deep) {
+                   std::int32_t alpha, std::size_t& deep,
+                   const std::vector<bool>& behind = {}) {
   ColorImage image((*view.camera)->width_px, (*view.camera)->height_px,
                    view.options.background);
   for (std::int32_t j = 0; j < image.height_px; ++j) {
@@ -143,10 +162,12 @@ ColorImage blended(const SceneFile& view, const std::vector<Layer>& layers,
       });
       if (here.size() > 2) ++deep;
       for (const Layer* layer : here) {
+        Rgb own = layer->colors.at(i, j);
+        if (!behind.empty() && behind[static_cast<std::size_t>(layer->id)])
+          own = marked_color(own);
         for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
           std::uint8_t& value = image.at(i, j).*channel;
-          value = nearest_255th(alpha * (layer->colors.at(i, j).*channel) +
-                                (255 - alpha) * value);
+          value = nearest_255th(alpha * (own.*channel) + (255 - alpha) * value);
         }
       }
     }
@@ -220,9 +241,8 @@ TYPED_TEST(S5Color, L21AMarkColoursWhatCullingWouldLeaveOut) {
     SceneFile view = gouraud(original);
     view.options.cull = false;
     const Image plain = picture<TypeParam>(view);
-    const Rgb mark = {255, 130, 7};
     Image image = plain;
-    mark_back_faces<TypeParam>(view, mark, image);
+    mark_back_faces<TypeParam>(view, kMark, image);
     HALFSPACE_LAW(image.items == plain.items);
     const std::vector<bool> is_culled = culled(view);
     for (std::size_t k = 0; k < plain.items.pixels.size(); ++k) {
@@ -233,20 +253,39 @@ TYPED_TEST(S5Color, L21AMarkColoursWhatCullingWouldLeaveOut) {
         ++unmarked;
         continue;
       }
-      const int light = std::max({before.r, before.g, before.b});
-      // The v next to m (255 + light) / 510, the greater of two.
-      const auto dimmed = [light](int m) {
-        int v = 0;
-        while (510 * (2 * v + 1) <= 2 * m * (255 + light)) ++v;
-        return static_cast<std::uint8_t>(v);
-      };
-      const Rgb expected = {dimmed(mark.r), dimmed(mark.g), dimmed(mark.b)};
-      HALFSPACE_LAW(image.colors.pixels[k] == expected);
+      HALFSPACE_LAW(image.colors.pixels[k] == marked_color(before));
       ++marked;
+    }
+    for (const Image& seen : looks_of<TypeParam>(view, {kOpaque, 1, kMark})) {
+      HALFSPACE_LAW(seen.items == image.items);
+      HALFSPACE_LAW(seen.colors == image.colors);
     }
   });
   EXPECT_GT(marked, 1000u);
   EXPECT_GT(unmarked, 1000u);
+}
+
+TYPED_TEST(S5Color, L23TransparentBackFacesHaveTheMark) {
+  std::size_t marked = 0, deep = 0;
+  law::for_all_views(
+      [&](const SceneFile& original) {
+        SceneFile view = gouraud(original);
+        view.options.cull = false;
+        const std::uint64_t seed = view.scene.data().vertices.size();
+        if (seed % 3 == 0) view.options.shading = Shading::kFlat;
+        const std::vector<Layer> layers = layers_of(view);
+        const std::vector<bool> behind = culled(view);
+        for (const std::uint8_t alpha : {std::uint8_t{40}, std::uint8_t{200}}) {
+          const ColorImage expected =
+              blended(view, layers, alpha, deep, behind);
+          marked += expected != blended(view, layers, alpha, deep);
+          for (const Image& image :
+               looks_of<TypeParam>(view, {alpha, 1, kMark}))
+            HALFSPACE_LAW(image.colors == expected);
+        }
+      },
+      kMarkedViews);
+  EXPECT_GT(marked, 100u);
 }
 
 }  // namespace

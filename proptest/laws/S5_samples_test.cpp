@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adapters/both.hpp"
+#include "adapters/looks.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
 #include "laws/changed_views.hpp"
@@ -21,7 +22,7 @@ template <class Impl>
 class S5Samples : public ::testing::Test {};
 TYPED_TEST_SUITE(S5Samples, Implementations);
 
-constexpr int kFewViews = 140;
+constexpr int kFewViews = 150;
 constexpr int kSampledViews = 390;
 
 constexpr std::uint8_t Rgb::*kChannels[] = {&Rgb::r, &Rgb::g, &Rgb::b};
@@ -149,6 +150,59 @@ TYPED_TEST(S5Samples, L20OneSampleIsTheImage) {
         HALFSPACE_LAW(one.colors == image.colors);
       },
       kFewViews);
+}
+
+/// A view with corner colours on all triangles, smooth in two of three.
+SceneFile in_colors(const SceneFile& view, std::uint64_t seed) {
+  SceneData data = view.scene.data();
+  data.corner_colors.assign(data.corners.size(), {});
+  for (std::size_t p = 0; p + 1 < data.first_corner.size(); ++p) {
+    const std::size_t first = data.first_corner[p];
+    const std::size_t count = data.first_corner[p + 1] - first;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t c = count == 3 ? k : 0;
+      data.corner_colors[first + k] = {
+          static_cast<std::uint8_t>(c == 0 ? 255 : 17 * p),
+          static_cast<std::uint8_t>(c == 1 ? 0 : 100 + c + p),
+          static_cast<std::uint8_t>(c == 2 ? 3 : 2)};
+    }
+  }
+  SceneFile changed = with_scene(view, *make_scene(std::move(data)));
+  changed.options.shading = seed % 3 == 0 ? Shading::kFlat : Shading::kGouraud;
+  changed.options.background = {1, 2, 200};
+  return changed;
+}
+
+TYPED_TEST(S5Samples, L22SamplesOfLooksAreAnImageSoManyTimesAsLarge) {
+  std::size_t compared = 0, marked = 0;
+  law::for_all_views(
+      [&](const SceneFile& original) {
+        const std::uint64_t seed = seed_of(original);
+        const SceneFile view = in_colors(original, seed);
+        const std::int32_t k = seed % 8 == 0 ? 8 : seed % 4 == 1 ? 4 : 2;
+        const auto large = magnified(view, k);
+        if (!large) return;
+        Look look;
+        look.alpha = seed % 3 == 1   ? kOpaque
+                     : seed % 5 == 0 ? 0
+                                     : static_cast<std::uint8_t>(seed >> 9);
+        if (look.alpha == kOpaque || seed % 2 == 0) look.mark = {255, 130, 7};
+        ++compared;
+        const Image fine = looks_of<Ref>(*large, look)[0];
+        const ColorImage expected = smaller(fine.colors, k);
+        Look plain = look;
+        plain.mark.reset();
+        plain.samples = look.samples = k;
+        if (look.mark)
+          marked += looks_of<Ref>(view, plain)[0].colors != expected;
+        for (const Image& image : looks_of<TypeParam>(view, look)) {
+          HALFSPACE_LAW(image.items == fine.items);
+          HALFSPACE_LAW(image.colors == expected);
+        }
+      },
+      kFewViews);
+  EXPECT_GT(compared, 100u);
+  EXPECT_GT(marked, 20u);
 }
 
 }  // namespace

@@ -31,6 +31,7 @@
 #include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/fast/shade/color_forms.hpp"
 #include "halfspace/fast/shade/lines.hpp"
+#include "halfspace/fast/shade/look.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/solid.hpp"
 #include "halfspace/fast/solid/canonical_solid.hpp"
@@ -53,6 +54,7 @@
 #include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/lines.hpp"
 #include "halfspace/ref/moving.hpp"
+#include "halfspace/ref/oracle/look.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -266,9 +268,19 @@ void take_all() {
   }
   take(&ref::blend);  // S5.6
   {  // S5.6
+    using namespace ref;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const Look&);
+    take<Kind>(&ref::render_look);
+  }
+  {  // S5.6
     using namespace fast;
     using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, std::uint8_t, const RenderOptions&);
     take<Kind>(&fast::blend);
+  }
+  {  // S5.6
+    using namespace fast;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const Look&, const RenderOptions&, const ScalarColors*);
+    take<Kind>(&fast::render_look);
   }
   take(&ref::render_samples);  // S5.7
   {  // S5.7
@@ -431,7 +443,11 @@ void take_all() {
   take(&ref::color_of);  // S11.3
   take(&fast::prepare_scalars);  // S11.3
   take(&ref::color_scalars);  // S11.4
-  take(&ref::blend_scalars);  // S11.4
+  {  // S11.4
+    using namespace ref;
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const Look&, const ScalarField&, const ColorScale&);
+    take<Kind>(&ref::render_look);
+  }
   {  // S11.4
     using namespace fast;
     using Kind = ColorImage(const Scene&, const Camera&, const ImageOptions&, const ItemImage&, const ScalarColors&, const ScalarOptions&);
@@ -439,8 +455,8 @@ void take_all() {
   }
   {  // S11.4
     using namespace fast;
-    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, std::uint8_t, const ScalarColors&, const RenderOptions&);
-    take<Kind>(&fast::blend_scalars);
+    using Kind = Rendering(const Scene&, const BspTree&, const Camera&, const ImageOptions&, const Look&, const RenderOptions&, const ScalarColors*);
+    take<Kind>(&fast::render_look);
   }
   take(&with_line);  // S14.1
   take(&ref::is_on_line);  // S14.2
@@ -474,5 +490,5 @@ void take_all() {
 int main() {
   halfspace::take_all();
   std::printf("%zu functions\n", halfspace::taken);
-  return halfspace::taken == 213 ? 0 : 1;
+  return halfspace::taken == 215 ? 0 : 1;
 }

@@ -6,7 +6,6 @@
 
 #include "exact_double.hpp"
 #include "halfspace/cap_parts.hpp"
-#include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/shade.hpp"
 
 namespace halfspace::ref {
@@ -50,9 +49,6 @@ Rgb color_of(const ColorScale& scale, const std::optional<Rational>& scalar) {
   return scale.colors[k];
 }
 
-namespace {
-
-/// The colour of a polygon by its scalar at an image point (S11.4).
 Rgb scalar_color(const Scene& scene, const Camera& camera,
                  const ImageOptions& options, const ScalarField& field,
                  const ColorScale& scale, PolygonId polygon,
@@ -64,8 +60,6 @@ Rgb scalar_color(const Scene& scene, const Camera& camera,
   return Rgb{dimmed(full.r, light[0]), dimmed(full.g, light[1]),
              dimmed(full.b, light[2])};
 }
-
-}  // namespace
 
 ColorImage color_scalars(const Scene& scene, const Camera& camera,
                          const ImageOptions& options, const ItemImage& items,
@@ -100,20 +94,6 @@ ColorImage color_scalars(const Scene& scene, const Camera& camera,
     }
   }
   return image;
-}
-
-Rendering blend_scalars(const Scene& scene, const BspTree& tree,
-                        const Camera& camera, const ImageOptions& options,
-                        std::uint8_t alpha, const ScalarField& field,
-                        const ColorScale& scale) {
-  return blend_in_colors(
-      scene, tree, camera, options, alpha,
-      [&](PolygonId polygon, std::int32_t i, std::int32_t j) {
-        const ImagePoint centre = {Rational(2 * i + 1) / Rational(2),
-                                   Rational(2 * j + 1) / Rational(2)};
-        return scalar_color(scene, camera, options, field, scale, polygon,
-                            centre);
-      });
 }
 
 }  // namespace halfspace::ref

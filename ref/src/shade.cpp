@@ -122,6 +122,14 @@ ColorImage colors_of(const Scene& scene, const Camera& camera,
   return colors;
 }
 
+Rgb marked(const Rgb& mark, const Rgb& color) {
+  const int light = std::max({color.r, color.g, color.b});
+  ExactColor dimmed = exact(mark);
+  for (Rational& channel : dimmed)
+    channel = channel * Rational(255 + light) / Rational(510);
+  return rounded_color(dimmed);
+}
+
 void mark_back_faces(const Scene& scene, const Camera& camera,
                      const ItemImage& items, const Rgb& mark,
                      ColorImage& colors) {
@@ -132,12 +140,7 @@ void mark_back_faces(const Scene& scene, const Camera& camera,
     const auto p = static_cast<std::size_t>(seen);
     if (p >= planes.size()) continue;  // a cap
     if (side_of_eye(planes[p], camera) != Side::kNegative) continue;
-    Rgb& color = colors.pixels[k];
-    const int light = std::max({color.r, color.g, color.b});
-    ExactColor dimmed = exact(mark);
-    for (Rational& channel : dimmed)
-      channel = channel * Rational(255 + light) / Rational(510);
-    color = rounded_color(dimmed);
+    colors.pixels[k] = marked(mark, colors.pixels[k]);
   }
 }
 

@@ -72,13 +72,59 @@ cmp -s inside.png mark-ref.png && wrong "--back-color marks nothing"
 expect 0 'span' render cube.off --size 24x18 --back-color 255,0,0 -o mark.png
 expect 0 'span' render cube.off --size 24x18 -o outside.png
 same mark.png outside.png
-expect 2 'not blended' render cube.off --back-color 255,0,0 --alpha 9 -o no.png
-expect 2 'one sample' render cube.off --back-color 255,0,0 --aa 2 -o no.png
+# With samples and where polygons are seen through, too.
+cut=(--size 24x18 --clip 1,1,0,-0.9 --back-color 255,0,0)
+for look in "--aa 2" "--alpha 90" "--aa 4 --alpha 200 --cap hatch" \
+  "--aa 2 --shade gouraud --smooth 99"; do
+  for impl in fast ref; do
+    # shellcheck disable=SC2086
+    expect 0 '24x18' render cube.off "${cut[@]}" $look --impl $impl \
+      -o mark-$impl.png --ids mark-$impl.npy
+  done
+  same mark-fast.png mark-ref.png
+  same mark-fast.npy mark-ref.npy
+  # shellcheck disable=SC2086
+  expect 0 '24x18' render cube.off "${cut[@]}" $look --lazy -o lazy.png
+  same mark-fast.png lazy.png
+  # shellcheck disable=SC2086
+  expect 0 '24x18' render cube.off "${cut[@]:0:4}" $look -o bare.png
+  cmp -s bare.png mark-fast.png && wrong "$look: --back-color marks nothing"
+done
+expect 2 'no exact areas' render cube.off --back-color 255,0,0 --aa exact \
+  -o no.png
+expect 2 'in front' render cube.off --alpha 9 --aa exact -o no.png
 expect 2 'AZIMUTH,ELEVATION' render cubes.off --orbit 1 -o no.png
 expect 2 'AZIMUTH,ELEVATION' render cubes.off --orbit 1,91 -o no.png
 expect 2 'gradient or none' render cubes.off --background sky -o no.png
-expect 2 'not blended' render cubes.off --background none --alpha 9 -o no.png
-expect 2 'no samples' render cubes.off --background none --aa 4 -o no.png
+# Of a gradient each row of pixels is the picture over its colour, and of none
+# each pixel has the share that is seen.
+for look in "--aa 2" "--alpha 90" "--alpha 90 --aa 4" "--lines wire --aa 2"; do
+  for ground in gradient none; do
+    for impl in fast ref; do
+      # shellcheck disable=SC2086
+      expect 0 '16x12' render cubes.off --size 16x12 --background $ground $look \
+        --impl $impl -o ground-$impl.png
+    done
+    same ground-fast.png ground-ref.png
+    cp ground-fast.png $ground.png
+  done
+  [ "$(od -An -tu1 -j25 -N1 none.png | tr -d ' ')" = 6 ] || wrong "no alpha"
+  for rows in 0:5 5:7 7:12; do
+    # shellcheck disable=SC2086
+    expect 0 '16x' render cubes.off --size 16x12 --background gradient $look \
+      --rows $rows -o rows-${rows%:*}.png
+  done
+  expect 0 '' join rows-0.png rows-5.png rows-7.png -o joined.png
+  same joined.png gradient.png
+done
+expect 0 '16x12' render cubes.off --size 16x12 --lines wire --background none \
+  -o lines.png
+expect 0 '16x12' render cubes.off --size 16x12 --background none -o none.png
+cmp -s lines.png none.png && wrong "lines over none change nothing"
+expect 2 'leave out --lazy' render cubes.off --background none --aa 2 --lazy \
+  -o no.png
+expect 2 'gradient is not made' render cubes.off --background gradient \
+  --aa exact -o no.png
 expect 2 'one colour' draw cubes.off --background none -o no.svg
 # Lines, lights and creases: both libraries draw the same lines, and each option
 # changes the picture.
@@ -103,6 +149,11 @@ for caps in "" "--cap hatch"; do
   same fast-cut.png ref-cut.png
   cmp -s fast-cut.png fast.png && wrong "--clip leaves lines as they are"
 done
+for impl in fast ref; do
+  expect 0 'span' render cube.off "${cut[@]}" --cap hatch --rows 3:11 \
+    --impl $impl -o rows-$impl.png
+done
+same rows-fast.png rows-ref.png
 expect 0 'span' render cube.off --size 24x18 --clip 1,1,0,-0.9 --cap hatch \
   -o no-lines.png
 cmp -s no-lines.png fast-cut.png && wrong "a section has no lines"
@@ -131,8 +182,6 @@ for light in "--light 1,0,0" "--light 1,0,0 --light 0,1,0,0.5" \
 done
 expect 2 'needs --lines' render cubes.off --line-width 2 -o no.png
 expect 2 '0.0625 to 256' render cubes.off --lines wire --line-width 0 -o no.png
-expect 2 'background to stand on' render cubes.off --lines wire \
-  --background none -o no.png
 expect 2 'maybe a strength' render cubes.off --light 1,2,3,-1 -o no.png
 expect 2 'from 0 to 1' render cubes.off --ambient 2 -o no.png
 expect 2 'from 0 to 180' render cubes.off --smooth 181 -o no.png

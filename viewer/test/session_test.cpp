@@ -18,6 +18,7 @@
 #include "halfspace/fast/shade/lines.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/solid.hpp"
+#include "halfspace/visible_map.hpp"
 #include "viewer_session.hpp"
 
 namespace halfspace::viewer {
@@ -472,6 +473,15 @@ TEST_F(ViewerSession, ColoursArePartsAndFacesAndBackSides) {
     const int light = std::max({before.r, before.g, before.b});
     const auto red = static_cast<std::uint8_t>((256 + light) / 2);
     ASSERT_EQ(marked->pixels[k], (Rgb{red, 0, 0}));
+  }
+  // Marks are blended, too: one face over what is behind the box.
+  session.change([](State& s) { s.looks.alpha = 100; });
+  settle(session);
+  const auto blended = finished(session);
+  const Rgb ground = session.state().looks.background;
+  for (std::size_t k = 0; k < marked->pixels.size(); ++k) {
+    ASSERT_EQ(blended->pixels[k],
+              composed_color(marked->pixels[k], ground, 100));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster/render_pass.hpp"
 #include "tree/tree_access.hpp"
 
 namespace halfspace::fast {
@@ -61,8 +62,33 @@ ClipState ClipSet::classify(const Box& box) const {
   return state;
 }
 
+namespace {
+
+/// Those that have a corner in front of the plane, and one that is not.
+std::vector<PolygonId> crossing_polygons(const Scene& scene,
+                                         const ClipPlane& plane) {
+  std::vector<PolygonId> found;
+  const auto count = static_cast<PolygonId>(scene.polygon_count());
+  for (PolygonId polygon = 0; polygon < count; ++polygon) {
+    bool is_before = false;
+    bool is_behind = false;
+    for (const VertexId corner : scene.corners(polygon)) {
+      const bool is_positive = sign_at(plane, scene.point(corner)) > 0;
+      is_before = is_before || is_positive;
+      is_behind = is_behind || !is_positive;
+    }
+    if (is_before && is_behind) found.push_back(polygon);
+  }
+  return found;
+}
+
+}  // namespace
+
 std::vector<PolygonId> crossing_polygons(const TreeReader& reader,
                                          const ClipPlane& plane) {
+  // The root of a lazy tree has no fragments, only cells.
+  if (kLazyTrees && reader.tree().fragments.empty())
+    return crossing_polygons(reader.scene(), plane);
   const std::vector<ClipPlane> one = {plane};
   return crossing_polygons(reader,
                            ClipSet(one, false, reader.scene().grid_bits()));

@@ -240,8 +240,11 @@ Rendering render(const LazyTree& tree, const Camera& camera,
 Rendering render_samples(const LazyTree& tree, const Camera& camera,
                          const ImageOptions& image, std::int32_t samples,
                          const RenderOptions& options) {
+  Pass pass;
+  pass.samples = samples;
+  pass.lazy = &tree.state();
   return run_samples(tree.scene(), tree.state().root.tree, camera, image,
-                     samples, options, &tree.state());
+                     options, pass);
 }
 
 Rendering paint(const LazyTree& tree, const Camera& camera,

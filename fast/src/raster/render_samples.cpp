@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "base/parallel.hpp"
 #include "base/threads.hpp"
@@ -23,20 +24,21 @@ constexpr std::int32_t kStripSamples = 1 << 18;
 /// are 6 bytes each.
 constexpr std::int32_t kStripPixels = 1 << 18;
 
-/// Whether flat colours of samples are added up as they are drawn: not in a
-/// module for the web, for its size.
+/// Whether flat colours of samples are added up as they are drawn, and whether
+/// samples are blended or changed: not in a module for the web, for its size.
 #if defined(__wasm__)
 constexpr bool kAddsUp = false;
+constexpr bool kHasBytes = false;
 #else
 constexpr bool kAddsUp = true;
+constexpr bool kHasBytes = true;
 #endif
 
 class SampledImage {
  public:
   SampledImage(const Scene& scene, const BspTree& tree, const Camera& camera,
-               const ImageOptions& image, std::int32_t samples,
-               const RenderOptions& options, const Rectangle& rectangle,
-               const LazyTree::State* lazy, Rendering& result)
+               const ImageOptions& image, const RenderOptions& options,
+               const Pass& pass, const Rectangle& rectangle, Rendering& result)
       : scene_(scene),
         tree_(tree),
         camera_(camera),
@@ -45,13 +47,16 @@ class SampledImage {
         rectangle_(rectangle),
         result_(result),
         reader_(scene, tree),
-        view_(make_view(camera, extent_of(tree, scene.grid_bits()), samples)),
-        samples_(samples),
-        lazy_(lazy) {
+        view_(make_view(camera, extent_of(tree, scene.grid_bits()),
+                        pass.samples)),
+        samples_(pass.samples),
+        pass_(pass),
+        has_bytes_(kHasBytes &&
+                   (pass.alpha != kOpaque || pass.retouch != nullptr)) {
     const bool has_caps = image.caps && !image.clips.empty();
     if (has_caps) find_caps();
-    adds_up_ = kAddsUp && samples > 1 && !has_caps && options.colors &&
-               !options.items && is_flat();
+    adds_up_ = kAddsUp && samples_ > 1 && !has_caps && options.colors &&
+               !options.items && !has_bytes_ && is_flat();
   }
 
   bool adds_up() const { return adds_up_; }
@@ -60,24 +65,27 @@ class SampledImage {
   void fill(std::int32_t top, std::int32_t bottom, Rendering& strip) {
     RenderOptions own = options_;
     own.threads = 1;
-    own.items = !adds_up_;
-    own.colors = false;
+    own.items = options_.items || pass_.retouch != nullptr ||
+                (!adds_up_ && !has_bytes_);
+    own.colors = has_bytes_ && options_.colors;
     own.rectangle = Rectangle{rectangle_.left * samples_, top * samples_,
                               rectangle_.right * samples_, bottom * samples_};
-    Pass pass;
-    pass.samples = samples_;
+    Pass pass = pass_;
     pass.caps = image_.caps ? &caps_ : nullptr;
-    pass.lazy = lazy_;
     const std::int32_t line = top - rectangle_.top;
     if (adds_up_) pass.means = &result_.colors.at(0, line);
     run(scene_, tree_, camera_, image_, own, pass, strip);
+    if (kHasBytes && own.colors) {
+      if (pass_.retouch != nullptr) (*pass_.retouch)(strip);
+      write_means(strip.colors, line);
+    }
     const std::int64_t stride = own.rectangle->right - own.rectangle->left;
     if (options_.items) {
       std::copy(strip.items.pixels.begin(), strip.items.pixels.end(),
                 result_.items.pixels.begin() + line * samples_ * stride);
     }
     FilterStats stats = strip.decisions;
-    if (options_.colors && !adds_up_) {
+    if (options_.colors && !adds_up_ && !has_bytes_) {
       SampleMeans means(reader_, view_, camera_.data(), image_,
                         best_kernel(options_.simd));
       for (std::int32_t j = top; j < bottom; ++j) {
@@ -96,6 +104,27 @@ class SampledImage {
   }
 
  private:
+  /// The means of samples' bytes, from that line of the result on.
+  void write_means(const ColorImage& colors, std::int32_t line) {
+    const std::int32_t count = samples_ * samples_;
+    for (std::int32_t j = 0; j < colors.height_px / samples_; ++j) {
+      for (std::int32_t i = 0; i < colors.width_px / samples_; ++i) {
+        std::array<std::int32_t, 3> sum = {count / 2, count / 2, count / 2};
+        for (std::int32_t b = 0; b < samples_; ++b) {
+          const Rgb* own = &colors.at(i * samples_, j * samples_ + b);
+          for (std::int32_t a = 0; a < samples_; ++a, ++own) {
+            sum[0] += own->r;
+            sum[1] += own->g;
+            sum[2] += own->b;
+          }
+        }
+        const auto mean = [&](std::size_t c) {
+          return static_cast<std::uint8_t>(sum[c] / count);
+        };
+        result_.colors.at(i, line + j) = {mean(0), mean(1), mean(2)};
+      }
+    }
+  }
   /// Whether the colour of each polygon is one, a whole number.
   bool is_flat() const {
     if (image_.shading == Shading::kFlat) return true;
@@ -126,7 +155,8 @@ class SampledImage {
   TreeReader reader_;
   View view_;
   std::int32_t samples_;
-  const LazyTree::State* lazy_;
+  const Pass& pass_;
+  bool has_bytes_;  ///< samples have whole numbers as colours
   CapChanges caps_;
   bool adds_up_ = false;
   Mutex mutex_;
@@ -136,9 +166,11 @@ class SampledImage {
 
 Rendering run_samples(const Scene& scene, const BspTree& tree,
                       const Camera& camera, const ImageOptions& image,
-                      std::int32_t samples, const RenderOptions& options,
-                      const LazyTree::State* lazy) {
+                      const RenderOptions& options, const Pass& pass) {
   HALFSPACE_ASSERT(options.threads >= 0);
+  HALFSPACE_ASSERT(kHasBytes ||
+                   (pass.alpha == kOpaque && pass.retouch == nullptr));
+  const std::int32_t samples = pass.samples;
   const int threads = thread_count(options.threads);
   HALFSPACE_ASSERT(samples == 1 || samples == 2 || samples == 4 ||
                    samples == 8);
@@ -152,8 +184,8 @@ Rendering run_samples(const Scene& scene, const BspTree& tree,
   if (options.items)
     result.items = ItemImage(width * samples, height * samples, kBackground);
   if (options.colors) result.colors = ColorImage(width, height, Rgb{});
-  SampledImage sampled(scene, tree, camera, image, samples, options, rectangle,
-                       lazy, result);
+  SampledImage sampled(scene, tree, camera, image, options, pass, rectangle,
+                       result);
   std::int32_t pixels = kStripSamples / (samples * samples);
   if (sampled.adds_up()) {
     // Some for each thread.
@@ -189,7 +221,9 @@ Rendering run_samples(const Scene& scene, const BspTree& tree,
 Rendering render_samples(const Scene& scene, const BspTree& tree,
                          const Camera& camera, const ImageOptions& image,
                          std::int32_t samples, const RenderOptions& options) {
-  return run_samples(scene, tree, camera, image, samples, options, nullptr);
+  Pass pass;
+  pass.samples = samples;
+  return run_samples(scene, tree, camera, image, options, pass);
 }
 
 }  // namespace halfspace::fast

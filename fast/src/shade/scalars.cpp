@@ -14,12 +14,10 @@
 #include "halfspace/assert.hpp"
 #include "halfspace/cap_parts.hpp"
 #include "halfspace/threads.hpp"
-#include "raster/layers/layer_colors.hpp"
-#include "raster/render_pass.hpp"
-#include "sah/lazy_cells.hpp"
 #include "shade/corner_blend.hpp"
 #include "shade/exact_double.hpp"
 #include "shade/scalar_classes.hpp"
+#include "shade/scalar_layers.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -239,10 +237,11 @@ void color_row(std::int32_t samples, ScalarShader& shader,
 class ScalarLayers final : public LayerColors {
  public:
   ScalarLayers(const Scene& scene, const Camera& camera,
-               const ImageOptions& options, const ScalarColors& scalars)
+               const ImageOptions& options, const ScalarColors& scalars,
+               std::int32_t samples)
       : scene_(scene),
         camera_(camera.data()),
-        view_(make_view(camera, scene.grid_bits())),
+        view_(make_view(camera, scene.grid_bits(), samples)),
         options_(options),
         scalars_(scalars) {}
 
@@ -361,30 +360,13 @@ ColorImage color_scalars(const Scene& scene, const Camera& camera,
   return colors;
 }
 
-Rendering blend_scalars(const Scene& scene, const BspTree& tree,
-                        const Camera& camera, const ImageOptions& image,
-                        std::uint8_t alpha, const ScalarColors& scalars,
-                        const RenderOptions& options) {
-  const ScalarLayers layers(scene, camera, image, scalars);
-  Pass pass = {Order::kBackToFront, alpha};
-  pass.colors = &layers;
-  Rendering result;
-  run(scene, tree, camera, image, options, pass, result);
-  return result;
-}
-
-Rendering blend_scalars(const LazyTree& tree, const Camera& camera,
-                        const ImageOptions& image, std::uint8_t alpha,
-                        const ScalarColors& scalars,
-                        const RenderOptions& options) {
-  const ScalarLayers layers(tree.scene(), camera, image, scalars);
-  Pass pass = {Order::kBackToFront, alpha};
-  pass.lazy = &tree.state();
-  pass.colors = &layers;
-  Rendering result;
-  run(tree.scene(), tree.state().root.tree, camera, image, options, pass,
-      result);
-  return result;
+std::unique_ptr<const LayerColors> scalar_layers(const Scene& scene,
+                                                 const Camera& camera,
+                                                 const ImageOptions& options,
+                                                 const ScalarColors& scalars,
+                                                 std::int32_t samples) {
+  return std::make_unique<ScalarLayers>(scene, camera, options, scalars,
+                                        samples);
 }
 
 }  // namespace halfspace::fast

@@ -18,7 +18,7 @@ Result<Done> write_png(const std::filesystem::path& path, const ColorImage&,
 }
 
 Result<Done> write_png_cut_out(const std::filesystem::path& path,
-                               const ColorImage&, const ItemImage&, int) {
+                               const ColorImage&, const CoverageImage&, int) {
   return no_png_here(path);
 }
 

@@ -19,16 +19,14 @@ Result<Done> write_png(const std::filesystem::path& path,
 
 Result<Done> write_png_cut_out(const std::filesystem::path& path,
                                const ColorImage& image,
-                               const ItemImage& items, int threads) {
+                               const CoverageImage& coverage, int threads) {
   PngWriter writer(path, image.width_px, image.height_px, {}, threads, true);
   std::vector<std::uint8_t> row;
   for (std::int32_t j = 0; j < image.height_px; ++j) {
     row.clear();
     for (std::int32_t i = 0; i < image.width_px; ++i) {
       const Rgb& color = image.at(i, j);
-      const bool is_seen = items.at(i, j) != kBackground;
-      row.insert(row.end(), {color.r, color.g, color.b,
-                             static_cast<std::uint8_t>(is_seen ? 255 : 0)});
+      row.insert(row.end(), {color.r, color.g, color.b, coverage.at(i, j)});
     }
     if (!writer.write_row(row.data())) break;
   }

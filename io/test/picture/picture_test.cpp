@@ -74,15 +74,16 @@ TEST(WritePng, HasTheSameBytesWithAnyThreads) {
 
 TEST(WritePng, KeepsTheAlphaOfLargePictures) {
   const ColorImage image = large_image(3000, 400);
-  ItemImage items(3000, 400, kBackground);
-  for (std::size_t i = 0; i < items.pixels.size(); i += 7) items.pixels[i] = 1;
+  CoverageImage coverage(3000, 400, 0);
+  for (std::size_t i = 0; i < coverage.pixels.size(); i += 7)
+    coverage.pixels[i] = static_cast<std::uint8_t>(i);
   const samples::TemporaryFile file("alpha.png");
-  ASSERT_TRUE(write_png_cut_out(file.path(), image, items, 2));
+  ASSERT_TRUE(write_png_cut_out(file.path(), image, coverage, 2));
   const auto pixels = pixels_of(file.path(), PNG_FORMAT_RGBA);
   ASSERT_EQ(pixels.size(), 4 * image.pixels.size());
-  for (std::size_t i = 0; i < items.pixels.size(); ++i) {
+  for (std::size_t i = 0; i < coverage.pixels.size(); ++i) {
     ASSERT_EQ(pixels[4 * i + 1], image.pixels[i].g) << i;
-    ASSERT_EQ(pixels[4 * i + 3], i % 7 == 0 ? 255 : 0) << i;
+    ASSERT_EQ(pixels[4 * i + 3], coverage.pixels[i]) << i;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adapters/both.hpp"
+#include "adapters/looks.hpp"
 #include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/image/transparent_map.hpp"
@@ -14,6 +15,7 @@
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/splitmix.hpp"
 #include "halfspace/visible_map.hpp"
+#include "laws/changed_views.hpp"
 #include "laws/frames/cap_looks.hpp"
 #include "laws/frames/clipped_views.hpp"
 #include "laws/frames/cut_beforehand.hpp"
@@ -33,8 +35,10 @@ constexpr std::size_t kMostPolygons = 18;
 /// All that covers samples of a clipped scene: polygons, and caps by their ids.
 class Layers {
  public:
-  explicit Layers(const SceneFile& view)
+  /// Of an image whose pixels are samples, so many each way.
+  explicit Layers(const SceneFile& view, std::int32_t samples = 1)
       : view_(view),
+        samples_(samples),
         count_(static_cast<PolygonId>(view.scene.polygon_count())) {
     const Camera& camera = *view.camera;
     for (const PolygonId id : ids_of(view.scene))
@@ -73,10 +77,10 @@ class Layers {
   bool is_cap(PolygonId id) const { return id >= count_; }
   /// The colour of one of them at a pixel.
   Rgb color_at(PolygonId id, std::int32_t i, std::int32_t j) const {
-    return is_cap(id)
-               ? stripe_color(view_.options,
-                              static_cast<std::size_t>(id - count_), i, j, 1)
-               : view_.scene.color(id);
+    return is_cap(id) ? stripe_color(view_.options,
+                                     static_cast<std::size_t>(id - count_), i,
+                                     j, samples_)
+                      : view_.scene.color(id);
   }
   std::size_t part_of(PolygonId cap) const {
     return cap_item(static_cast<std::size_t>(cap - count_)).part;
@@ -107,6 +111,7 @@ class Layers {
   }
 
   const SceneFile& view_;
+  std::int32_t samples_;
   PolygonId count_;
   std::vector<definition::Projection> polygons_;
   std::vector<definition::Projection> planes_;
@@ -114,6 +119,7 @@ class Layers {
 };
 
 struct RefGlass {
+  using Library = Ref;
   static constexpr std::size_t kMost = kMostPolygons;
   static std::vector<std::pair<ItemImage, ColorImage>> images_of(
       const SceneFile& view, std::uint8_t alpha) {
@@ -129,6 +135,7 @@ struct RefGlass {
 };
 
 struct FastGlass {
+  using Library = Fast;
   static constexpr std::size_t kMost = 1000;
   static std::vector<std::pair<ItemImage, ColorImage>> images_of(
       const SceneFile& view, std::uint8_t alpha) {
@@ -210,6 +217,48 @@ TYPED_TEST(S10Glass, L9PolygonsAndCapsAreBlendedFromTheFarthest) {
   });
   EXPECT_GT(behind, 100u);
   EXPECT_GT(before, 100u);
+}
+
+/// A section so many times as large.
+std::optional<SceneFile> magnified_section(const SceneFile& view,
+                                           std::int32_t k) {
+  auto large = magnified(view, k);
+  if (!large) return large;
+  for (ClipPlane& clip : large->options.clips) clip.d *= k;
+  const auto clips = make_clips(large->options.clips, large->scene.grid_bits());
+  // Reduced, two of them could be one.
+  if (!clips || clips->size() != view.options.clips.size()) return std::nullopt;
+  large->options.clips = *clips;
+  return large;
+}
+
+TYPED_TEST(S10Glass, L9SamplesAreMeansOfPolygonsAndCaps) {
+  using Impl = typename TypeParam::Library;
+  std::size_t compared = 0, caps = 0;
+  for_all_sections(kGlassMaps, [&](const SceneFile& view) {
+    const std::int32_t k = seed_of(view) % 4 == 0 ? 4 : 2;
+    const auto large = magnified_section(view, k);
+    if (!large) return;
+    ++compared;
+    const Layers layers(*large, k);
+    const auto alpha = static_cast<std::uint8_t>(seed_of(view) >> 9 & 255);
+    const CameraData& size = large->camera->data();
+    ColorImage fine(size.width_px, size.height_px, view.options.background);
+    for (std::int32_t j = 0; j < size.height_px; ++j) {
+      for (std::int32_t i = 0; i < size.width_px; ++i) {
+        for (const PolygonId id : layers.at(i, j)) {
+          fine.at(i, j) =
+              composed_color(layers.color_at(id, i, j), fine.at(i, j), alpha);
+          caps += layers.is_cap(id);
+        }
+      }
+    }
+    const ColorImage expected = smaller(fine, k);
+    const auto images = looks_of<Impl>(view, {alpha, k, std::nullopt});
+    for (const Image& image : images) HALFSPACE_LAW(image.colors == expected);
+  });
+  EXPECT_GT(compared, 50u);
+  EXPECT_GT(caps, 500u);
 }
 
 /// Alphas that differ from polygon to polygon and from part to part, or not.

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "adapters/both.hpp"
+#include "adapters/looks.hpp"
 #include "adapters/scenes.hpp"
 #include "definition/definition.hpp"
-#include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/ref/scalars.hpp"
 #include "halfspace/visible_map.hpp"
@@ -31,14 +30,6 @@ struct RefScalars : Ref {
     return ref::color_scalars(view.scene, *view.camera, view.options, items,
                               field, scale, samples);
   }
-  static std::vector<ColorImage> blended(const SceneFile& view,
-                                         std::uint8_t alpha,
-                                         const ScalarField& field,
-                                         const ColorScale& scale) {
-    return {ref::blend_scalars(view.scene, ref::build(view.scene, {}),
-                               *view.camera, view.options, alpha, field, scale)
-                .colors};
-  }
 };
 struct FastScalars : Fast {
   static ColorImage colors(const SceneFile& view, const ItemImage& items,
@@ -50,30 +41,6 @@ struct FastScalars : Fast {
     return fast::color_scalars(view.scene, *view.camera, view.options, items,
                                fast::prepare_scalars(view.scene, field, scale),
                                how);
-  }
-  static std::vector<ColorImage> blended(const SceneFile& view,
-                                         std::uint8_t alpha,
-                                         const ScalarField& field,
-                                         const ColorScale& scale) {
-    const auto colors = fast::prepare_scalars(view.scene, field, scale);
-    std::vector<ColorImage> images;
-    for (const std::size_t leaf_size : {1u, 8u, 500u}) {
-      fast::DisplayTreeOptions options;
-      options.leaf_size = leaf_size;
-      options.threads = 1;
-      fast::RenderOptions how;
-      how.threads = leaf_size == 8 ? 3 : 1;
-      images.push_back(
-          fast::blend_scalars(view.scene,
-                              fast::build_display_tree(view.scene, options),
-                              *view.camera, view.options, alpha, colors, how)
-              .colors);
-    }
-    const fast::LazyTree lazy(view.scene);
-    images.push_back(
-        fast::blend_scalars(lazy, *view.camera, view.options, alpha, colors)
-            .colors);
-    return images;
   }
 };
 
@@ -376,12 +343,38 @@ TYPED_TEST(S11Scalars, L5PolygonsAreBlendedInTheColoursOfTheirScalars) {
             }
           }
         }
-        for (const ColorImage& image :
-             TypeParam::blended(view, alpha, field, scale))
-          HALFSPACE_LAW(image == expected);
+        const Numbers numbers = {field, scale};
+        for (const Image& image :
+             looks_of<TypeParam>(view, {alpha, 1, std::nullopt}, &numbers))
+          HALFSPACE_LAW(image.colors == expected);
       },
       kScalarViews);
   EXPECT_GT(layered, 500u);
+}
+
+TYPED_TEST(S11Scalars, L6SamplesAreBlendedInTheColoursOfTheirScalars) {
+  std::size_t compared = 0;
+  law::for_all_views(
+      [&](const SceneFile& original) {
+        const std::uint64_t salt = seed_of(original);
+        const SceneFile view = lit_view(original, salt);
+        const std::int32_t k = salt % 8 != 0 ? 2 : 4;
+        const auto large = magnified(view, k);
+        if (!large) return;
+        const ScalarField field = field_of(view.scene, salt % 4 != 0, salt);
+        const ColorScale scale = scale_of(salt);
+        const Numbers numbers = {field, scale};
+        Look look = {static_cast<std::uint8_t>(salt >> 9)};
+        if (salt % 5 == 0) look.alpha = kOpaque;
+        const ColorImage expected =
+            smaller(looks_of<RefScalars>(*large, look, &numbers)[0].colors, k);
+        look.samples = k;
+        for (const Image& image : looks_of<TypeParam>(view, look, &numbers))
+          HALFSPACE_LAW(image.colors == expected);
+        ++compared;
+      },
+      kScalarViews);
+  EXPECT_GT(compared, 100u);
 }
 
 }  // namespace

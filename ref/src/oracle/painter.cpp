@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include "halfspace/assert.hpp"
+#include "halfspace/cap_parts.hpp"
 #include "halfspace/ref/clip.hpp"
 #include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/scan.hpp"
@@ -11,14 +13,21 @@
 namespace halfspace::ref {
 namespace {
 
+Plane magnified(const Rational& scale, const Plane& f) {
+  return {scale * f.a, scale * f.b, scale * f.c, scale * f.d};
+}
+
 /// Calls set(i, j, source) for the samples of each fragment, back to front.
 using Set = std::function<void(std::int32_t, std::int32_t, PolygonId)>;
 
 void set_back_to_front(const Scene& scene, const BspTree& tree,
                        const Camera& camera, const ImageOptions& options,
-                       Rendering& image, const Set& set) {
+                       std::int32_t samples, Rendering& image, const Set& set) {
   const std::vector<Plane> planes = planes_of(scene);
-  const Projection projection = projection_of(camera);
+  // The image, so many times as large.
+  Projection projection = projection_of(camera);
+  projection.x = magnified(samples, projection.x);
+  projection.y = magnified(samples, projection.y);
   back_to_front(tree, camera, [&](const Node&, const Fragment& fragment) {
     const Plane& plane = planes[static_cast<std::size_t>(fragment.source)];
     const bool from_behind = side_of_eye(plane, camera) == Side::kNegative;
@@ -55,14 +64,18 @@ Rgb blended(const Rgb& over, const Rgb& under, std::uint8_t alpha) {
 /// Blends the caps of planes that the eye is on that side of (S10.7).
 void blend_caps(const Scene& scene, const Camera& camera,
                 const ImageOptions& options, std::uint8_t alpha, Side eye,
-                ColorImage& colors) {
+                std::int32_t samples, ColorImage& colors) {
   ItemImage caps(colors.width_px, colors.height_px, kBackground);
-  add_caps(scene, camera, options, caps, 1, eye);
-  const ColorImage over = colors_of(scene, camera, caps, options);
-  for (std::size_t k = 0; k < caps.pixels.size(); ++k) {
-    Rgb& color = colors.pixels[k];
-    if (caps.pixels[k] != kBackground)
-      color = blended(over.pixels[k], color, alpha);
+  add_caps(scene, camera, options, caps, samples, eye);
+  for (std::int32_t j = 0; j < caps.height_px; ++j) {
+    for (std::int32_t i = 0; i < caps.width_px; ++i) {
+      if (caps.at(i, j) == kBackground) continue;
+      const auto cap =
+          static_cast<std::size_t>(caps.at(i, j)) - scene.polygon_count();
+      const Rgb over =
+          cap_color_at_sample(options, cap_item(cap), i, j, samples);
+      colors.at(i, j) = blended(over, colors.at(i, j), alpha);
+    }
   }
 }
 
@@ -72,7 +85,7 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& options) {
   Rendering image;
   image.items = ItemImage(camera->width_px, camera->height_px, kBackground);
-  set_back_to_front(scene, tree, camera, options, image,
+  set_back_to_front(scene, tree, camera, options, 1, image,
                     [&](std::int32_t i, std::int32_t j, PolygonId source) {
                       image.items.at(i, j) = source;
                     });
@@ -83,31 +96,40 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
 
 Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& options, std::uint8_t alpha) {
-  return blend_in_colors(
-      scene, tree, camera, options, alpha,
-      [&](PolygonId polygon, std::int32_t i, std::int32_t j) {
-        return color_at(scene, camera, polygon, i, j, options.shading);
-      });
+  return blend_in_colors(scene, tree, camera, options, alpha,
+                         [&](PolygonId polygon, const ImagePoint& at) {
+                           return rounded_color(exact_color_at(
+                               scene, camera, polygon, at, options.shading));
+                         });
 }
 
 Rendering blend_in_colors(const Scene& scene, const BspTree& tree,
                           const Camera& camera, const ImageOptions& options,
-                          std::uint8_t alpha, const PixelColor& color_of) {
+                          std::uint8_t alpha, const PointColor& color_of,
+                          std::int32_t samples) {
+  const std::int32_t width = camera->width_px * samples;
+  const std::int32_t height = camera->height_px * samples;
+  HALFSPACE_ASSERT(width <= kMaxImageSize && height <= kMaxImageSize);
   Rendering image;
-  image.items = ItemImage(camera->width_px, camera->height_px, kBackground);
-  image.colors =
-      ColorImage(camera->width_px, camera->height_px, options.background);
+  image.items = ItemImage(width, height, kBackground);
+  image.colors = ColorImage(width, height, options.background);
   // Of caps those behind what is kept come first, those before it last (S10,
   // "Caps are composed first or last").
-  blend_caps(scene, camera, options, alpha, Side::kPositive, image.colors);
-  set_back_to_front(scene, tree, camera, options, image,
+  blend_caps(scene, camera, options, alpha, Side::kPositive, samples,
+             image.colors);
+  const auto centre = [&](std::int32_t sample) {
+    return Rational(2 * sample + 1) / Rational(2 * samples);
+  };
+  set_back_to_front(scene, tree, camera, options, samples, image,
                     [&](std::int32_t i, std::int32_t j, PolygonId source) {
                       Rgb& color = image.colors.at(i, j);
-                      color = blended(color_of(source, i, j), color, alpha);
+                      const Rgb own = color_of(source, {centre(i), centre(j)});
+                      color = blended(own, color, alpha);
                       image.items.at(i, j) = source;
                     });
-  blend_caps(scene, camera, options, alpha, Side::kNegative, image.colors);
-  add_caps(scene, camera, options, image.items);
+  blend_caps(scene, camera, options, alpha, Side::kNegative, samples,
+             image.colors);
+  add_caps(scene, camera, options, image.items, samples);
   return image;
 }
 

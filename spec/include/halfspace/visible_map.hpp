@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "halfspace/image.hpp"
@@ -18,6 +19,13 @@ struct MapOptions {
   bool cull = false;  ///< as ImageOptions::cull
   /// One key a polygon, not negative; empty: its id.
   std::vector<std::int32_t> keys;
+};
+
+/// How the polygons of an image are looked at.
+struct Look {
+  std::uint8_t alpha = kOpaque;  ///< below that they are blended (S5.6)
+  std::int32_t samples = 1;      ///< a pixel each way: 1, 2, 4 or 8 (S5.7)
+  std::optional<Rgb> mark = std::nullopt;  ///< of back faces (S5.8)
 };
 
 /// What a transparent map depends on, beside scene and camera (S7.8).

@@ -162,8 +162,7 @@ Result<RenderArguments> with_view_file(const RenderArguments& arguments) {
   if (!all.alpha && state->looks.alpha != kOpaque)
     all.alpha = state->looks.alpha;
   if (arguments.scalars.source) return all;
-  if (!all.back_color && !all.alpha)
-    all.back_color = viewer::back_color_of(*state);
+  if (!all.back_color) all.back_color = viewer::back_color_of(*state);
   if (!state->looks.scalar || state->parts.empty()) return all;
   const viewer::ScalarLook& look = *state->looks.scalar;
   all.scalars.source = look.source;

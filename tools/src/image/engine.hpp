@@ -17,6 +17,7 @@
 #include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
 #include "halfspace/screen_kind.hpp"
+#include "halfspace/visible_map.hpp"
 
 namespace halfspace::tools {
 
@@ -111,12 +112,26 @@ struct Shot {
                       ///< wanted, and may be missing
   std::optional<Rows> rows;  ///< nothing: all
   std::uint8_t alpha = kOpaque;
+  std::optional<Rgb> mark;  ///< of what is seen from behind (S5.8)
   bool by_scalars = false;  ///< the colours are those of set_scalars() (S11)
   std::optional<ScreenKind> screen;  ///< nothing: the library's usual one
   Priority priority = Priority::kTree;
   int threads = 1;
   fast::SimdLevel simd = fast::SimdLevel::kBest;
 };
+
+/// The look of a shot that has samples.
+inline Look look_of(const Shot& shot) {
+  return {shot.alpha, samples_of(shot.anti_aliasing), shot.mark};
+}
+
+/// Whether the span buffer of the library, or what stands in for it where
+/// polygons are blended, makes the shot: else it is a method or a screen that
+/// makes opaque items of one sample, which are coloured afterwards.
+inline bool is_of_look(const Shot& shot) {
+  return shot.alpha != kOpaque ||
+         (shot.method == Method::kSpan && !shot.screen);
+}
 
 /// How much of a lazy tree is there (S3.12).
 struct BuiltCells {
@@ -210,11 +225,12 @@ class Engine {
   virtual void set_scalars(const Scene& scene, ScalarField field,
                            ColorScale scale) = 0;
 
-  /// Requires: has(shot.method); the span buffer for anti-aliasing, with a
+  /// Requires: has(shot.method); for anti-aliasing is_of_look(shot), and a
   /// number of samples that the camera has room for; of a lazy tree neither a
   /// screen nor exact areas; where the method needs a
   /// tree and depth sort does not make a list instead, that is this scene's,
-  /// and without leaves for a screen; an alpha for the painter alone.
+  /// and without leaves for a screen; an alpha for the painter alone; no mark
+  /// where there are scalars.
   virtual Picture render(const Scene& scene, const Camera& camera,
                          const Shot& shot) const = 0;
 
@@ -228,10 +244,6 @@ class Engine {
   ///           rows.
   virtual Picture render_area(const Scene& scene, const Camera& camera,
                               const Shot& shot) const = 0;
-
-  /// Marks what is seen from behind in a picture of one sample a pixel (S5.8).
-  virtual void mark_back_faces(const Scene& scene, const Camera& camera,
-                               const Rgb& mark, Picture& picture) const = 0;
 
   /// Draws lines over the picture of a scene, or over the rows of it that the
   /// shot asks for (S14).

@@ -16,6 +16,7 @@
 #include "halfspace/fast/render.hpp"
 #include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/fast/shade/lines.hpp"
+#include "halfspace/fast/shade/look.hpp"
 #include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/fast/tree_file.hpp"
 #include "image/engine.hpp"
@@ -90,7 +91,7 @@ class FastEngine : public Engine {
     if (shot.rows) {
       how.rectangle = {0, shot.rows->first, camera->width_px, shot.rows->end};
     }
-    how.colors = !shot.by_scalars || shot.alpha != kOpaque;
+    how.items = shot.items;
     Picture picture;
     fast::Rendering image;
     if (shot.priority == Priority::kDepthSort) {
@@ -104,8 +105,7 @@ class FastEngine : public Engine {
     } else {
       image = image_of(scene, tree_, camera, shot, how);
     }
-    if (shot.by_scalars && shot.alpha == kOpaque)
-      color(scene, camera, shot, image);
+    if (!is_of_look(shot)) color(scene, camera, shot, image);
     picture.items = std::move(image.items);
     picture.colors = std::move(image.colors);
     picture.pixels_painted = image.pixels_painted;
@@ -147,12 +147,6 @@ class FastEngine : public Engine {
     return picture;
   }
 
-  void mark_back_faces(const Scene& scene, const Camera& camera,
-                       const Rgb& mark, Picture& picture) const override {
-    fast::mark_back_faces(scene, camera, picture.items, mark, 1,
-                          picture.colors);
-  }
-
   Result<Done> add_lines(const Scene& scene, const Camera& camera,
                          const Shot& shot, const DrawingOptions& drawing,
                          const LineStyle& style,
@@ -169,59 +163,47 @@ class FastEngine : public Engine {
   std::string warning(std::size_t) const override { return {}; }
 
  private:
+  const fast::ScalarColors* scalars_of(const Shot& shot) const {
+    return shot.by_scalars ? &scalars_ : nullptr;
+  }
+
   fast::Rendering image_of(const Scene& scene, const fast::BspTree& tree,
                            const Camera& camera, const Shot& shot,
                            const fast::RenderOptions& how) const {
-    if (const auto samples = samples_of(shot.anti_aliasing); samples > 1) {
-      fast::RenderOptions own = how;
-      own.items = shot.items || shot.by_scalars;
-      return fast::render_samples(scene, tree, camera, shot.options, samples,
-                                  own);
+    if (is_of_look(shot)) {
+      return fast::render_look(scene, tree, camera, shot.options, look_of(shot),
+                               how, scalars_of(shot));
     }
-    if (shot.screen) {
+    if (shot.screen)
       return fast::render_on(scene, tree, camera, shot.options, *shot.screen);
-    }
-    if (shot.method == Method::kSpan) {
-      return fast::render(scene, tree, camera, shot.options, how);
-    }
-    if (shot.alpha == kOpaque) {
-      return fast::paint(scene, tree, camera, shot.options, how);
-    }
-    if (shot.by_scalars) {
-      return fast::blend_scalars(scene, tree, camera, shot.options, shot.alpha,
-                                 scalars_, how);
-    }
-    return fast::blend(scene, tree, camera, shot.options, shot.alpha, how);
+    return fast::paint(scene, tree, camera, shot.options, how);
   }
 
   fast::Rendering image_of(const fast::LazyTree& tree, const Camera& camera,
                            const Shot& shot,
                            const fast::RenderOptions& how) const {
     HALFSPACE_ASSERT(!shot.screen);
-    if (const auto samples = samples_of(shot.anti_aliasing); samples > 1) {
-      fast::RenderOptions own = how;
-      own.items = shot.items || shot.by_scalars;
-      return fast::render_samples(tree, camera, shot.options, samples, own);
+    if (is_of_look(shot)) {
+      return fast::render_look(tree, camera, shot.options, look_of(shot), how,
+                               scalars_of(shot));
     }
-    if (shot.method == Method::kSpan)
-      return fast::render(tree, camera, shot.options, how);
-    if (shot.alpha == kOpaque)
-      return fast::paint(tree, camera, shot.options, how);
-    if (shot.by_scalars) {
-      return fast::blend_scalars(tree, camera, shot.options, shot.alpha,
-                                 scalars_, how);
-    }
-    return fast::blend(tree, camera, shot.options, shot.alpha, how);
+    return fast::paint(tree, camera, shot.options, how);
   }
 
+  /// The colours that an image of opaque items has in place of the scene's.
   void color(const Scene& scene, const Camera& camera, const Shot& shot,
              fast::Rendering& image) const {
-    fast::ScalarOptions how;
-    how.samples = samples_of(shot.anti_aliasing);
-    how.top = shot.rows ? shot.rows->first : 0;
-    how.threads = shot.threads;
-    image.colors = fast::color_scalars(scene, camera, shot.options, image.items,
-                                       scalars_, how);
+    if (shot.by_scalars) {
+      fast::ScalarOptions how;
+      how.top = shot.rows ? shot.rows->first : 0;
+      how.threads = shot.threads;
+      image.colors = fast::color_scalars(scene, camera, shot.options,
+                                         image.items, scalars_, how);
+    }
+    if (shot.mark) {
+      fast::mark_back_faces(scene, camera, image.items, *shot.mark,
+                            shot.threads, image.colors);
+    }
   }
 
   fast::BspTree tree_;

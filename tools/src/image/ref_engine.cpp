@@ -7,6 +7,7 @@
 #include "halfspace/ref/depth_sort.hpp"
 #include "halfspace/ref/drawing.hpp"
 #include "halfspace/ref/lines.hpp"
+#include "halfspace/ref/oracle/look.hpp"
 #include "halfspace/ref/oracle/painter.hpp"
 #include "halfspace/ref/oracle/raycast.hpp"
 #include "halfspace/ref/oracle/zbuffer.hpp"
@@ -53,6 +54,9 @@ class RefEngine : public Engine {
   Picture render(const Scene& scene, const Camera& camera,
                  const Shot& shot) const override {
     if (!shot.rows) return whole(scene, camera, shot);
+    // Stripes of caps go by the pixels of the whole (S10.4).
+    if (shot.options.caps)
+      return rows_of(whole(scene, camera, shot), *shot.rows);
     CameraData data = camera.data();
     const Int128 first = shot.rows->first;
     data.s0 = {data.s0.x + first * data.sy.x, data.s0.y + first * data.sy.y,
@@ -75,11 +79,6 @@ class RefEngine : public Engine {
     if (shot.items)
       picture.items = ref::render(scene, tree_, camera, shot.options).items;
     return picture;
-  }
-
-  void mark_back_faces(const Scene& scene, const Camera& camera,
-                       const Rgb& mark, Picture& picture) const override {
-    ref::mark_back_faces(scene, camera, picture.items, mark, picture.colors);
   }
 
   Result<Done> add_lines(const Scene& scene, const Camera& camera,
@@ -117,11 +116,7 @@ class RefEngine : public Engine {
     } else {
       image = image_of(scene, tree_, camera, shot);
     }
-    if (shot.by_scalars && shot.alpha == kOpaque) {
-      image.colors =
-          ref::color_scalars(scene, camera, shot.options, image.items, field_,
-                             scale_, samples_of(shot.anti_aliasing));
-    }
+    if (!is_of_look(shot)) color(scene, camera, shot, image);
     picture.items = std::move(image.items);
     picture.colors = std::move(image.colors);
     picture.pixels_painted = image.pixels_painted;
@@ -132,26 +127,36 @@ class RefEngine : public Engine {
   ref::Rendering image_of(const Scene& scene, const ref::BspTree& tree,
                           const Camera& camera, const Shot& shot) const {
     const ImageOptions& options = shot.options;
+    if (is_of_look(shot)) {
+      return shot.by_scalars ? ref::render_look(scene, tree, camera, options,
+                                                look_of(shot), field_, scale_)
+                             : ref::render_look(scene, tree, camera, options,
+                                                look_of(shot));
+    }
     switch (shot.method) {
       case Method::kSpan:
-        if (shot.screen)
-          return ref::render_on(scene, tree, camera, options, *shot.screen);
         break;
       case Method::kPainter:
-        if (shot.alpha == kOpaque)
-          return ref::paint(scene, tree, camera, options);
-        if (shot.by_scalars) {
-          return ref::blend_scalars(scene, tree, camera, options, shot.alpha,
-                                    field_, scale_);
-        }
-        return ref::blend(scene, tree, camera, options, shot.alpha);
+        return ref::paint(scene, tree, camera, options);
       case Method::kZBuffer:
         return ref::zbuffer(scene, camera, options);
       case Method::kRayCast:
         return ref::raycast(scene, camera, options);
     }
-    return ref::render_samples(scene, tree, camera, options,
-                               samples_of(shot.anti_aliasing));
+    return ref::render_on(scene, tree, camera, options, *shot.screen);
+  }
+
+  /// The colours that an image of opaque items has in place of the scene's.
+  void color(const Scene& scene, const Camera& camera, const Shot& shot,
+             ref::Rendering& image) const {
+    if (shot.by_scalars) {
+      image.colors = ref::color_scalars(scene, camera, shot.options,
+                                        image.items, field_, scale_);
+    }
+    if (shot.mark) {
+      ref::mark_back_faces(scene, camera, image.items, *shot.mark,
+                           image.colors);
+    }
   }
 
   ref::BspTree tree_;

@@ -6,6 +6,7 @@
 
 #include "cli/long_work.hpp"
 #include "cli/measuring.hpp"
+#include "image/grounds.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -95,6 +96,37 @@ std::string priority_complaint(const RenderArguments& arguments) {
   return {};
 }
 
+Background::Style background_style(const RenderArguments& arguments) {
+  const auto& background = arguments.view.background;
+  return background ? background->style : Background::Style::kColor;
+}
+
+/// Whether each pixel shows one thing, or nothing.
+bool is_plain(const RenderArguments& arguments) {
+  return !arguments.anti_aliasing && !arguments.alpha && !arguments.lines.edges;
+}
+
+/// What is wrong with the background among the other options.
+std::string background_complaint(const RenderArguments& arguments) {
+  const Background::Style style = background_style(arguments);
+  if (style == Background::Style::kColor) return {};
+  if (arguments.shadow)
+    return "--background: --shadow checks pictures with one colour behind";
+  if (style == Background::Style::kGradient) {
+    return arguments.anti_aliasing == AntiAliasing::kExact
+               ? "--background: of exact areas a gradient is not made; take "
+                 "--aa 8"
+               : "";
+  }
+  if (arguments.rows)
+    return "--background: parts of pictures have one; leave out none or --rows";
+  if (arguments.lazy && !is_plain(arguments)) {
+    return "--background: how much of none is seen is asked of a whole tree; "
+           "leave out --lazy";
+  }
+  return {};
+}
+
 /// What is wrong with scalars among the other options.
 std::string scalars_complaint(const RenderArguments& arguments) {
   const std::string alone = scalar_complaint(arguments.scalars);
@@ -105,8 +137,7 @@ std::string scalars_complaint(const RenderArguments& arguments) {
     return "--shadow: checks a scene's own colours, none by --scalar";
   if (!arguments.scalars.has_legend) return {};
   if (arguments.rows) return "--legend: is for whole pictures, without --rows";
-  if (arguments.view.background &&
-      arguments.view.background->style == Background::Style::kNone)
+  if (background_style(arguments) == Background::Style::kNone)
     return "--legend: needs a background to stand on";
   return {};
 }
@@ -114,9 +145,8 @@ std::string scalars_complaint(const RenderArguments& arguments) {
 /// What is wrong with a colour of back faces among the other options.
 std::string back_color_complaint(const RenderArguments& arguments) {
   if (!arguments.back_color) return {};
-  if (arguments.alpha) return "--back-color: is not blended; leave out --alpha";
-  if (arguments.anti_aliasing)
-    return "--back-color: marks pixels of one sample; leave out --aa";
+  if (arguments.anti_aliasing == AntiAliasing::kExact)
+    return "--back-color: marks samples, no exact areas; take --aa 8";
   if (arguments.scalars.source)
     return "--back-color: not where numbers are the colours; leave out "
            "--scalar";
@@ -130,9 +160,6 @@ std::string lines_complaint(const RenderArguments& arguments) {
   const std::string alone = line_complaint(arguments.lines);
   if (!arguments.lines.edges || !alone.empty()) return alone;
   if (arguments.shadow) return "--shadow: checks pictures without --lines";
-  if (arguments.view.background &&
-      arguments.view.background->style == Background::Style::kNone)
-    return "--lines: need a background to stand on";
   return {};
 }
 
@@ -172,7 +199,7 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.alpha && method != Method::kPainter) {
     return "--alpha: only --method painter blends, not " + name_of(method);
   }
-  if (arguments.anti_aliasing && method != Method::kSpan) {
+  if (arguments.anti_aliasing && !arguments.alpha && method != Method::kSpan) {
     return "--aa: is for --method span alone, not " + name_of(method);
   }
   if (arguments.anti_aliasing == AntiAliasing::kExact && arguments.rows) {
@@ -184,27 +211,19 @@ std::string complaint(const RenderArguments& arguments, const Engine& engine) {
   if (arguments.alpha && arguments.shadow) {
     return "--shadow: checks opaque images, none with --alpha";
   }
-  const auto style = arguments.view.background
-                         ? arguments.view.background->style
-                         : Background::Style::kColor;
-  if (style != Background::Style::kColor && arguments.alpha) {
-    return "--background: a gradient or none is not blended; leave out --alpha";
+  if (arguments.anti_aliasing == AntiAliasing::kExact && arguments.alpha) {
+    return "--aa exact: has areas of what is in front; with --alpha take --aa "
+           "8";
   }
-  if (style == Background::Style::kNone && arguments.rows)
-    return "--background: parts of pictures have one; leave out none or --rows";
-  if (style != Background::Style::kColor && arguments.shadow)
-    return "--background: --shadow checks pictures with one colour behind";
-  if (style != Background::Style::kColor && arguments.anti_aliasing)
-    return "--background: a gradient or none has no samples; leave out --aa";
   if (arguments.screen &&
       (method != Method::kSpan || arguments.anti_aliasing || arguments.rows)) {
     return "--screen: is for whole pictures by --method span; leave out --aa "
            "and --rows";
   }
   for (const std::string& wrong :
-       {priority_complaint(arguments), scalars_complaint(arguments),
-        lines_complaint(arguments), back_color_complaint(arguments),
-        lazy_complaint(arguments)}) {
+       {background_complaint(arguments), priority_complaint(arguments),
+        scalars_complaint(arguments), lines_complaint(arguments),
+        back_color_complaint(arguments), lazy_complaint(arguments)}) {
     if (!wrong.empty()) return wrong;
   }
   const std::string simd = simd_complaint(arguments);
@@ -241,8 +260,7 @@ namespace {
 /// What a legend stands on: of a gradient, what is half way down.
 Rgb background_near_legend(const RenderArguments& arguments,
                            const Frame& frame) {
-  const auto& background = arguments.view.background;
-  if (background && background->style == Background::Style::kGradient) {
+  if (background_style(arguments) == Background::Style::kGradient) {
     const std::int32_t height = frame.picture.colors.height_px;
     return gradient_color(height / 2, height);
   }
@@ -266,12 +284,17 @@ Result<std::optional<Rows>> asked_rows(const RenderArguments& arguments,
 
 void add_background(const RenderArguments& arguments, std::int32_t height_px,
                     Frame& frame) {
-  if (!arguments.view.background) return;
-  const Background::Style style = arguments.view.background->style;
-  frame.cut_out = style == Background::Style::kNone;
+  const Background::Style style = background_style(arguments);
+  Picture& picture = frame.picture;
+  if (style == Background::Style::kNone) {
+    frame.coverage =
+        io::CoverageImage(picture.items.width_px, picture.items.height_px, 255);
+    for (std::size_t k = 0; k < picture.items.pixels.size(); ++k) {
+      if (picture.items.pixels[k] == kBackground) frame.coverage->pixels[k] = 0;
+    }
+  }
   if (style != Background::Style::kGradient) return;
   const std::int32_t first = frame.part ? frame.part->first_row : 0;
-  Picture& picture = frame.picture;
   for (std::int32_t j = 0; j < picture.items.height_px; ++j) {
     const Rgb color = gradient_color(first + j, height_px);
     for (std::int32_t i = 0; i < picture.items.width_px; ++i) {
@@ -323,24 +346,30 @@ Result<Frame> make_frame(const Engine& engine, const Scene& scene,
   shot.screen = arguments.screen;
   shot.priority = arguments.priority.value_or(Priority::kTree);
   shot.anti_aliasing = anti_aliasing;
-  shot.items = arguments.ids_file.has_value();
+  shot.items = !arguments.anti_aliasing || arguments.ids_file ||
+               arguments.scalars.has_legend;
   shot.alpha = arguments.alpha.value_or(kOpaque);
   shot.threads = thread_count(arguments.build);
   shot.simd = arguments.simd.value_or(fast::SimdLevel::kBest);
+  shot.mark = arguments.back_color;
   shot.by_scalars = legend != nullptr;
   Frame frame;
   frame.options = shot.options;
   if (shot.rows) {
     frame.part = io::PartOfPicture{shot.rows->first, camera->height_px};
   }
+  const Background::Style style = background_style(arguments);
+  const bool is_cut_out =
+      style == Background::Style::kNone && !is_plain(arguments);
+  const bool has_gradient = style == Background::Style::kGradient &&
+                            (arguments.anti_aliasing || arguments.alpha);
+  if (is_cut_out) shot.options.background = {0, 0, 0};
   std::vector<double> times_ms;
   for (std::uint32_t i = 0; i < arguments.repeat.value_or(1); ++i) {
     const Stopwatch watch;
-    if (anti_aliasing == AntiAliasing::kExact) {
-      frame.picture = engine.render_area(scene, camera, shot);
-    } else {
-      frame.picture = engine.render(scene, camera, shot);
-    }
+    frame.picture = has_gradient
+                        ? drawn_over_gradient(engine, scene, camera, shot)
+                        : drawn(engine, scene, camera, shot);
     times_ms.push_back(watch.elapsed_ms());
   }
   frame.frame_ms = median(std::move(times_ms));
@@ -350,15 +379,17 @@ Result<Frame> make_frame(const Engine& engine, const Scene& scene,
     frame.picture.subtrees_behind = count.subtrees;
     frame.picture.fragments_behind = count.fragments;
   }
-  if (arguments.back_color) {
-    engine.mark_back_faces(scene, camera, *arguments.back_color, frame.picture);
-  }
-  add_background(arguments, camera->height_px, frame);
-  if (arguments.lines.edges) {
-    const ShownLines lines = shown_lines(arguments.lines, shot.options);
-    const Result<Done> drawn = engine.add_lines(
-        scene, camera, shot, lines.drawing, lines.style, frame.picture.colors);
-    if (!drawn) return drawn.error();
+  if (!is_cut_out && !has_gradient)
+    add_background(arguments, camera->height_px, frame);
+  const Result<Done> lines = add_lines(engine, scene, camera, shot,
+                                       arguments.lines, frame.picture.colors);
+  if (!lines) return lines.error();
+  if (is_cut_out) {
+    Result<io::CoverageImage> coverage =
+        coverage_of(engine, scene, camera, shot, arguments.lines);
+    if (!coverage) return coverage.error();
+    frame.coverage = *std::move(coverage);
+    divide(*frame.coverage, frame.picture.colors);
   }
   if (arguments.scalars.has_legend) {
     io::draw_legend(*legend, frame.picture.items,
@@ -372,9 +403,9 @@ Status write_frame(const Frame& frame, const Outputs& outputs) {
   if (outputs.picture_file) {
     note_part(*outputs.picture_file);
     const Result<Done> written =
-        frame.cut_out
+        frame.coverage
             ? io::write_png_cut_out(*outputs.picture_file, frame.picture.colors,
-                                    frame.picture.items, outputs.threads)
+                                    *frame.coverage, outputs.threads)
             : io::write_png(*outputs.picture_file, frame.picture.colors,
                             frame.part, outputs.threads);
     if (!written) return fail(*outputs.picture_file, written.error());

@@ -73,8 +73,9 @@ struct Frame {
   Picture picture;
   ImageOptions options;                   ///< that it was made with
   std::optional<io::PartOfPicture> part;  ///< nothing: it is the whole
-  bool cut_out = false;                   ///< the background is not there
-  double frame_ms = 0;                    ///< median of the repeats
+  /// How much of a pixel is seen, where the background is not there.
+  std::optional<io::CoverageImage> coverage;
+  double frame_ms = 0;  ///< median of the repeats
 };
 
 /// Makes or loads the tree that the method needs, if it needs one.

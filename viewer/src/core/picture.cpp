@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "halfspace/fast/display_tree.hpp"
-#include "halfspace/fast/painter.hpp"
-#include "halfspace/fast/shade/back_faces.hpp"
 #include "halfspace/fast/shade/lines.hpp"
+#include "halfspace/fast/shade/look.hpp"
 
 namespace halfspace::viewer {
 namespace {
@@ -68,44 +67,17 @@ const fast::ScalarColors& PictureMaker::scalar_colors(
   return scalar_colors_;
 }
 
-/// Colours the rows from `row` on.
-void PictureMaker::color_numbers(const PictureRequest& request,
-                                 std::int32_t row, int threads,
-                                 fast::Rendering& rendering) {
-  const Scene& scene = request.model->loaded.file.scene;
-  fast::ScalarOptions how;
-  how.top = row;
-  how.threads = threads;
-  fast::color_scalars(scene, request.camera, request.options, rendering.items,
-                      scalar_colors(request), how, rendering.colors);
-}
-
 void PictureMaker::draw(const PictureRequest& request, std::int32_t first_row,
                         std::int32_t end_row, fast::Rendering& rendering) {
   const Scene& scene = request.model->loaded.file.scene;
   fast::RenderOptions how;
   how.threads = thread_count();
-  how.items = request.numbers != nullptr || request.back_color;
-  const bool is_opaque = request.alpha == kOpaque;
-  how.colors = request.numbers == nullptr || !is_opaque;
+  how.items = request.numbers && request.numbers->has_legend;
   how.rectangle = {0, first_row, request.camera->width_px, end_row};
-  if (is_opaque) {
-    fast::render(scene, *request.model->tree, request.camera, request.options,
-                 how, rendering);
-  } else if (request.numbers) {
-    rendering = fast::blend_scalars(scene, *request.model->tree, request.camera,
-                                    request.options, request.alpha,
-                                    scalar_colors(request), how);
-  } else {
-    rendering = fast::blend(scene, *request.model->tree, request.camera,
-                            request.options, request.alpha, how);
-  }
-  if (request.numbers && is_opaque)
-    color_numbers(request, first_row, how.threads, rendering);
-  if (request.back_color) {
-    fast::mark_back_faces(scene, request.camera, rendering.items,
-                          *request.back_color, how.threads, rendering.colors);
-  }
+  fast::render_look(scene, *request.model->tree, request.camera,
+                    request.options, {request.alpha, 1, request.back_color},
+                    how, request.numbers ? &scalar_colors(request) : nullptr,
+                    rendering);
   if (request.lines)
     fast::add_lines(*request.lines, request.line_style, {}, rendering.colors);
   if (request.numbers && request.numbers->has_legend) {

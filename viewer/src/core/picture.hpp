@@ -49,8 +49,6 @@ class PictureMaker {
 
  private:
   const fast::ScalarColors& scalar_colors(const PictureRequest& request);
-  void color_numbers(const PictureRequest& request, std::int32_t row,
-                     int threads, fast::Rendering& rendering);
 
   /// The colours of the polygons by those numbers: all polygons are looked at.
   std::shared_ptr<const ShownNumbers> colored_;

@@ -318,8 +318,7 @@ bool have_same_scene(const State& a, const State& b) {
 }
 
 std::optional<Rgb> back_color_of(const State& state) {
-  const bool is_plain = !state.looks.scalar && state.looks.alpha == kOpaque;
-  return is_plain ? state.looks.back_color : std::nullopt;
+  return state.looks.scalar ? std::nullopt : state.looks.back_color;
 }
 
 Rgb line_color_of(const State& state) {

@@ -16,6 +16,8 @@ using LineColors = std::array<std::uint8_t, 3 * kTileWidth>;
 /// Colours that polygons have in place of the scene's where they are blended.
 class LayerColors {
  public:
+  virtual ~LayerColors() = default;
+
   /// Those of one polygon after another. Each thread has its own.
   class Shader {
    public:
@@ -29,9 +31,6 @@ class LayerColors {
   /// The colour of all of a polygon, as PixelSource::color has it.
   virtual std::uint32_t color_of(PolygonId polygon) const = 0;
   virtual std::unique_ptr<Shader> shader() const = 0;
-
- protected:
-  ~LayerColors() = default;
 };
 
 }  // namespace halfspace::fast

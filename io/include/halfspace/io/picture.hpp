@@ -26,13 +26,16 @@ Result<Done> write_png(const std::filesystem::path& path,
                        const std::optional<PartOfPicture>& part = {},
                        int threads = 0);
 
-/// The same with an alpha channel: pixels that show the background are seen
-/// through, all others hide what is behind.
+/// How much of a pixel hides what is behind it, from 0 to 255.
+using CoverageImage = Grid2<std::uint8_t>;
+
+/// The same with an alpha channel. The colours are those of what covers the
+/// pixels: they are not multiplied.
 /// Requires: images of one size.
 /// Errors: kUnwritable.
 Result<Done> write_png_cut_out(const std::filesystem::path& path,
-                               const ColorImage& image, const ItemImage& items,
-                               int threads = 0);
+                               const ColorImage& image,
+                               const CoverageImage& coverage, int threads = 0);
 
 /// Writes an item image as a NumPy array: `<i4`, C order, shape (height,
 /// width), -1 where there is background (S5.1).

@@ -27,6 +27,15 @@ std::optional<Rational> scalar_at(const Scene& scene, const Camera& camera,
 /// Exact:    yes.
 Rgb color_of(const ColorScale& scale, const std::optional<Rational>& scalar);
 
+/// The colour of a polygon by its scalar at an image point (S11.4).
+///
+/// Requires: as scalar_at(); is_valid(scale).
+/// Exact:    yes.
+Rgb scalar_color(const Scene& scene, const Camera& camera,
+                 const ImageOptions& options, const ScalarField& field,
+                 const ColorScale& scale, PolygonId polygon,
+                 const ImagePoint& at);
+
 /// The colours of an item image of `samples` x `samples` samples a pixel, by a
 /// scalar field (S11.4).
 ///
@@ -36,15 +45,5 @@ ColorImage color_scalars(const Scene& scene, const Camera& camera,
                          const ImageOptions& options, const ItemImage& items,
                          const ScalarField& field, const ColorScale& scale,
                          std::int32_t samples = 1);
-
-/// The transparent image (S5.6) of polygons in the colours of their scalars
-/// (S11.4).
-///
-/// Requires: as blend(); a field of the scene.
-/// Exact:    yes.
-Rendering blend_scalars(const Scene& scene, const BspTree& tree,
-                        const Camera& camera, const ImageOptions& options,
-                        std::uint8_t alpha, const ScalarField& field,
-                        const ColorScale& scale);
 
 }  // namespace halfspace::ref

@@ -52,6 +52,9 @@ Rgb color_at(const Scene& scene, const Camera& camera, PolygonId polygon,
 ColorImage colors_of(const Scene& scene, const Camera& camera,
                      const ItemImage& items, const ImageOptions& options);
 
+/// A mark in the light of a polygon that has this colour (S5.8).
+Rgb marked(const Rgb& mark, const Rgb& color);
+
 /// Colours what is seen from behind by a mark, in its own light (S5.8).
 ///
 /// Requires: colours of these items, which are of the scene and the camera.

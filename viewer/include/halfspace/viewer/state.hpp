@@ -100,8 +100,7 @@ bool is_same(const io::ViewOptions& a, const io::ViewOptions& b);
 /// Whether the pictures of two states need the same scene.
 bool have_same_scene(const State& a, const State& b);
 
-/// The mark of the state's picture (S5.8): numbers and what lets light through
-/// have none.
+/// The mark of the state's picture (S5.8): numbers have none.
 std::optional<Rgb> back_color_of(const State& state);
 
 /// The colour of the lines of the state's picture, which the background is seen

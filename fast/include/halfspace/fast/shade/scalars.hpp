@@ -4,9 +4,7 @@
 #include <vector>
 
 #include "halfspace/camera.hpp"
-#include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/predicate.hpp"
-#include "halfspace/fast/render.hpp"
 #include "halfspace/image.hpp"
 #include "halfspace/scalars.hpp"
 #include "halfspace/scene.hpp"
@@ -57,20 +55,5 @@ FilterStats color_scalars(const Scene& scene, const Camera& camera,
                           const ImageOptions& options, const ItemImage& items,
                           const ScalarColors& scalars, const ScalarOptions& how,
                           ColorImage& colors);
-
-/// The transparent image of the scene by scalars (S11.4): as blend(), each
-/// polygon in the colour of its scalar.
-///
-/// Exact:    yes.
-/// Cost:     that of blend(), and of colours that vary over a polygon wherever
-///           it covers a pixel.
-Rendering blend_scalars(const Scene& scene, const BspTree& tree,
-                        const Camera& camera, const ImageOptions& image,
-                        std::uint8_t alpha, const ScalarColors& scalars,
-                        const RenderOptions& options = {});
-Rendering blend_scalars(const LazyTree& tree, const Camera& camera,
-                        const ImageOptions& image, std::uint8_t alpha,
-                        const ScalarColors& scalars,
-                        const RenderOptions& options = {});
 
 }  // namespace halfspace::fast

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "halfspace/ref/projection.hpp"
 #include "halfspace/ref/render.hpp"
 
 namespace halfspace::ref {
@@ -26,11 +27,12 @@ Rendering paint(const Scene& scene, const BspTree& tree, const Camera& camera,
 Rendering blend(const Scene& scene, const BspTree& tree, const Camera& camera,
                 const ImageOptions& options, std::uint8_t alpha);
 
-/// The same where polygons have these colours at pixel (i, j).
-using PixelColor =
-    std::function<Rgb(PolygonId polygon, std::int32_t i, std::int32_t j)>;
+/// The same where polygons have these colours at image points, for so many
+/// samples a pixel each way (S5.7): items and colours are those of samples.
+using PointColor = std::function<Rgb(PolygonId polygon, const ImagePoint& at)>;
 Rendering blend_in_colors(const Scene& scene, const BspTree& tree,
                           const Camera& camera, const ImageOptions& options,
-                          std::uint8_t alpha, const PixelColor& color_of);
+                          std::uint8_t alpha, const PointColor& color_of,
+                          std::int32_t samples = 1);
 
 }  // namespace halfspace::ref
