@@ -83,10 +83,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   fast::DisplayTreeOptions display;
   display.leaf_size = build.candidates;
   display.threads = 1;
-  fast::BspTree divided = fast::build_display_tree(view.scene, display);
-  fast::divide_leaves(divided, view.scene);
+  const fast::BspTree leaves = fast::build_display_tree(view.scene, display);
   const auto other =
-      fast::visible_map(view.scene, divided, *view.camera, options);
+      fast::visible_map(view.scene, leaves, *view.camera, options);
   HALFSPACE_FUZZ_EXPECT(other.has_value(), text);
   HALFSPACE_FUZZ_EXPECT(map->arcs == other->arcs, text);
   HALFSPACE_FUZZ_EXPECT(map->regions == other->regions, text);
@@ -97,11 +96,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     expect_same_areas(fast::seen_areas(*map, *view.camera),
                       ref::seen_areas(arcs, *view.camera), text);
     const auto areas =
-        fast::render_area(view.scene, divided, *view.camera, view.options, 2);
+        fast::render_area(view.scene, leaves, *view.camera, view.options, 2);
     HALFSPACE_FUZZ_EXPECT(
         areas.colors ==
             ref::render_area(view.scene, *view.camera, view.options),
         text);
+    fast::BspTree divided = leaves;
+    fast::divide_leaves(divided, view.scene);
     const TransparentOptions glass = own_alphas(view, size);
     const auto composed =
         fast::transparent_map(view.scene, divided, *view.camera, glass);

@@ -10,6 +10,7 @@
 #include "definition/definition.hpp"
 #include "generate/random_scenes.hpp"
 #include "halfspace/fast/area_image.hpp"
+#include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/visible_map.hpp"
 #include "halfspace/ref/area_image.hpp"
 #include "halfspace/ref/visible_map.hpp"
@@ -90,6 +91,16 @@ struct FastMap {
     const auto map = fast::visible_map(view.scene, tree, *view.camera, options);
     HALFSPACE_LAW(map.has_value());
     expect_consistent(*map, exact_places(*map));
+    // Leaves are divided when the map comes to them.
+    fast::DisplayTreeOptions leaves;
+    leaves.leaf_size = 1 + view.scene.polygon_count() / 2;
+    leaves.threads = 1;
+    const auto same = fast::visible_map(
+        view.scene, fast::build_display_tree(view.scene, leaves), *view.camera,
+        options);
+    HALFSPACE_LAW(same.has_value());
+    HALFSPACE_LAW(same->arcs == map->arcs && same->regions == map->regions &&
+                  same->corners == map->corners);
     return exact_arcs(*map);
   }
 };

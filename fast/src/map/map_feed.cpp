@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "halfspace/assert.hpp"
-#include "halfspace/fast/display_tree.hpp"
-
 namespace halfspace::fast {
 namespace {
 
@@ -74,9 +71,7 @@ MapFeed::MapFeed(const Scene& scene, const BspTree& tree, const Camera& camera,
       eye_side_(reader_, view_, data_, stats_),
       clips_(image_.clips, image_.caps.has_value(), scene.grid_bits()),
       lines_(reader_, data_, part, image_.clips),
-      sides_(reader_, data_, lines_) {
-  HALFSPACE_ASSERT(!has_leaves(tree));
-}
+      sides_(reader_, data_, lines_) {}
 
 bool MapFeed::image_box(NodeId id, CellBox& image) const {
   if (!image_of(tree_.boxes[static_cast<std::size_t>(id)], view_, image))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "map/line_table.hpp"
 #include "raster/clip_set.hpp"
 #include "tree/eye_classifier.hpp"
+#include "tree/leaf_divider.hpp"
 #include "tree/traversal.hpp"
 #include "tree/tree_reader.hpp"
 
@@ -20,7 +22,7 @@ namespace halfspace::fast {
 class MapFeed {
  public:
   /// Of the options clip planes and caps count (S10); of the image `part`.
-  /// Requires: a tree of this scene without leaves; with caps a closed scene.
+  /// Requires: a tree of this scene; with caps a closed scene.
   MapFeed(const Scene& scene, const BspTree& tree, const Camera& camera,
           const ImageOptions& image, const Rectangle& part);
 
@@ -37,19 +39,8 @@ class MapFeed {
     };
     const auto show_node = [&](const Node& node, int sign) {
       const ClipMask mask = clip_mask(node, has_boxes);
-      return for_fragments(tree_, node, [&](const TreeFragment& fragment) {
-        const int eye_sign = fragment.flipped != 0 ? -sign : sign;
-        if (cull && eye_sign < 0) return true;
-        std::span<const HalfPlane> sides = sides_.of(fragment, eye_sign);
-        if (mask != 0) {
-          clipped_.assign(sides.begin(), sides.end());
-          if (!add_clips(clips_, mask, fragment.source, eye_sign, lines_,
-                         clipped_))
-            return true;
-          sides = clipped_;
-        }
-        return show(sides, fragment.source);
-      });
+      if (node.splitter == kNoPlane) return show_leaf(node, mask, cull, show);
+      return show_list(tree_, node, sides_, sign, mask, cull, show);
     };
     walk_front_to_back(tree_, eye_side_, enter, show_node);
   }
@@ -60,7 +51,7 @@ class MapFeed {
   template <class Show>
   void run_caps(int side, const Show& show) {
     if (!image_.caps) return;
-    const auto count = static_cast<PolygonId>(reader_.scene().polygon_count());
+    const auto count = static_cast<PolygonId>(scene().polygon_count());
     for (std::size_t k = 0; k < image_.clips.size(); ++k) {
       if (lines_.side_of_eye(plane_id_of_clip(k)) != side) continue;
       for (const CapPiece& piece :
@@ -77,6 +68,52 @@ class MapFeed {
   const FilterStats& stats() const { return stats_; }
 
  private:
+  /// Leaves, one after another, as trees of their fragments.
+  struct Leaves {
+    explicit Leaves(MapFeed& feed)
+        : divider(feed.scene(), feed.tree_, feed.stats_),
+          reader(feed.scene(), divider.part()),
+          sides(reader, feed.data_, feed.lines_) {}
+
+    LeafDivider divider;
+    TreeReader reader;
+    FragmentSides sides;
+  };
+
+  const Scene& scene() const { return reader_.scene(); }
+
+  template <class Show>
+  bool show_leaf(const Node& leaf, ClipMask mask, bool cull, const Show& show) {
+    if (!leaves_) leaves_.emplace(*this);
+    bool goes_on = true;
+    const auto show_node = [&](const Node& node, int sign) {
+      goes_on = show_list(leaves_->divider.part(), node, leaves_->sides, sign,
+                          mask, cull, show);
+      return goes_on;
+    };
+    walk_front_to_back(leaves_->divider.divide(leaf), eye_side_, EnterAll(),
+                       show_node);
+    return goes_on;
+  }
+  /// Shows a node's list of fragments.
+  template <class Show>
+  bool show_list(const BspTree& tree, const Node& node, FragmentSides& sides_of,
+                 int sign, ClipMask mask, bool cull, const Show& show) {
+    return for_fragments(tree, node, [&](const TreeFragment& fragment) {
+      const int eye_sign = fragment.flipped != 0 ? -sign : sign;
+      if (cull && eye_sign < 0) return true;
+      std::span<const HalfPlane> sides = sides_of.of(fragment, eye_sign);
+      if (mask != 0) {
+        clipped_.assign(sides.begin(), sides.end());
+        if (!add_clips(clips_, mask, fragment.source, eye_sign, lines_,
+                       clipped_))
+          return true;
+        sides = clipped_;
+      }
+      return show(sides, fragment.source);
+    });
+  }
+
   /// Whether clip planes take away all that a node's box holds.
   bool is_gone(NodeId id) const {
     return !clips_.empty() &&
@@ -103,6 +140,7 @@ class MapFeed {
   ClipSet clips_;
   LineTable lines_;
   FragmentSides sides_;
+  std::optional<Leaves> leaves_;  ///< if there are any
   std::vector<HalfPlane> clipped_;
 };
 

@@ -134,8 +134,7 @@ Status run_map(const MapArguments& arguments) {
     return fail(camera_error(loaded->name, chosen.error()));
   if (chosen) {
     size = {chosen->camera->width_px, chosen->camera->height_px};
-    fast::BspTree tree = fast::build_display_tree(loaded->scene());
-    fast::divide_leaves(tree, loaded->scene());
+    const fast::BspTree tree = fast::build_display_tree(loaded->scene());
     Result<fast::VisibleMap> made =
         fast::visible_map(loaded->scene(), tree, chosen->camera,
                           {choose_options(loaded->file, arguments.view).cull,

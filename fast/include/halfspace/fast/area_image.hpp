@@ -23,8 +23,7 @@ struct AreaImage {
 /// From front to back polygons are cut out of what is unlit of the pixels that
 /// their edges pass; those that one covers are filled.
 /// `threads`: as RenderOptions::threads.
-/// Requires: a tree of this scene without leaves (divide_leaves()); a closed
-///           scene where there are caps.
+/// Requires: a tree of this scene; a closed scene where there are caps.
 /// Exact:    yes: areas in doubles with a bound; where that touches a step of
 ///           rounding, the visible map of the pixel in rationals.
 ///           The same for any number of threads.

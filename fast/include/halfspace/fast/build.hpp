@@ -143,7 +143,7 @@ void insert(BspTree& tree, const Scene& scene, PolygonId polygon,
 void remove(BspTree& tree, const Scene& scene,
             std::span<const PolygonId> polygons);
 
-/// Whether some node of the tree is a leaf: only images and rays take it.
+/// Whether some node of the tree is a leaf: only images, maps and rays take it.
 bool has_leaves(const BspTree& tree);
 
 /// Replaces every leaf by a subtree whose splitters are planes of its fragments

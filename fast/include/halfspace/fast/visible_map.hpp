@@ -87,13 +87,13 @@ struct MapLimits {
 /// image, which is kept as a 2-D BSP tree whose lines are the images of the
 /// fragments' edges; what is hidden ends at lit cells (FAQ, "two dimensional
 /// BSP tree"; Naylor 1992). Cells with one key are then merged.
-/// Requires: a tree of this scene without leaves (divide_leaves()); keys for
-/// all
-///           polygons or none.
+/// Requires: a tree of this scene; keys for all polygons or none.
 /// Exact:    yes: filters in doubles, integers of fixed width behind them.
 /// Errors:   kOutOfRange: more cells than the limit; says how many, or, where
 ///           not all fit below it at once, about how many, up to four times it.
-/// Cost:     what is seen, and the way to it.
+/// Cost:     what is seen, and the way to it: leaves of the tree are divided
+///           where some of the image is still unlit. For many maps by one tree
+///           divide_leaves() does that once.
 Result<VisibleMap> visible_map(const Scene& scene, const BspTree& tree,
                                const Camera& camera,
                                const MapOptions& options = {},

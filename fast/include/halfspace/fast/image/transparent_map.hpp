@@ -12,8 +12,8 @@ namespace halfspace::fast {
 /// from the farthest polygon on.
 /// Shape:    as visible_map(); a region's `item` is its key, kBackground where
 ///           no polygon is.
-/// Requires: a tree of this scene without leaves (divide_leaves()); an alpha of
-///           its own for every polygon or for none.
+/// Requires: a tree of this scene; an alpha of its own for every polygon or for
+///           none.
 /// Exact:    yes, as visible_map().
 /// Errors:   kOutOfRange: more cells than the limit; says how many.
 /// Cost:     all that is in the image: up to the square of the polygons.

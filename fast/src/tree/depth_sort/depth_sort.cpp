@@ -8,9 +8,9 @@
 
 #include "halfspace/assert.hpp"
 #include "tree/behind_test.hpp"
+#include "tree/depth_sort/image_extent.hpp"
 #include "tree/eye_classifier.hpp"
 #include "tree/fragment_splitter.hpp"
-#include "tree/image_extent.hpp"
 
 namespace halfspace::fast {
 namespace {

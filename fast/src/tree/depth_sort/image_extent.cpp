@@ -1,4 +1,4 @@
-#include "tree/image_extent.hpp"
+#include "tree/depth_sort/image_extent.hpp"
 
 #include <algorithm>
 #include <cmath>
