@@ -110,6 +110,11 @@ for format in off ply obj 3mf glb hsolid scene; do
     --target 1,1,1 -o mixed.png
   [ $format != off ] || cp mixed.png off.png
   same off.png mixed.png
+  [ $format = scene ] && continue
+  expect 0 closed csg A A=mixed.$format -o back.off
+  [ "$(awk 'NR > 2 && $1 > 2 && NF == $1 + 1' back.off)" ] ||
+    wrong "$format: all faces have a colour"
+  grep -q ' 10 200 30$' back.off || wrong "$format: no face has its colour"
 done
 
 # A full device, as every output and as standard output.

@@ -22,8 +22,9 @@ using GlbJson = nlohmann::ordered_json;
 
 constexpr int kArrayBuffer = 34962, kIndexBuffer = 34963;
 
-/// What triangles of one primitive have in common: object, group, material.
-using PrimitiveKey = std::array<std::int32_t, 3>;
+/// What triangles of one primitive have in common: object, group, material, and
+/// 1 if colours of vertices are not theirs.
+using PrimitiveKey = std::array<std::int32_t, 4>;
 
 /// A channel of corners, as vertices of a GLB have it.
 struct VertexChannel {
@@ -45,6 +46,7 @@ class GlbWriter {
  private:
   GlbJson with_buffer(const std::string& uri) const;
   void choose_channels();
+  bool has_color(std::size_t triangle) const;
   std::int32_t label(const Labels& labels, std::size_t face) const {
     return labels.of_face.empty() ? -1 : labels.of_face[face];
   }
@@ -53,7 +55,11 @@ class GlbWriter {
   void add_images();
   GlbJson primitive(const PrimitiveKey& key,
                     const std::vector<std::size_t>& triangles);
-  void append_row(std::size_t triangle, std::size_t k, std::string& row) const;
+  /// The channels of a primitive's vertices.
+  std::vector<VertexChannel> channels_of(const PrimitiveKey& key) const;
+  void append_row(std::size_t triangle, std::size_t k,
+                  const std::vector<VertexChannel>& channels,
+                  std::string& row) const;
   void append_channel(const VertexChannel& from, std::size_t corner,
                       std::size_t triangle, std::string& row) const;
   std::array<float, 3> point(VertexId vertex) const {
@@ -128,6 +134,22 @@ void GlbWriter::choose_channels() {
     has_colors_ = true;
     channels_.push_back({nullptr, "COLOR_0", 3});
   }
+}
+
+/// Whether the triangle, or a corner of it, has a colour.
+bool GlbWriter::has_color(std::size_t triangle) const {
+  for (const VertexChannel& from : channels_) {
+    if (from.semantic != "COLOR_0") continue;
+    if (from.channel == nullptr) {
+      const auto at = face_colors_->at(content_.triangle_faces[triangle]);
+      return !std::isnan(at[0]);
+    }
+    const auto& corners = content_.triangle_corners[triangle];
+    return std::any_of(corners.begin(), corners.end(), [&](std::size_t corner) {
+      return !std::isnan(from.channel->at(corner)[0]);
+    });
+  }
+  return false;
 }
 
 void GlbWriter::add_materials() {
@@ -230,12 +252,22 @@ void GlbWriter::append_channel(const VertexChannel& from, std::size_t corner,
 
 /// The bytes of a vertex.
 void GlbWriter::append_row(std::size_t triangle, std::size_t k,
+                           const std::vector<VertexChannel>& channels,
                            std::string& row) const {
   for (const float value : point(content_.triangles[triangle][k]))
     store(row, value + 0.0f);
   const std::size_t corner = content_.triangle_corners[triangle][k];
-  for (const VertexChannel& channel : channels_)
+  for (const VertexChannel& channel : channels)
     append_channel(channel, corner, triangle, row);
+}
+
+std::vector<VertexChannel> GlbWriter::channels_of(
+    const PrimitiveKey& key) const {
+  std::vector<VertexChannel> channels = channels_;
+  std::erase_if(channels, [&key](const VertexChannel& from) {
+    return key[3] == 1 && from.semantic == "COLOR_0";
+  });
+  return channels;
 }
 
 /// Adds a view of what was added last to the bytes.
@@ -278,6 +310,7 @@ void GlbWriter::add_origins(const std::vector<std::size_t>& triangles,
 
 GlbJson GlbWriter::primitive(const PrimitiveKey& key,
                              const std::vector<std::size_t>& triangles) {
+  const std::vector<VertexChannel> channels = channels_of(key);
   std::unordered_map<std::string, std::uint32_t> places;
   std::string rows, indices, row;
   std::array<float, 3> low, high;
@@ -286,7 +319,7 @@ GlbJson GlbWriter::primitive(const PrimitiveKey& key,
   for (const std::size_t triangle : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       row.clear();
-      append_row(triangle, k, row);
+      append_row(triangle, k, channels, row);
       const auto next = static_cast<std::uint32_t>(places.size());
       const auto [place, is_new] = places.try_emplace(row, next);
       store(indices, place->second);
@@ -309,7 +342,7 @@ GlbJson GlbWriter::primitive(const PrimitiveKey& key,
   file_["accessors"].back()["max"] = high;
   json["attributes"]["POSITION"] = position;
   std::size_t offset = 12;
-  for (const VertexChannel& channel : channels_) {
+  for (const VertexChannel& channel : channels) {
     json["attributes"][channel.semantic] = accessor(
         vertices, offset, kGlbFloat, kShapes[channel.width - 1], places.size());
     offset += 4 * channel.width;
@@ -335,7 +368,8 @@ void GlbWriter::write() {
                                       ? -1
                                       : attributes_.face_materials[face];
     primitives[{label(attributes_.objects, face),
-                label(attributes_.groups, face), material}]
+                label(attributes_.groups, face), material,
+                has_color(i) ? 0 : 1}]
         .push_back(i);
   }
   file_["asset"] = {{"version", "2.0"}, {"generator", "halfspace"}};
