@@ -163,7 +163,10 @@ Error wrong_call(Function function, const Place& place) {
 
 Result<Number> number_in(const Token& token, bool negative) {
   Result<Number> number = io::parse_number(token.text);
-  if (!number || !is_handy(*number)) {
+  if (!number) {
+    return error_at(token.place, number.error().code, number.error().message);
+  }
+  if (!is_handy(*number)) {
     return error_at(token.place, ErrorCode::kOutOfRange,
                     in_quotes(token.text) + " has too many digits");
   }

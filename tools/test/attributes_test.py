@@ -14,6 +14,7 @@ import base64
 import json
 import math
 import pathlib
+import re
 import struct
 import subprocess
 import sys
@@ -371,6 +372,20 @@ def main():
                           capture_output=True, text=True)
     if done.returncode or "cut.3mf: 24 triangles, volume 37\n" not in done.stdout:
         wrong(f"lib3mf: {done.stdout}{done.stderr}")
+    # Of two objects of one number none is taken for the other.
+    with zipfile.ZipFile(FOLDER / "cut.3mf") as package, \
+            zipfile.ZipFile(FOLDER / "twice.3mf", "w") as other:
+        for name in package.namelist():
+            entry = package.read(name)
+            if name.endswith(".model"):
+                ids = re.findall(rb'<object id="(\d+)"', entry)
+                entry = entry.replace(
+                    b"</resources>",
+                    b'<object id="' + ids[0] + b'"/></resources>')
+            other.writestr(name, entry)
+    out = run("info", "twice.3mf", status=2)
+    if "is there twice" not in out:
+        wrong(f"twice.3mf: {out}")
     # What has no room for something says so, and an input is not overwritten.
     out = run("csg", "A - B", "A=a.obj", "B=b.obj", "-o", "cut.stl")
     for word in ("materials", "groups", "normals", "texture points", "names of objects"):

@@ -148,6 +148,9 @@ for far in 1e400 -1e999 1e30; do
   expect 2 "$said" render far.off -o a.png
 done
 
+expect 2 "line 1, column 5: '1e400' is beyond the greatest double" csg \
+  'box(1e400)' -o out.off
+
 # Places that cannot be written.
 expect 2 'none/a.png' render cube.off -o none/a.png --size 8x8
 expect 2 'none/a.npy' render cube.off --ids none/a.npy --size 8x8

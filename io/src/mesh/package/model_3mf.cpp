@@ -257,8 +257,13 @@ void Model3mfParser::start_core(const Element& element) {
   } else if (name == "triangle") {
     triangle(element);
   } else if (name == "object") {
-    object_ = &model_.objects[whole(element, "id", -1)];
-    *object_ = {};
+    const std::int64_t id = whole(element, "id", -1);
+    const auto [at, is_new] = model_.objects.try_emplace(id);
+    if (!is_new && !error_) {
+      return fail(ErrorCode::kSyntax,
+                  "object " + std::to_string(id) + " is there twice");
+    }
+    object_ = &at->second;
     object_->name = text(element, "name");
     object_group_ = whole(element, "pid", -1);
     object_property_ = static_cast<std::uint32_t>(whole(element, "pindex", 0));
