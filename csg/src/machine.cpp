@@ -330,6 +330,18 @@ bool Machine::call_combine(const Instruction& at, std::vector<Value> values) {
   if (at.function == Function::kDifference) kind = NodeKind::kDifference;
   if (at.function == Function::kSymmetricDifference)
     kind = NodeKind::kSymmetricDifference;
+  if (kind == NodeKind::kSymmetricDifference) {
+    // Two by two, for plans leave their order.
+    while (solids.size() > 1) {
+      std::vector<Value> pairs;
+      for (std::size_t i = 0; i + 1 < solids.size(); i += 2) {
+        push_combined(kind, at.place, solids[i], solids[i + 1]);
+        pairs.push_back(pop());
+      }
+      if (solids.size() % 2 == 1) pairs.push_back(solids.back());
+      solids = std::move(pairs);
+    }
+  }
   stack_.push_back(solids.front());
   for (std::size_t i = 1; i < solids.size(); ++i)
     push_combined(kind, at.place, pop(), solids[i]);

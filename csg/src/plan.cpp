@@ -192,10 +192,14 @@ void Planner::join_chains() {
     if (kind == NodeKind::kComplement || kind == NodeKind::kComponent)
       append(step, step.left, false);
     if (step.right < 0) continue;
-    append(step, step.left, is(step.left, kind));
-    append(step, step.right,
-           is(step.right,
-              kind == NodeKind::kDifference ? NodeKind::kUnion : kind));
+    // Where faces of symmetric differences coincide, the order decides whose
+    // they are.
+    const bool joins = kind != NodeKind::kSymmetricDifference;
+    append(step, step.left, joins && is(step.left, kind));
+    append(
+        step, step.right,
+        joins && is(step.right,
+                    kind == NodeKind::kDifference ? NodeKind::kUnion : kind));
   }
 }
 

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace halfspace::csg {
 namespace {
@@ -32,6 +35,30 @@ TEST(CsgPlan, LongUnionsAreOneStep) {
     EXPECT_EQ(files, "abcd") << text;
     EXPECT_EQ(plan->booleans, 3u);
   }
+}
+
+/// Where faces coincide, another order would give them to others.
+TEST(CsgPlan, SymmetricDifferencesStayAsTheyStand) {
+  for (const auto& [text, terms] : {std::pair{"'a'^('b'^'c')", 2u},
+                                    {"('a'^'b')^('c'^'d')", 2u},
+                                    {"'a'^'b'^'c'", 2u},
+                                    {"'a'^('b'|'c'|'d')", 2u}}) {
+    const Result<Plan> plan = planned(text);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(result_of(*plan).terms.size(), terms) << text;
+  }
+  // A call of many takes them two by two.
+  std::string call = "symmetric_difference('a0'";
+  for (int i = 1; i < 32; ++i) call += ", 'a" + std::to_string(i) + "'";
+  const Result<Plan> plan = planned(call + ")");
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->booleans, 31u);
+  std::vector<int> depth(plan->steps.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    for (const std::int32_t term : plan->steps[i].terms)
+      depth[i] = std::max(depth[i], depth[static_cast<std::size_t>(term)] + 1);
+  }
+  EXPECT_EQ(depth.back(), 5);
 }
 
 TEST(CsgPlan, DifferencesGatherWhatGoes) {

@@ -76,6 +76,7 @@ std::int32_t ScadTranslator::add_mesh(const ScadCall& call, io::Mesh mesh) {
 /// The nodes combined from left to right; -1 for none.
 std::int32_t ScadTranslator::joined(NodeKind kind, const ScadCall& call,
                                     const std::vector<std::int32_t>& nodes) {
+  if (kind == NodeKind::kSymmetricDifference) return paired(call, nodes);
   std::int32_t result = -1;
   for (const std::int32_t node : nodes) {
     if (result < 0) {
@@ -88,6 +89,23 @@ std::int32_t ScadTranslator::joined(NodeKind kind, const ScadCall& call,
     result = add(made);
   }
   return result;
+}
+
+/// The symmetric difference, two by two: plans leave their order.
+std::int32_t ScadTranslator::paired(const ScadCall& call,
+                                    std::vector<std::int32_t> nodes) {
+  while (nodes.size() > 1) {
+    std::vector<std::int32_t> pairs;
+    for (std::size_t i = 0; i + 1 < nodes.size(); i += 2) {
+      Node made{.kind = NodeKind::kSymmetricDifference, .place = call.place};
+      made.left = nodes[i];
+      made.right = nodes[i + 1];
+      pairs.push_back(add(made));
+    }
+    if (nodes.size() % 2 == 1) pairs.push_back(nodes.back());
+    nodes = std::move(pairs);
+  }
+  return nodes.empty() ? -1 : nodes.front();
 }
 
 bool ScadTranslator::begin_extrusion(const ScadCall& call) {

@@ -57,6 +57,7 @@ class ScadTranslator {
   std::int32_t add_mesh(const ScadCall& call, io::Mesh mesh);
   std::int32_t joined(NodeKind kind, const ScadCall& call,
                       const std::vector<std::int32_t>& nodes);
+  std::int32_t paired(const ScadCall& call, std::vector<std::int32_t> nodes);
   std::optional<std::size_t> fragments(const ScadCall& call,
                                        const io::Number& radius) const;
 

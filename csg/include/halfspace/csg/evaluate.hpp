@@ -20,10 +20,10 @@ namespace halfspace::csg {
 /// point), a Result<Value>; and combine(NodeKind, Value, Value) for
 /// the four booleans.
 ///
-/// Long unions, intersections and symmetric differences are balanced: each
-/// solid takes part in about as many booleans as their number has bits. Their
-/// order stays, so of faces that coincide the first solid's is kept. Where an
-/// algebra has takes_all(NodeKind) and that says so, its combine_all(NodeKind,
+/// Long unions and intersections are balanced: each solid takes part in about
+/// as many booleans as their number has bits. Their order stays, so of faces
+/// that coincide the first solid's is kept. Where an algebra has
+/// takes_all(NodeKind) and that says so, its combine_all(NodeKind,
 /// std::vector<Value>) is given 64 at once.
 template <class Algebra>
 class Evaluator {
