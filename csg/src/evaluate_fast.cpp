@@ -128,7 +128,7 @@ fast::Solid merged_by(fast::Solid solid, MergeRule rule) {
 /// have, where there may be several.
 fast::Solid in_order_for(MergeRule rule, fast::Solid solid) {
   return rule == MergeRule::kColor || rule == MergeRule::kPlane
-             ? fast::canonical(solid, false)
+             ? fast::canonical(solid)
              : std::move(solid);
 }
 
@@ -137,6 +137,7 @@ fast::Solid in_order_for(MergeRule rule, fast::Solid solid) {
 std::optional<Scene> scene_of(const fast::ExportedMesh& mesh, Unit unit) {
   if (mesh.moved > 0) return std::nullopt;
   io::Mesh exact;
+  bool any_two = false, any_five = false;
   for (const auto& vertex : mesh.vertices) {
     std::array<io::Number, 3> at;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -144,13 +145,17 @@ std::optional<Scene> scene_of(const fast::ExportedMesh& mesh, Unit unit) {
       if (at[k].mantissa == 0) continue;
       at[k].two += unit.exponent;
       at[k].five += unit.base == 10 ? unit.exponent : 0;
+      at[k] = io::normalised(at[k].mantissa, at[k].two, at[k].five);
+      any_five = any_five || at[k].five < 0;
+      any_two = any_two || at[k].two < 0;
     }
     exact.vertices.push_back(at);
   }
   exact.first_corner = mesh.first_corner;
   exact.corners = mesh.corners;
   exact.face_colors.assign(mesh.colors.begin(), mesh.colors.end());
-  exact.decimal = unit.base == 10;
+  // Whichever the operands were (S1.7): halves are no decimals.
+  exact.decimal = any_five || !any_two;
   Result<io::Imported> imported = io::import_scene(exact, {});
   if (!imported || imported->report.moved > 0 ||
       imported->scene.polygon_count() != mesh.faces.size())
@@ -216,12 +221,18 @@ void take_polygons(const fast::Solid& solid, const Mesh& mesh, Unit unit,
   }
 }
 
-/// The result as an exact scene, if a grid holds it.
-std::optional<Scene> exact_scene(fast::Solid& solid,
+/// The result as an exact scene, if some grid holds it, which need not be that
+/// of the operands.
+std::optional<Scene> exact_scene(fast::Solid& result_solid,
                                  const EvaluateOptions& options,
                                  Outcome& result) {
-  if (options.number == fast::FileNumber::kFloat || !is_on_grid(solid))
-    return std::nullopt;
+  if (options.number == fast::FileNumber::kFloat) return std::nullopt;
+  std::optional<fast::Solid> moved;
+  if (!is_on_grid(result_solid)) {
+    moved = fast::on_points(result_solid);
+    if (!moved) return std::nullopt;
+  }
+  fast::Solid& solid = moved ? *moved : result_solid;
   const Unit unit = solid.unit;
   // In steps, doubles hold every point of the grid.
   solid.unit = {2, 0};
@@ -285,9 +296,8 @@ Outcome exact_outcome(fast::Solid solid, const Plan& plan,
   parts.expand(solid);
   // What has no face conforms, whatever was known of that on the way.
   solid.is_conforming = solid.is_conforming || solid.faces.empty();
-  solid = fast::canonical(
-      merged_by(in_order_for(options.merge, std::move(solid)), options.merge),
-      true);
+  solid = fast::canonical_for_file(
+      merged_by(in_order_for(options.merge, std::move(solid)), options.merge));
   if (!note_closed(solid, result)) return result;
   result.faces = solid.faces.size();
   const fast::ExportedMesh mesh =
@@ -315,8 +325,7 @@ Result<Outcome> outcome_of(fast::Solid solid, const EvaluateOptions& options) {
   };
   if (!is_closed(solid)) return result;
   solid = fast::canonical(
-      merged_by(in_order_for(options.merge, std::move(solid)), options.merge),
-      false);
+      merged_by(in_order_for(options.merge, std::move(solid)), options.merge));
   result.faces = solid.faces.size();
   if (!is_closed(solid)) return result;
   result.scene = exact_scene(solid, options, result);

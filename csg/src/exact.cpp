@@ -277,19 +277,7 @@ SolidData placed(const SolidData& data, const Matrix& matrix, const Unit& unit,
 }
 
 SolidData in_least_grid(SolidData data) {
-  Unit unit = data.unit;
   std::vector<GridPoint> points = grid_points_of(data);
-  const std::int64_t base = unit.base;
-  const auto is_multiple = [base](const GridPoint& p) {
-    return p.x % base == 0 && p.y % base == 0 && p.z % base == 0;
-  };
-  while (unit.exponent < 0 &&
-         std::all_of(points.begin(), points.end(), is_multiple)) {
-    for (GridPoint& p : points) p = {p.x / base, p.y / base, p.z / base};
-    ++unit.exponent;
-  }
-  if (unit != data.unit)
-    data = placed(data, identity_matrix(), unit, data.grid_bits);
   const std::vector<GridPoint> box = box_of_meets(data);
   points.insert(points.end(), box.begin(), box.end());
   const std::optional<ExactNeed> need = need_of(data, identity_matrix());

@@ -125,8 +125,8 @@ TEST(S6Order, L21TheOrderOfOperandsDoesNotMatter) {
   law::for_all_solids(
       [&](const generate::SolidPair& solids) {
         const auto [one, other] = two_ways(solids, seed++);
-        const fast::Solid a = fast::canonical(one, false);
-        const fast::Solid b = fast::canonical(other, false);
+        const fast::Solid a = fast::canonical(one);
+        const fast::Solid b = fast::canonical(other);
         HALFSPACE_LAW(in_one_order(a, b));
         HALFSPACE_LAW(same_when_rounded(a, b));
         if (!in_one_order(one, other)) cases.meet("the order was another");
@@ -143,7 +143,7 @@ TEST(S6Order, FaultsInTheOrderAreFound) {
   law::for_all_solids(
       [&](const generate::SolidPair& solids) {
         const fast::Solid right =
-            fast::canonical(two_ways(solids, seed++).first, false);
+            fast::canonical(two_ways(solids, seed++).first);
         if (right.faces.size() < 2) return;
         fast::Solid wrong = right;
         std::swap(wrong.faces.front(), wrong.faces.back());

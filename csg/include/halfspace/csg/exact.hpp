@@ -33,8 +33,7 @@ std::optional<ExactNeed> need_of(const SolidData& data, const Matrix& matrix);
 SolidData placed(const SolidData& data, const Matrix& matrix, const Unit& unit,
                  int grid_bits);
 
-/// The same solid in the coarsest unit of at most 1 that holds its points and
-/// those of its planes, on the least grid, as import chooses them (S1.7).
+/// The same solid on the least grid that holds its points and planes.
 SolidData in_least_grid(SolidData data);
 
 /// The solid with every face turned round. Nobody vouches for it.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "halfspace/fast/solid.hpp"
 
 namespace halfspace::fast {
@@ -10,16 +12,27 @@ namespace halfspace::fast {
 /// from their first vertex on. So what is made of it does not depend on how it
 /// was made: of booleans in one run, or of a file that was written on the way.
 ///
-/// With `names`: where more than three planes meet in a vertex it is named by
-/// the first three that do; an edge names the first plane of another face
-/// there; and a plane the first point of the grid that is a vertex on it, if
-/// there is one, and else a point that its place in space decides: of the
-/// coarsest grid, of powers of the unit's base, that has points on it, the
-/// nearest to the origin.
-/// Nothing but a file of an exact solid shows these.
-///
 /// Half-spaces and other unbounded solids are left as they are.
+/// Exact: yes. Cost: linear, and a sort of the vertices.
+Solid canonical(const Solid& solid);
+
+/// The same with what a file shows besides: the solid's own unit, and so the
+/// points of its table: the coarsest of at most 1 with which the planes of all
+/// faces have points on the grid, and finer if vertices have to be points (F7).
+/// Where more than three planes meet in a vertex it is named by the first three
+/// that do; an edge names the first plane of another face there; and a plane
+/// the first point of the grid that is a vertex on it, if there is one, and
+/// else the one that is nearest to the origin.
+///
 /// Exact: yes. Cost: linear, and a sort of the edges.
-Solid canonical(const Solid& solid, bool names);
+Solid canonical_for_file(const Solid& solid);
+
+/// The same solid on a grid of 54 bits that has all of its vertices as points,
+/// if some grid has, of the coarsest unit of at most 1.
+///
+/// Requires: it is bounded, and has a face.
+/// Exact: yes. Cost: where the first vertex that is on no grid here is on none,
+///        as nearly always, next to nothing.
+std::optional<Solid> on_points(const Solid& solid);
 
 }  // namespace halfspace::fast

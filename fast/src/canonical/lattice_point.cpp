@@ -1,10 +1,9 @@
-#include "solid/lattice_point.hpp"
+#include "canonical/lattice_point.hpp"
 
 #include <array>
 #include <cstddef>
 #include <utility>
 
-#include "exact/big_rational.hpp"
 #include "halfspace/big_integer.hpp"
 
 namespace halfspace::fast {
@@ -127,40 +126,26 @@ class PlaneLattice {
 
 }  // namespace
 
-GridPoint lattice_point(const Vector3<Int128>& normal, const GridPoint& point,
-                        int base, int grid_bits) {
-  Vector n = {to_big<Big>(normal.x), to_big<Big>(normal.y),
-              to_big<Big>(normal.z)};
-  const Big divisor = gcd(n[0], gcd(n[1], n[2]));
-  for (Big& c : n) c /= divisor;
-  const Big limit = Big(1) << (grid_bits - 1);
-  Big d = dot(n, {point.x, point.y, point.z});
-  if (d == 0) return {};
-  Big step = 1;
-  while (d % base == 0 && step < limit) {
-    d /= base;
-    step *= base;
-  }
-  const int zeros = int{n[0] == 0} + int{n[1] == 0} + int{n[2] == 0};
-  if (zeros == 2) {
-    return {n[0] == 0 ? 0 : point.x, n[1] == 0 ? 0 : point.y,
-            n[2] == 0 ? 0 : point.z};
-  }
-  const PlaneLattice lattice(n);
-  for (;; step /= base, d *= base) {
-    Vector at = lattice.nearest(d);
-    bool is_on_grid = true;
-    for (Big& c : at) {
-      c *= step;
-      is_on_grid = is_on_grid && c >= -limit && c < limit;
+std::optional<GridPoint> lattice_point(const Vector3<Int128>& normal,
+                                       const BigInteger& offset) {
+  const Vector n = {to_big<Big>(normal.x), to_big<Big>(normal.y),
+                    to_big<Big>(normal.z)};
+  Vector at;
+  if (offset != 0) {
+    const int zeros = int{n[0] == 0} + int{n[1] == 0} + int{n[2] == 0};
+    if (zeros == 2) {
+      for (std::size_t k = 0; k < 3; ++k) at[k] = n[k] * offset;
+    } else {
+      at = PlaneLattice(n).nearest(offset);
     }
-    if (is_on_grid) {
-      return {at[0].convert_to<std::int64_t>(),
-              at[1].convert_to<std::int64_t>(),
-              at[2].convert_to<std::int64_t>()};
-    }
-    if (step == 1) return point;
   }
+  const Big limit = Big(1) << 53;
+  for (const Big& c : at) {
+    if (c < -limit || c >= limit) return std::nullopt;
+  }
+  return GridPoint{at[0].convert_to<std::int64_t>(),
+                   at[1].convert_to<std::int64_t>(),
+                   at[2].convert_to<std::int64_t>()};
 }
 
 }  // namespace halfspace::fast
