@@ -1,6 +1,7 @@
 #include "rounding/file_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -27,7 +28,7 @@ NumberRange range_of(FileNumber number) {
 
 }  // namespace
 
-bool FileGrid::choose(double greatest, Unit unit, FileNumber number) {
+bool FileGrid::choose(double greatest, int exponent, FileNumber number) {
   number_ = number;
   const NumberRange range = range_of(number);
   if (!(greatest > 0) || !std::isfinite(greatest)) return false;
@@ -35,10 +36,9 @@ bool FileGrid::choose(double greatest, Unit unit, FileNumber number) {
   std::frexp(greatest, &end);  // greatest < 2^end
   if (end > range.end_exponent || end <= range.low_exponent) return false;
   const int spacing = std::max(end - range.digits, range.low_exponent);
-  step_exponent_ = spacing;
-  if (unit.base == 2)
-    step_exponent_ =
-        std::max(std::min(spacing, unit.exponent), range.low_exponent);
+  // 54 bits hold steps of 2^(end - 53).
+  step_exponent_ =
+      std::max({std::min(spacing, exponent), end - 53, range.low_exponent});
   spacing_ = std::int64_t{1} << (spacing - step_exponent_);
   end_ = std::ldexp(1.0, end - step_exponent_);
   digits_ = range.digits;
@@ -86,6 +86,14 @@ GridPoint FileGrid::rounded(const StepPoint& at, std::int64_t width) const {
     return static_cast<std::int64_t>(result);
   };
   return {round(at[0]), round(at[1]), round(at[2])};
+}
+
+int last_digit(double value) {
+  int exponent = 0;
+  const auto digits =
+      static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+  return exponent - 53 +
+         std::countr_zero(static_cast<std::uint64_t>(std::abs(digits)));
 }
 
 double distance(const StepPoint& from, const GridPoint& to) {

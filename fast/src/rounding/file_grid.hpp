@@ -15,14 +15,15 @@ using StepPoint = std::array<double, 3>;
 
 /// The grid on which a mesh is rounded, and the numbers of the file on it.
 ///
-/// A step is the unit of the solid, if that is a power of two, so that its
-/// vertices are points of the grid; or that to which the others are rounded, if
-/// it is less. The file's numbers are multiples of neither.
+/// A step is a power of two of which those vertices are multiples that doubles
+/// hold, as far as 54 bits do; or that to which the others are rounded, if it
+/// is less. The file's numbers are multiples of neither.
 class FileGrid {
  public:
-  /// The grid for coordinates of up to `greatest`, more than 0, in size.
+  /// The grid for coordinates of up to `greatest`, more than 0, in size, of
+  /// which those that stay are multiples of 2^exponent.
   /// False: numbers do not reach so far, or are all farther apart.
-  bool choose(double greatest, Unit unit, FileNumber number);
+  bool choose(double greatest, int exponent, FileNumber number);
   /// The grid of all points of a scene's grid of `bits` bits, whose unit is its
   /// step: for a surface that stays there.
   static FileGrid of_bits(int bits);
@@ -67,5 +68,8 @@ double distance(const StepPoint& from, const GridPoint& to);
 
 /// Whether rounding to doubles left a coordinate of a solid's vertex as it is.
 bool is_exact(const Solid& solid, std::int32_t vertex);
+
+/// The exponent of the last binary digit of a double that is not 0.
+int last_digit(double value);
 
 }  // namespace halfspace::fast

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <string>
@@ -39,15 +40,16 @@ class Rounding {
     for (const auto& at : exported_.vertices) {
       for (const double c : at) greatest = std::max(greatest, std::abs(c));
     }
-    if (!grid_.choose(greatest, solid_.unit, options_.number)) {
+    if (!grid_.choose(greatest, least_exponent(), options_.number)) {
       return Error{ErrorCode::kOutOfRange,
                    "the solid's coordinates go up to " + text(greatest) +
                        ", which the file's numbers do not hold"};
     }
     // Loose points are known to half a unit in their last place, and with a
-    // power of ten to a few.
+    // long power of ten to a few.
     exact_.error =
-        grid_.steps(greatest) * (solid_.unit.base == 2 ? 0x1p-53 : 0x1p-50);
+        grid_.steps(greatest) *
+        (exported_.max_move <= greatest * 0x1p-53 ? 0x1p-53 : 0x1p-50);
     begin();
     moved_ = exact_.loose.size();
     turn_thin_ones();
@@ -81,6 +83,7 @@ class Rounding {
         .subspan(first, exported_.first_corner[polygon + 1] - first);
   }
 
+  int least_exponent() const;
   void begin();
   void turn_thin_ones();
   double drop_limit() const;
@@ -99,6 +102,19 @@ class Rounding {
   double drop_move_ = 0;   ///< by dropping corners; in steps
   Settled settled_;
 };
+
+/// The exponent of the last digit of vertices that are doubles, whatever the
+/// solid's grid is.
+int Rounding::least_exponent() const {
+  int least = std::numeric_limits<int>::max();
+  for (std::size_t v = 0; v < exported_.vertices.size(); ++v) {
+    if (!is_exact(solid_, exported_.points[v])) continue;
+    for (const double c : exported_.vertices[v]) {
+      if (c != 0) least = std::min(least, last_digit(c));
+    }
+  }
+  return least;
+}
 
 void Rounding::begin() {
   const std::size_t count = exported_.vertices.size();

@@ -8,6 +8,7 @@
 
 #include "base/id_map.hpp"
 #include "base/parallel.hpp"
+#include "solid/decimal_place.hpp"
 #include "solid/face_projection.hpp"
 #include "solid/face_triangulation.hpp"
 #include "solid/vertex_order.hpp"
@@ -182,22 +183,29 @@ Moves place_vertices(const Solid& solid, const List<std::int32_t>& order,
                      std::vector<std::uint8_t>& moved, ExportedMesh& mesh) {
   const GeometryTable& table = *solid.table;
   Moves moves;
+  const Unit& unit = solid.unit;
+  const bool is_decimal =
+      unit.base == 10 && unit.exponent <= 0 && unit.exponent >= -kMostDigits;
   for (std::size_t i = first; i < last; ++i) {
     constexpr std::size_t kAhead = 16;
     if (i + kAhead < last) table.prefetch_vertex(order[i + kAhead]);
     bool rounded = false;
-    std::array<double, 3> at = table.nearest(order[i], rounded);
-    for (double& coordinate : at) coordinate = scaled(coordinate, solid.unit);
-    mesh.vertices[i] = at;
-    if (!rounded && solid.unit.base == 2) continue;
-    // Half a unit in the last place, and 2^-51 for a power of ten and what is
-    // done with it.
+    std::array<double, 3>& at = mesh.vertices[i];
+    if (is_decimal) {
+      at = decimal_place(table, order[i], -unit.exponent);
+    } else {
+      at = table.nearest(order[i], rounded);
+      for (double& coordinate : at) coordinate = scaled(coordinate, unit);
+    }
+    if (!rounded && unit.base == 2) continue;
+    // Half a unit in the last place, and 2^-51 for a long power of ten and what
+    // is done with it.
     const double size =
         std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
     moved[i] = 1;
     ++moves.count;
-    moves.most =
-        std::max(moves.most, size * (solid.unit.base == 2 ? 0x1p-53 : 0x1p-50));
+    moves.most = std::max(
+        moves.most, size * (unit.base == 2 || is_decimal ? 0x1p-53 : 0x1p-50));
   }
   return moves;
 }
