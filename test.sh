@@ -76,7 +76,7 @@ step "tools/mutate.py --stale" python3 tools/mutate.py --stale
 for script in tools/check_laws.py tools/check_mirror.py tools/check_rooms.py \
   tools/test/check_rooms_test.py tools/test/check_traceability_test.py \
   tools/test/mutate_test.py tools/test/verify_test.py \
-  tools/test/round_trips_test.py \
+  tools/test/round_trips_test.py tools/test/chains_test.py \
   tools/test/check_proofs_test.py tools/check_oracle.py \
   tools/test/check_oracle_test.py; do
   step "$script" python3 "$script"

@@ -121,7 +121,27 @@ tetrahedron '-1 0.5 0' '3 -1 0.25' '2 3 0' '1 1 3.5' >a.off
 tetrahedron '0 0 0' '4 1 0' '1 4 1' '1 1 5' >t.off
 chain 'A & half(2, 0.5, -2, 2, -2, -2, 0, 3, 1)' '&' 'A & "t.off"'
 chain 'A & half(0, 3, 0.1, 0.5, 0.5, 0.1, 0.5, 1.25, 1)' '&' 'A - box(1, 1, 2)'
+# What is a point on one grid and none on another is the same in files, and so
+# are numbers that are rounded; of symmetric differences the order stays.
+hull='hull(-1.5, 1.7, 0.24, 2, -1, -1, 1, -0.3, -2.5, -1, 3, 0, -3, -0.5, -3)'
+turn='0.6, -0.8, 0, 0, 0.8, 0.6, 0, 0, 0, 0, 1, 0'
+tetrahedron '-2.8 -4 2' '0 2.875 -3.31' '0.4 -2 2' '3 -2.5 3.72' >a.off
+tetrahedron '1 -3 1' '1 0.7 -3' '-1.67 1.875 3' '2 3 2' >t.off
+expect 0 closed csg 'A - "t.off"' A=a.off -o x1.hsolid
+expect 0 closed csg 'cylinder(4.5, 3.75, 7) - (A - "t.off")' A=a.off -o whole.hsolid
+expect 0 closed csg 'cylinder(4.5, 3.75, 7) - X1' X1=x1.hsolid -o chained.hsolid
+same chained.hsolid whole.hsolid
+chain "matrix($hull & half(y > 0.5), $turn) | A - A" '-' A
+chain 'A - A | cylinder(1.8, 1, 6)' '^' '(box(4, 4, 2.5) | A - A) ^ box(4, 4, 2.5)'
+chain 'A - A' '|' 'A & box(2) - A'
 box 0 0 0 3 3 3 >a.off
+# The unit and the bits are the solid's own, not those of what it was cut from.
+"$program" csg 'box(2, 3, 4) - translate(box(1), 9.125, 0.3, 1e-9)' -o - \
+  --format hsolid-text | sed -n 2,3p >own.txt
+printf 'unit 10 0\ngrid 26\n' | cmp - own.txt || wrong "own unit: $(cat own.txt)"
+"$program" csg 'box(2.25, 3, 4) - half(z > 3.125)' -o - \
+  --format hsolid-text | sed -n 2,3p >own.txt
+printf 'unit 2 -3\ngrid 26\n' | cmp - own.txt || wrong "own unit: $(cat own.txt)"
 
 # Primitives are called by what they are, not by where they stood, and have no
 # colour; a colour of a file goes on.
