@@ -474,14 +474,21 @@ TEST_F(ViewerSession, ColoursArePartsAndFacesAndBackSides) {
     const auto red = static_cast<std::uint8_t>((256 + light) / 2);
     ASSERT_EQ(marked->pixels[k], (Rgb{red, 0, 0}));
   }
-  // Marks are blended, too: one face over what is behind the box.
-  session.change([](State& s) { s.looks.alpha = 100; });
-  settle(session);
-  const auto blended = finished(session);
-  const Rgb ground = session.state().looks.background;
-  for (std::size_t k = 0; k < marked->pixels.size(); ++k) {
+  // Marks are blended, too: of the box alone one face over the background.
+  Session alone(state_of({box_}), nullptr, ignore);
+  alone.set_size(160, 120);
+  settle(alone);
+  ASSERT_TRUE(alone.set_camera(camera));
+  alone.change([](State& s) { s.looks.back_color = Rgb{255, 0, 0}; });
+  settle(alone);
+  const auto opaque = finished(alone);
+  alone.change([](State& s) { s.looks.alpha = 100; });
+  settle(alone);
+  const auto blended = finished(alone);
+  const Rgb ground = alone.state().looks.background;
+  for (std::size_t k = 0; k < opaque->pixels.size(); ++k) {
     ASSERT_EQ(blended->pixels[k],
-              composed_color(marked->pixels[k], ground, 100));
+              composed_color(opaque->pixels[k], ground, 100));
   }
 }
 
