@@ -11,10 +11,12 @@
 #include "halfspace/fast/build.hpp"
 #include "halfspace/fast/image/lazy_tree.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/fast/shade/scalars.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/mesh.hpp"
 #include "halfspace/ray.hpp"
 #include "halfspace/threads.hpp"
+#include "halfspace/visible_map.hpp"
 
 namespace halfspace {
 namespace detail {
@@ -88,8 +90,10 @@ struct [[gnu::visibility("hidden")]] Display::State {
   Result<ImageOptions> options_of(const View& view);
   /// Requires: the mutex; view.caps.
   Result<std::shared_ptr<const CapParts>> cap_parts_of(const View& view);
+  /// The picture, of the display's polygons; in the colours of scalars where
+  /// there are any, and then not of exact areas.
   Result<fast::Rendering> rendered(const View& view,
-                                   const std::optional<fast::Rectangle>& part);
+                                   const fast::ScalarColors* scalars = nullptr);
 
   Hit hit_of(const RayHit& hit, const Ray& ray) const;
   std::vector<Hit> hits_of(const Ray& ray);
@@ -105,6 +109,14 @@ glm::dvec3 vector_of(const Point& p);
 
 /// The camera of a view. Errors: those of Display::render().
 Result<Camera> camera_of(const Scene& scene, const View& view);
+
+/// The clip planes of a view (S10.1): a normal of 1 and its offset in the steps
+/// of the scene.
+Result<std::vector<ClipPlane>> clips_of(const Scene& scene, const View& view);
+
+/// How a view looks at polygons, where it is not at exact areas of them.
+/// Errors: kOutOfRange (too many samples).
+Result<Look> look_of(const View& view);
 
 /// A step of a grid. Units: model units.
 double step_of(const Unit& unit);

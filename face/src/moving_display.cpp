@@ -8,7 +8,13 @@
 #include <vector>
 
 #include "display_state.hpp"
+#include "halfspace/boolean.hpp"
+#include "halfspace/cap_parts.hpp"
+#include "halfspace/fast/area_image.hpp"
+#include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/flat_scene.hpp"
 #include "halfspace/fast/image/moving.hpp"
+#include "halfspace/fast/shade/look.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/io/objects.hpp"
 #include "halfspace/io/picture.hpp"
@@ -23,7 +29,8 @@ struct [[gnu::visibility("hidden")]] MovingDisplay::State {
   struct GivenModel {
     Scene scene;
     std::vector<PolygonId> faces;  ///< by polygon of the scene
-    bool is_changed = true;        ///< objects came or went since its tree
+    bool is_closed = false;
+    bool is_changed = true;  ///< objects came or went since its tree
   };
 
   struct GivenObject {
@@ -60,6 +67,15 @@ struct [[gnu::visibility("hidden")]] MovingDisplay::State {
   /// Makes what changed since the last picture.
   Result<Done> prepare(const View& view);
   Result<Placement> placed() const;
+  Result<ImageOptions> options_of(const View& view) const;
+  /// The picture by a look, or of exact areas: that of the scene of all that
+  /// has moved (S12.7), with a tree of it.
+  Result<fast::Rendering> flat_image(
+      const View& view, const Look& look, const Placement& placement,
+      const Camera& camera, const ImageOptions& options) const;
+  /// The number of an occurrence's object.
+  std::int32_t object_of(std::size_t occurrence) const;
+  MovingPicture picture_of(fast::Rendering image, bool is_told_apart) const;
   /// An error of the assembly in the numbers of objects.
   Error named(Error error, std::int32_t object) const {
     error.message = "object " + std::to_string(object) + ": " + error.message;
@@ -75,7 +91,9 @@ auto MovingDisplay::State::model_of(const Mesh& mesh) -> Result<GivenModel> {
   if (!imported) return imported.error();
   if (imported->scene.polygon_count() == 0)
     return Error{ErrorCode::kEmpty, "there are no polygons to look at"};
-  return GivenModel{std::move(imported->scene), std::move(imported->faces)};
+  const bool is_closed = bad_edges(imported->scene).empty();
+  return GivenModel{std::move(imported->scene), std::move(imported->faces),
+                    is_closed};
 }
 
 Result<Done> MovingDisplay::State::prepare(const View& view) {
@@ -134,7 +152,8 @@ Result<Placement> MovingDisplay::State::placed() const {
       const GivenObject& object = objects[number];
       if (!object.map) continue;
       const Scene& inner = assembly.model(object.model).scene;
-      pose.maps[m][k] = io::object_map(*object.map, inner.unit(), owner.unit());
+      pose.maps[m][k] = io::object_map(*object.map, inner.unit(), owner.unit(),
+                                       io::most_shift(assembly));
     }
   }
   Result<Placement> placement = make_placement(assembly, pose);
@@ -146,6 +165,106 @@ Result<Placement> MovingDisplay::State::placed() const {
       occurrences[static_cast<std::size_t>(here.owner)].model);
   return named(placement.error(),
                made->numbers[owner][static_cast<std::size_t>(here.object)]);
+}
+
+Result<ImageOptions> MovingDisplay::State::options_of(const View& view) const {
+  const Assembly& assembly = made->assembly;
+  ImageOptions options;
+  options.cull = view.cull;
+  options.background = view.background;
+  const auto clips = detail::clips_of(assembly.models()[0].scene, view);
+  if (!clips) return clips.error();
+  options.clips = *clips;
+  if (!view.caps) return options;
+  options.caps = view.caps;
+  for (const GivenModel& model : models) {
+    if (model.is_closed) continue;
+    return Error{ErrorCode::kOpen,
+                 "caps fill solids, and one of the models is not closed"};
+  }
+  if (!view.caps_by_solid) return options;
+  std::vector<std::uint32_t> owners(assembly.polygon_count());
+  const auto& all = assembly.occurrences();
+  for (std::size_t o = 0; o < all.size(); ++o) {
+    std::fill_n(owners.begin() + all[o].first_polygon,
+                assembly.model(all[o].model).scene.polygon_count(),
+                static_cast<std::uint32_t>(o));
+  }
+  options.parts = told_apart(std::move(owners), *view.caps);
+  return options;
+}
+
+Result<fast::Rendering> MovingDisplay::State::flat_image(
+    const View& view, const Look& look, const Placement& placement,
+    const Camera& camera, const ImageOptions& options) const {
+  const auto flat = fast::flat_scene(made->assembly, placement, camera);
+  if (!flat) return flat.error();
+  const auto own = flat_options(*flat, options);
+  if (!own) return own.error();
+  fast::DisplayTreeOptions building;
+  building.threads = std::max(view.threads, 0);
+  building.progress = view.progress;
+  fast::BspTree tree = fast::build_display_tree(flat->scene, building);
+  if (tree.nodes.empty()) return detail::stopped();
+  fast::RenderOptions how;
+  how.threads = building.threads;
+  fast::Rendering image =
+      fast::render_look(flat->scene, tree, flat->camera, *own, look, how);
+  if (view.anti_aliasing == AntiAliasing::kExactArea) {
+    fast::divide_leaves(tree, flat->scene);
+    image.colors =
+        fast::render_area(flat->scene, tree, flat->camera, *own, how.threads)
+            .colors;
+  }
+  for (PolygonId& item : image.items.pixels)
+    item = moved_item(made->assembly, *flat, item);
+  return image;
+}
+
+std::int32_t MovingDisplay::State::object_of(std::size_t occurrence) const {
+  if (occurrence == 0) return 0;
+  const auto& all = made->assembly.occurrences();
+  const Occurrence& here = all[occurrence];
+  const auto owner =
+      static_cast<std::size_t>(all[static_cast<std::size_t>(here.owner)].model);
+  return made->numbers[owner][static_cast<std::size_t>(here.object)];
+}
+
+MovingPicture MovingDisplay::State::picture_of(fast::Rendering image,
+                                               bool is_told_apart) const {
+  const Assembly& assembly = made->assembly;
+  MovingPicture picture{std::move(image.colors), image.items,
+                        std::move(image.items)};
+  // Occurrences by the ids of their first polygons.
+  std::vector<std::pair<PolygonId, std::size_t>> firsts;
+  const auto& occurrences = assembly.occurrences();
+  for (std::size_t o = 0; o < occurrences.size(); ++o) {
+    if (assembly.model(occurrences[o].model).scene.polygon_count() > 0)
+      firsts.emplace_back(occurrences[o].first_polygon, o);
+  }
+  std::sort(firsts.begin(), firsts.end());
+  const auto count = static_cast<PolygonId>(assembly.polygon_count());
+  for (std::size_t i = 0; i < picture.polygons.pixels.size(); ++i) {
+    std::int32_t& object = picture.objects.pixels[i];
+    std::int32_t& polygon = picture.polygons.pixels[i];
+    if (polygon == kBackground) continue;
+    if (polygon >= count) {
+      const CapItem cap = cap_item(static_cast<std::size_t>(polygon - count));
+      const bool is_told = is_told_apart && cap.part < occurrences.size();
+      object = is_told ? object_of(cap.part) : kBackground;
+      polygon = kFirstCap - static_cast<std::int32_t>(cap.plane);
+      continue;
+    }
+    const auto after = std::upper_bound(
+        firsts.begin(), firsts.end(), polygon,
+        [](PolygonId id, const auto& first) { return id < first.first; });
+    const auto& [first, o] = *std::prev(after);
+    const GivenModel& model =
+        models[static_cast<std::size_t>(occurrences[o].model)];
+    object = object_of(o);
+    polygon = model.faces[static_cast<std::size_t>(polygon - first)];
+  }
+  return picture;
 }
 
 MovingDisplay::MovingDisplay(std::unique_ptr<State> state)
@@ -251,14 +370,12 @@ Result<Done> MovingDisplay::hide(std::int32_t object) {
 
 Result<MovingPicture> MovingDisplay::render(const View& view) const {
   State& state = *state_;
-  if (!view.clips.empty() || view.caps ||
-      view.anti_aliasing != AntiAliasing::kNone) {
-    return Error{ErrorCode::kOutOfRange,
-                 "objects have no clip planes and no anti-aliasing"};
-  }
-  if (view.back_color) return detail::no_marks();
-  if (view.alpha != kOpaque)
-    return detail::no_alpha("in pictures of objects that move");
+  const bool is_exact = view.anti_aliasing == AntiAliasing::kExactArea;
+  if (view.back_color && is_exact) return detail::no_marks();
+  if (view.alpha != kOpaque && is_exact)
+    return detail::no_alpha("in pictures of exact areas");
+  const Result<Look> look = detail::look_of(view);
+  if (!look) return look.error();
   const Lock lock(state.mutex);
   const Result<Done> prepared = state.prepare(view);
   if (!prepared) return prepared.error();
@@ -268,44 +385,22 @@ Result<MovingPicture> MovingDisplay::render(const View& view) const {
   if (!camera) return camera.error();
   const Result<Placement> placement = state.placed();
   if (!placement) return placement.error();
-  ImageOptions options;
-  options.cull = view.cull;
-  options.background = view.background;
+  const Result<ImageOptions> options = state.options_of(view);
+  if (!options) return options.error();
+  const bool is_plain =
+      look->alpha == kOpaque && look->samples == 1 && !look->mark && !is_exact;
+  if (!is_plain) {
+    Result<fast::Rendering> image =
+        state.flat_image(view, *look, *placement, *camera, *options);
+    if (!image) return image.error();
+    return state.picture_of(*std::move(image), view.caps_by_solid);
+  }
   fast::RenderOptions how;
   how.threads = std::max(view.threads, 0);
-  fast::Rendering image = fast::render_moving(
-      assembly, state.made->trees, *placement, *camera, options, how);
-  MovingPicture picture{std::move(image.colors), image.items,
-                        std::move(image.items)};
-  // Occurrences by the ids of their first polygons.
-  std::vector<std::pair<PolygonId, std::size_t>> firsts;
-  const auto& occurrences = assembly.occurrences();
-  for (std::size_t o = 0; o < occurrences.size(); ++o) {
-    if (assembly.model(occurrences[o].model).scene.polygon_count() > 0)
-      firsts.emplace_back(occurrences[o].first_polygon, o);
-  }
-  std::sort(firsts.begin(), firsts.end());
-  for (std::size_t i = 0; i < picture.polygons.pixels.size(); ++i) {
-    std::int32_t& polygon = picture.polygons.pixels[i];
-    if (polygon == kBackground) continue;
-    const auto after = std::upper_bound(
-        firsts.begin(), firsts.end(), polygon,
-        [](PolygonId id, const auto& first) { return id < first.first; });
-    const auto& [first, o] = *std::prev(after);
-    const Occurrence& here = occurrences[o];
-    const State::GivenModel& model =
-        state.models[static_cast<std::size_t>(here.model)];
-    std::int32_t object = 0;
-    if (o > 0) {
-      const auto owner = static_cast<std::size_t>(
-          occurrences[static_cast<std::size_t>(here.owner)].model);
-      object =
-          state.made->numbers[owner][static_cast<std::size_t>(here.object)];
-    }
-    picture.objects.pixels[i] = object;
-    polygon = model.faces[static_cast<std::size_t>(polygon - first)];
-  }
-  return picture;
+  return state.picture_of(
+      fast::render_moving(assembly, state.made->trees, *placement, *camera,
+                          *options, how),
+      view.caps_by_solid);
 }
 
 Result<Done> MovingPicture::save(const std::filesystem::path& path) const {

@@ -71,20 +71,11 @@ Result<io::ScaleRange> scale_range_of(const std::vector<double>& values,
 }  // namespace
 
 struct ScalarDisplay::State {
-  Display display;                           ///< of triangles
-  std::vector<std::int32_t> polygons;        ///< by triangle, that of the mesh
-  std::size_t polygon_count = 0;             ///< of the mesh
-  std::vector<std::int32_t> scene_polygons;  ///< by triangle
-  ScalarField field;                         ///< of the display's scene
+  Display display;                     ///< of triangles
+  std::vector<std::int32_t> polygons;  ///< by triangle, that of the mesh
+  std::size_t polygon_count = 0;       ///< of the mesh
+  ScalarField field;                   ///< of the display's scene
 
-  /// The picture's triangles as polygons of the display's scene.
-  PolygonId scene_id(std::int32_t triangle) const {
-    if (triangle == kBackground) return kBackground;
-    const auto t = static_cast<std::size_t>(triangle);
-    if (t < polygons.size()) return scene_polygons[t];
-    return static_cast<PolygonId>(display.scene().polygon_count() + t -
-                                  polygons.size());
-  }
   std::int32_t polygon_of(std::int32_t triangle) const {
     if (triangle == kBackground) return kBackground;
     const auto t = static_cast<std::size_t>(triangle);
@@ -128,16 +119,11 @@ Result<ScalarDisplay> ScalarDisplay::of(const Mesh& mesh, std::size_t field) {
   triangles.colors = cut.data().colors;
   Result<Display> display = Display::of(std::move(triangles));
   if (!display) return display.error();
-  auto state = std::unique_ptr<State>(new State{*std::move(display),
-                                                imported->faces,
-                                                mesh.polygon_count(),
-                                                {},
-                                                {true, {}}});
+  auto state = std::unique_ptr<State>(new State{
+      *std::move(display), imported->faces, mesh.polygon_count(), {true, {}}});
   const auto of_scene = state->display.polygons_of_scene();
-  state->scene_polygons.assign(imported->faces.size(), kBackground);
-  for (std::size_t p = 0; p < of_scene.size(); ++p) {
-    const auto triangle = static_cast<std::size_t>(of_scene[p]);
-    state->scene_polygons[triangle] = static_cast<std::int32_t>(p);
+  for (const std::int32_t polygon : of_scene) {
+    const auto triangle = static_cast<std::size_t>(polygon);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto corner =
           static_cast<std::size_t>(imported->corner_vertices[3 * triangle + k]);
@@ -160,7 +146,6 @@ Result<Picture> ScalarDisplay::render(const View& view,
     return Error{ErrorCode::kOutOfRange,
                  "scalars colour both sides; back faces have no mark"};
   }
-  if (view.alpha != kOpaque) return detail::no_alpha("where scalars are seen");
   if (view.caps_by_solid) {
     return Error{ErrorCode::kOutOfRange,
                  "where scalars are seen, caps are not told apart by solids"};
@@ -171,30 +156,19 @@ Result<Picture> ScalarDisplay::render(const View& view,
   if (!range) return range.error();
   Result<ColorScale> scale = io::make_scale(*map, *range);
   if (!scale) return scale.error();
-  const Display& display = state_->display;
-  Result<Picture> picture = display.render(view);
-  if (!picture) return picture.error();
-  const Result<Camera> camera = display.camera(view);
-  if (!camera) return camera.error();
-  ImageOptions options;
-  options.background = view.background;
-  options.caps = view.caps;
-  fast::ScalarOptions how;
-  how.samples = static_cast<std::int32_t>(view.anti_aliasing);
-  how.threads = std::max(view.threads, 0);
-  ItemImage items = picture->polygons;
-  for (PolygonId& id : items.pixels) id = state_->scene_id(id);
   const fast::ScalarColors prepared =
-      fast::prepare_scalars(display.scene(), state_->field, *scale);
-  fast::color_scalars(display.scene(), *camera, options, items, prepared, how,
-                      picture->colors);
-  for (std::int32_t& id : picture->polygons.pixels) id = state_->polygon_of(id);
+      fast::prepare_scalars(state_->display.scene(), state_->field, *scale);
+  Result<fast::Rendering> image =
+      state_->display.state_->rendered(view, &prepared);
+  if (!image) return image.error();
+  Picture picture{std::move(image->colors), std::move(image->items)};
+  for (std::int32_t& id : picture.polygons.pixels) id = state_->polygon_of(id);
   if (style.legend) {
     io::Legend legend{
         *std::move(scale), *range, style.title,
         std::any_of(state_->field.values.begin(), state_->field.values.end(),
                     [](double v) { return std::isnan(v); })};
-    io::draw_legend(legend, items, view.background, picture->colors);
+    io::draw_legend(legend, picture.polygons, view.background, picture.colors);
   }
   return picture;
 }

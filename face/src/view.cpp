@@ -8,14 +8,12 @@
 #include "halfspace/boolean.hpp"
 #include "halfspace/cap_parts.hpp"
 #include "halfspace/fast/area_image.hpp"
-#include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/ray.hpp"
-#include "halfspace/fast/shade/back_faces.hpp"
+#include "halfspace/fast/shade/look.hpp"
 #include "halfspace/io/clip.hpp"
 #include "halfspace/io/number.hpp"
 #include "halfspace/io/picture.hpp"
 #include "halfspace/io/ray.hpp"
-#include "halfspace/threads.hpp"
 #include "number.hpp"
 
 /// Pictures of a display, cut open by clip planes or whole, and what is seen at
@@ -63,7 +61,7 @@ Error stopped() { return {ErrorCode::kStopped, "the work was stopped"}; }
 
 Error no_marks() {
   return {ErrorCode::kOutOfRange,
-          "back faces are marked in pictures of one sample a pixel"};
+          "back faces are marked in pictures of samples alone"};
 }
 
 Error no_alpha(const char* where) {
@@ -71,12 +69,6 @@ Error no_alpha(const char* where) {
           std::string("polygons are opaque ") + where + "; leave out alpha"};
 }
 
-}  // namespace detail
-
-namespace {
-
-/// The clip planes of a view (S10.1): a normal of 1 and its offset in the steps
-/// of the scene.
 Result<std::vector<ClipPlane>> clips_of(const Scene& scene, const View& view) {
   std::vector<ClipPlane> planes;
   for (const Plane& plane : view.clips) {
@@ -94,19 +86,28 @@ Result<std::vector<ClipPlane>> clips_of(const Scene& scene, const View& view) {
   return make_clips(planes, scene.grid_bits());
 }
 
-std::int32_t samples_of(const View& view) {
-  return view.anti_aliasing == AntiAliasing::kExactArea
-             ? 1
-             : static_cast<std::int32_t>(view.anti_aliasing);
+Result<Look> look_of(const View& view) {
+  const std::int32_t samples =
+      view.anti_aliasing == AntiAliasing::kExactArea
+          ? 1
+          : static_cast<std::int32_t>(view.anti_aliasing);
+  if (std::max(view.width_px, view.height_px) > kMaxImageSize / samples) {
+    return Error{ErrorCode::kOutOfRange,
+                 "a picture with " + std::to_string(samples) +
+                     " samples a pixel each way has at most " +
+                     std::to_string(kMaxImageSize / samples) +
+                     " columns and rows"};
+  }
+  return Look{view.alpha, samples, view.back_color};
 }
 
-}  // namespace
+}  // namespace detail
 
 Result<ImageOptions> Display::State::options_of(const View& view) {
   ImageOptions options;
   options.cull = view.cull;
   options.background = view.background;
-  const auto clips = clips_of(scene, view);
+  const auto clips = detail::clips_of(scene, view);
   if (!clips) return clips.error();
   options.clips = *clips;
   if (!view.caps) return options;
@@ -141,60 +142,36 @@ Result<std::shared_ptr<const CapParts>> Display::State::cap_parts_of(
 }
 
 Result<fast::Rendering> Display::State::rendered(
-    const View& view, const std::optional<fast::Rectangle>& part) {
-  if (view.back_color && view.anti_aliasing != AntiAliasing::kNone)
-    return detail::no_marks();
-  const bool is_opaque = view.alpha == kOpaque || part.has_value();
-  if (!is_opaque && view.anti_aliasing != AntiAliasing::kNone)
-    return detail::no_alpha("in pictures of many samples a pixel");
-  if (!is_opaque && view.back_color)
-    return detail::no_alpha("in pictures with marked back faces");
+    const View& view, const fast::ScalarColors* scalars) {
+  const bool is_exact = view.anti_aliasing == AntiAliasing::kExactArea;
+  if (view.back_color && is_exact) return detail::no_marks();
+  if (view.alpha != kOpaque && is_exact)
+    return detail::no_alpha("in pictures of exact areas");
   const Result<Camera> camera = detail::camera_of(scene, view);
   if (!camera) return camera.error();
   const Result<ImageOptions> options = options_of(view);
   if (!options) return options.error();
   fast::RenderOptions how;
   how.threads = std::max(view.threads, 0);
-  how.rectangle = part;
-  const auto samples = part ? 1 : samples_of(view);
-  if (std::max(view.width_px, view.height_px) > kMaxImageSize / samples) {
-    return Error{ErrorCode::kOutOfRange,
-                 "a picture with " + std::to_string(samples) +
-                     " samples a pixel each way has at most " +
-                     std::to_string(kMaxImageSize / samples) +
-                     " columns and rows"};
-  }
+  const Result<Look> look = detail::look_of(view);
+  if (!look) return look.error();
   fast::Rendering image;
-  const bool may_be_lazy =
-      view.lazy && view.anti_aliasing != AntiAliasing::kExactArea;
   const fast::LazyTree* opened =
-      may_be_lazy ? opened_tree(view.threads) : nullptr;
+      view.lazy && !is_exact ? opened_tree(view.threads) : nullptr;
   if (opened != nullptr) {
-    image =
-        !is_opaque ? fast::blend(*opened, *camera, *options, view.alpha, how)
-        : samples == 1
-            ? fast::render(*opened, *camera, *options, how)
-            : fast::render_samples(*opened, *camera, *options, samples, how);
+    image = fast::render_look(*opened, *camera, *options, *look, how, scalars);
   } else {
     const fast::BspTree* made = picture_tree(view);
     if (made == nullptr) return detail::stopped();
-    image = !is_opaque
-                ? fast::blend(scene, *made, *camera, *options, view.alpha, how)
-            : samples == 1 ? fast::render(scene, *made, *camera, *options, how)
-                           : fast::render_samples(scene, *made, *camera,
-                                                  *options, samples, how);
+    image =
+        fast::render_look(scene, *made, *camera, *options, *look, how, scalars);
   }
-  if (!part && view.anti_aliasing == AntiAliasing::kExactArea) {
+  if (is_exact) {
     const fast::BspTree* divided = ordered_tree(view);
     if (divided == nullptr) return detail::stopped();
     image.colors =
         fast::render_area(scene, *divided, *camera, *options, how.threads)
             .colors;
-  }
-  if (view.back_color) {
-    fast::mark_back_faces(scene, *camera, image.items, *view.back_color,
-                          how.threads > 0 ? how.threads : machine_threads(),
-                          image.colors);
   }
   for (PolygonId& id : image.items.pixels) {
     if (id != kBackground) id = polygon_of(id);
@@ -211,7 +188,7 @@ Result<Camera> Display::camera(const View& view) const {
 }
 
 Result<Picture> Display::render(const View& view) const {
-  Result<fast::Rendering> image = state_->rendered(view, std::nullopt);
+  Result<fast::Rendering> image = state_->rendered(view);
   if (!image) return image.error();
   return Picture{std::move(image->colors), std::move(image->items)};
 }

@@ -358,7 +358,7 @@ TEST(FaceDisplay, BackFacesAreMarked) {
   whole.back_color.reset();
   EXPECT_EQ(display.render(view)->colors.pixels,
             display.render(whole)->colors.pixels);
-  view.anti_aliasing = AntiAliasing::k2;
+  view.anti_aliasing = AntiAliasing::kExactArea;
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
   view.anti_aliasing = AntiAliasing::kNone;
   EXPECT_EQ(display.figure(view).error().code, ErrorCode::kOutOfRange);
@@ -368,6 +368,36 @@ TEST(FaceDisplay, BackFacesAreMarked) {
                 .error()
                 .code,
             ErrorCode::kOutOfRange);
+}
+
+TEST(FaceDisplay, SamplesAreLookedAtAsPixelsAre) {
+  const Display display = *Display::of(Solid::box({0, 0, 0}, {2, 2, 2}));
+  View view = small_view();
+  view.eye = Point{1, -9, 2};
+  view.target = Point{1, 1, 1};
+  view.clips = {{{0, 1, 0}, 1}};
+  for (const std::uint8_t alpha : {kOpaque, std::uint8_t{90}}) {
+    for (const bool is_marked : {false, true}) {
+      for (const bool is_lazy : {false, true}) {
+        view.alpha = alpha;
+        view.lazy = is_lazy;
+        view.back_color.reset();
+        if (is_marked) view.back_color = Rgb{200, 0, 100};
+        view.anti_aliasing = AntiAliasing::kNone;
+        const Picture one = *display.render(view);
+        view.anti_aliasing = AntiAliasing::k4;
+        const Picture many = *display.render(view);
+        EXPECT_EQ(many.polygons.width_px, 4 * view.width_px);
+        // Where all samples and the pixels around see one polygon, it is that
+        // of one sample.
+        std::size_t same = 0;
+        for (std::size_t k = 0; k < one.colors.pixels.size(); ++k)
+          same += one.colors.pixels[k] == many.colors.pixels[k];
+        EXPECT_GT(same, one.colors.pixels.size() * 3 / 4);
+        EXPECT_LT(same, one.colors.pixels.size());
+      }
+    }
+  }
 }
 
 TEST(FaceDisplay, PolygonsMayBeTransparent) {
@@ -414,7 +444,7 @@ TEST(FaceDisplay, PolygonsMayBeTransparent) {
                        view.background),
             static_cast<std::ptrdiff_t>(none.colors.pixels.size()));
   // What has no transparency says so.
-  view.anti_aliasing = AntiAliasing::k2;
+  view.anti_aliasing = AntiAliasing::kExactArea;
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
   view.anti_aliasing = AntiAliasing::kNone;
   view.clips = {{{0, 1, 0}, 1}};

@@ -147,14 +147,95 @@ TEST(MovingDisplay, RegionsAndModelsAreChecked) {
   EXPECT_EQ(display.insert(model, std::span(flat).first(3)).error().code,
             ErrorCode::kOutOfRange);
   View view = of_the_floor();
+  view.anti_aliasing = AntiAliasing::kExactArea;
   view.back_color = Rgb{1, 2, 3};
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
   view.back_color.reset();
   view.alpha = 9;
   EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
-  view.alpha = kOpaque;
-  view.anti_aliasing = AntiAliasing::k2;
-  EXPECT_EQ(display.render(view).error().code, ErrorCode::kOutOfRange);
+}
+
+Mesh block() { return mesh_of(Solid::box({-1, -1, -1}, {1, 1, 1})); }
+
+/// A block that stands where both grids hold it, and the same in one display.
+struct Standing {
+  MovingDisplay moving = *MovingDisplay::of(floor_mesh());
+  std::int32_t block_there = 0;
+  Display still = *Display::of(std::array<Solid, 2>{
+      Solid::box({-8, -8, -1}, {8, 8, 0}),
+      Solid::box({-1, -1, -1}, {1, 1, 1}).transformed(moved(-3.5, 0.5, 2))});
+
+  Standing() {
+    const std::int32_t model = *moving.add_model(block());
+    block_there = *moving.insert(model, kLeftBox);
+    EXPECT_TRUE(moving.place(block_there, moved(-3.5, 0.5, 2)));
+  }
+};
+
+TEST(MovingDisplay, LooksAreThoseOfAllInOneDisplay) {
+  const Standing both;
+  std::vector<View> views(9, of_the_floor());
+  views[1].anti_aliasing = AntiAliasing::k2;
+  views[2].alpha = 100;
+  views[3].alpha = 200;
+  views[3].anti_aliasing = AntiAliasing::k4;
+  views[4].clips = {{{1, 0, 0}, -3.25}};
+  views[4].back_color = Rgb{255, 0, 9};
+  views[5] = views[4];
+  views[5].anti_aliasing = AntiAliasing::k2;
+  views[6].anti_aliasing = AntiAliasing::kExactArea;
+  views[7].clips = {{{1, 0, 0}, -3.25}, {{0, 0, -1}, -2.5}};
+  views[7].caps = CapStyle{{9, 200, 30}, Rgb{0, 0, 0}};
+  views[8] = views[7];
+  views[8].caps_by_solid = true;
+  std::vector<ColorImage> seen;
+  for (View& view : views) {
+    view.threads = 1;
+    const auto picture = both.moving.render(view);
+    ASSERT_TRUE(picture.has_value());
+    const ColorImage expected = both.still.render(view)->colors;
+    std::size_t differ = 0;
+    for (std::size_t k = 0; k < expected.pixels.size(); ++k)
+      differ += picture->colors.pixels[k] != expected.pixels[k];
+    // Cameras are rounded to the grids of both, and areas show it.
+    EXPECT_LE(differ, view.anti_aliasing == AntiAliasing::kExactArea ? 2u : 0u);
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), picture->colors), 0);
+    seen.push_back(picture->colors);
+  }
+}
+
+TEST(MovingDisplay, CapsSayWhoseTheyAre) {
+  const Standing both;
+  View view = of_the_floor();
+  view.clips = {{{0, 0, -1}, -2}, {{-1, 0, 0}, 3}};
+  view.eye = Point{9, -4, 12};
+  view.caps = CapStyle{{9, 200, 30}, {}};
+  const MovingPicture plain = *both.moving.render(view);
+  view.caps_by_solid = true;
+  const MovingPicture told = *both.moving.render(view);
+  std::size_t top = 0, side = 0, of_floor = 0;
+  for (std::size_t k = 0; k < told.polygons.pixels.size(); ++k) {
+    const std::int32_t polygon = told.polygons.pixels[k];
+    EXPECT_EQ(polygon, plain.polygons.pixels[k]);
+    if (polygon > kFirstCap) continue;
+    EXPECT_EQ(plain.objects.pixels[k], kBackground);
+    top += polygon == kFirstCap && told.objects.pixels[k] == both.block_there;
+    side +=
+        polygon == kFirstCap - 1 && told.objects.pixels[k] == both.block_there;
+    of_floor += polygon == kFirstCap - 1 && told.objects.pixels[k] == 0;
+  }
+  EXPECT_GT(top, 20u);
+  EXPECT_GT(side, 10u);
+  EXPECT_GT(of_floor, 100u);
+  // Nothing is filled that is not closed.
+  MovingDisplay open = *MovingDisplay::of(floor_mesh());
+  Mesh sheet;
+  sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  sheet.add({0, 1, 2});
+  ASSERT_TRUE(open.add_model(sheet));
+  EXPECT_EQ(open.render(view).error().code, ErrorCode::kOpen);
+  view.caps.reset();
+  EXPECT_TRUE(open.render(view));
 }
 
 }  // namespace

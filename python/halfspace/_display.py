@@ -72,8 +72,8 @@ class View:
     background : sequence of 3 ints
         Red, green and blue, 0 to 255.
     back_color : sequence of 3 ints, optional
-        Marks what is seen from behind, in its own light; only of pictures with
-        one sample a pixel.
+        Marks what is seen from behind, in its own light; not in pictures of
+        exact areas.
     alpha : int
         How much of what is behind a polygon it hides, in pictures and figures:
         255 all of it, less alpha / 255 of it.

@@ -238,7 +238,7 @@ class ScalarDisplay:
         ------
         Error
             Those of `Display.render`; ``OUT_OF_RANGE`` (a scale's range or
-            steps, or exact areas, which have no scalars); ``EMPTY`` (no number,
+            steps, or exact areas and marks, which have no scalars); ``EMPTY`` (no number,
             and no range); ``UNKNOWN_FORMAT``, ``UNREADABLE`` and others of a
             file with colours.
         """
@@ -252,9 +252,12 @@ class MovingPicture:
     Attributes
     ----------
     ids : ndarray of int32, shape (height, width)
-        At each pixel the polygon, of its model's mesh; -1 where there is none.
+        At each pixel the polygon, of its model's mesh; -1 where there is none,
+        and ``-2 - k`` at the cap of clip plane ``k``. With many samples a
+        pixel an entry a sample.
     objects : ndarray of int32, shape (height, width)
-        Whose polygon that is; 0: the world's; -1 where there is none.
+        Whose polygon that is; 0: the world's; -1 where there is none, and at
+        caps unless ``View.caps_by_solid`` tells objects apart and one has it.
     colors : ndarray of uint8, shape (height, width, 3)
         Red, green and blue.
     """
@@ -404,8 +407,8 @@ class MovingDisplay:
         Error
             Those of `Display.render`; ``OUT_OF_RANGE`` (an object that leaves
             its region, with `Error.index` the object; a region that is not
-            free, or that is interlocked with others; clip planes and
-            anti-aliasing, which objects do not have); ``ZERO_AREA`` (a singular
-            map).
+            free, or that is interlocked with others; what has moved, where the
+            view asks for samples, areas, an alpha or marks, and no grid holds
+            all of it); ``ZERO_AREA`` (a singular map).
         """
         return MovingPicture(*self._core.render(view))

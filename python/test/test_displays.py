@@ -124,8 +124,13 @@ def test_back_faces_are_marked():
             ((200 * (255 + light) + 255) // 510)[changed]).all()
     assert (marked.colors[..., 1][changed] == 0).all()
     with pytest.raises(Error) as caught:
-        display.render(replace(view, back_color=(1, 2, 3), anti_aliasing=2))
+        display.render(replace(view, back_color=(1, 2, 3),
+                               anti_aliasing="area"))
     assert caught.value.code is ErrorCode.OUT_OF_RANGE
+    many = display.render(replace(view, back_color=(200, 0, 100),
+                                  anti_aliasing=2))
+    inner = (many.colors == marked.colors).all(axis=2)
+    assert (inner & changed).any() and not inner.all()
 
 
 def test_polygons_may_be_transparent():
@@ -143,8 +148,11 @@ def test_polygons_may_be_transparent():
     assert (-2, twice) in colors and (-1, 0) in colors
     with pytest.raises(ValueError):
         View(alpha=256)
+    many = display.render(replace(view, anti_aliasing=4))
+    assert (many.colors == twice).all(axis=2).any()
+    assert not (many.colors == glass.colors).all()
     with pytest.raises(Error) as caught:
-        display.render(replace(view, anti_aliasing=2))
+        display.render(replace(view, anti_aliasing="area"))
     assert caught.value.code is ErrorCode.OUT_OF_RANGE
 
 

@@ -246,9 +246,8 @@ class HALFSPACE_API Display {
   /// of their number.
   /// Cost: what is seen. Errors, here and below:
   /// kBadCamera, kNotFinite, kStopped (by view.progress); kOutOfRange (also for
-  /// a ninth clip plane, for a colour of back faces where it is not one sample
-  /// of a pixel that is coloured, and for an alpha together with a colour of
-  /// back faces or more samples); kZeroArea (a clip plane's normal is 0);
+  /// a ninth clip plane, and for a colour of back faces or an alpha together
+  /// with exact areas); kZeroArea (a clip plane's normal is 0);
   /// kOpen (caps for what is not closed).
   Result<Picture> render(const View& view = {}) const;
   /// The edges that the view shows (S9): silhouettes, borders, intersections,
@@ -338,6 +337,7 @@ class HALFSPACE_API Display {
   Result<Camera> camera(const View& view) const;
 
  private:
+  friend class ScalarDisplay;
   struct State;
   explicit Display(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

@@ -14,11 +14,17 @@
 
 namespace halfspace {
 
+/// What MovingPicture::polygons has at the cap of the first clip plane (S10.3);
+/// at those of others one less each.
+constexpr std::int32_t kFirstCap = -2;
+
 /// A picture of objects: at each pixel its colour, whose polygon is seen at its
-/// centre, and which one of that model's mesh.
+/// centre, or at each of its samples, and which one of that model's mesh.
 struct HALFSPACE_API MovingPicture {
   ColorImage colors;
-  ItemImage objects;   ///< 0: the world's; kBackground where there is none
+  /// 0: the world's; kBackground where there is none, and at caps that
+  /// View::caps_by_solid does not tell apart, or several objects have.
+  ItemImage objects;
   ItemImage polygons;  ///< of the mesh; kBackground where there is none
 
   /// Writes the colours as PNG, large ones in all threads that the machine has.
@@ -69,11 +75,14 @@ class HALFSPACE_API MovingDisplay {
   Result<Done> place(std::int32_t object, const AffineMap& map);
   Result<Done> hide(std::int32_t object);
 
-  /// The picture, exact: that of all polygons moved (S12.5).
-  /// Cost:   that of the world, and a walk for each object that is seen.
+  /// The picture, exact: that of all polygons moved (S12.5). With
+  /// View::caps_by_solid each object has a look of its own.
+  /// Cost:   that of the world, and a walk for each object that is seen; with
+  ///         anti-aliasing, an alpha or a colour of back faces a tree of all
+  ///         that has moved (S12.7).
   /// Errors: those of Display::render(); kOutOfRange (an object that leaves its
   ///         region; a region that is not free, or that is interlocked with
-  ///         others; clip planes, anti-aliasing and alpha, which objects lack);
+  ///         others; a tree of all whose grid does not hold what has moved);
   ///         kZeroArea (a singular map).
   Result<MovingPicture> render(const View& view = {}) const;
 

@@ -48,8 +48,8 @@ class HALFSPACE_API ScalarDisplay {
 
   /// The picture, with the polygons of the mesh. Exact.
   /// Errors: those of Display::render(); kOutOfRange (a scale's range or steps;
-  ///         exact areas, marked back faces, transparent polygons and caps by
-  ///         solid, which have no scalars); kEmpty (no number, and no range);
+  ///         exact areas, marked back faces and caps by solid, which have no
+  ///         scalars); kEmpty (no number, and no range);
   ///         kUnknownFormat, kUnreadable and others of a file with colours.
   Result<Picture> render(const View& view = {},
                          const ScalarStyle& style = {}) const;

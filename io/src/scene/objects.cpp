@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
+#include <vector>
 
 namespace halfspace::io {
 namespace {
@@ -17,6 +18,19 @@ constexpr int kEntryBits = 20;
 /// that is 500 of them.
 constexpr int kLeastEntryBits = 14;
 
+/// How deep an assembly's occurrences are nested.
+int depth_of(const Assembly& assembly) {
+  const auto& all = assembly.occurrences();
+  std::vector<int> depths(all.size(), 0);
+  int most = 0;
+  // Each comes after its owner.
+  for (std::size_t o = 1; o < all.size(); ++o) {
+    depths[o] = depths[static_cast<std::size_t>(all[o].owner)] + 1;
+    most = std::max(most, depths[o]);
+  }
+  return most;
+}
+
 double length_of(const Unit& unit) {
   return std::pow(unit.base, unit.exponent);
 }
@@ -27,6 +41,17 @@ double whole(double value, double most) {
 }
 
 }  // namespace
+
+int most_shift(const Assembly& assembly) {
+  const int depth = depth_of(assembly);
+  const auto& extent = assembly.extent(0);
+  if (depth == 0 || !extent) return kMapBits;
+  std::int64_t most = 1;
+  for (const GridPoint& p : {extent->low, extent->high})
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const int bits = std::ilogb(static_cast<double>(most)) + 1;
+  return std::clamp((kFlatGrid - 1 - bits) / depth, 0, kMapBits);
+}
 
 ObjectMap object_map(const std::array<std::array<double, 4>, 3>& rows,
                      const Unit& inner, const Unit& outer, int most_shift) {

@@ -28,32 +28,6 @@ struct ReadModel {
   std::vector<std::pair<std::int32_t, io::RegionPoints>> objects;
 };
 
-/// How deep an assembly's occurrences are nested.
-int depth_of(const Assembly& assembly) {
-  const auto& all = assembly.occurrences();
-  std::vector<int> depths(all.size(), 0);
-  int most = 0;
-  // Each comes after its owner.
-  for (std::size_t o = 1; o < all.size(); ++o) {
-    depths[o] = depths[static_cast<std::size_t>(all[o].owner)] + 1;
-    most = std::max(most, depths[o]);
-  }
-  return most;
-}
-
-/// The shift that every map may have so that all that moves is on the grid of a
-/// flat scene: objects stay in their regions, which the world's extent holds.
-int most_shift_of(const Assembly& assembly) {
-  const int depth = depth_of(assembly);
-  const auto& extent = assembly.extent(0);
-  if (depth == 0 || !extent) return kMapBits;
-  std::int64_t most = 1;
-  for (const GridPoint& p : {extent->low, extent->high})
-    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const int bits = std::ilogb(static_cast<double>(most)) + 1;
-  return std::clamp((kFlatGrid - 1 - bits) / depth, 0, kMapBits);
-}
-
 /// The words of a line, without its comment.
 std::vector<std::string> words_of(const std::string& line) {
   std::istringstream tokens(line.substr(0, line.find('#')));
@@ -107,7 +81,7 @@ class ObjectReader {
     if (!assembly) return assembly.error();
     file_.assembly = *std::move(assembly);
     file_.files[0].loaded.file.scene = file_.assembly.models()[0].scene;
-    file_.most_shift = most_shift_of(file_.assembly);
+    file_.most_shift = io::most_shift(file_.assembly);
     return std::move(file_);
   }
 

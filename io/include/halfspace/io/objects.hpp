@@ -12,6 +12,11 @@
 
 namespace halfspace::io {
 
+/// The shift that every map may have so that all that moves is on the grid of a
+/// flat scene (S12.7): objects stay in their regions, which the world's extent
+/// holds.
+int most_shift(const Assembly& assembly);
+
 /// The map of an object (S12.2) from doubles: its point (x, y, z) stands at
 /// rows[i] . (x, y, z, 1). Rounded here, once: entries to some 20 bits, what
 /// moves to a grid step's share of that. Its shift is `most_shift` at most if
