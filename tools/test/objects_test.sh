@@ -88,7 +88,7 @@ printf '1\n' >n.csv
 expect 2 'give a property' render hot.objects --scalar n.csv -o bad.png
 
 # Sections are those of the objects where they stand, with caps of each.
-for caps in "" "--cap hatch" "--cap part"; do
+for caps in "" "--cap hatch" "--cap part" "--cap file"; do
   # shellcheck disable=SC2206
   cut=("${view[@]}" --clip 0.2,1,0.1,-0.5 --clip 0,-1,-1,6 $caps)
   expect 0 '40x30' render a.objects "${cut[@]}" -o cut.png --ids cut.npy
@@ -105,8 +105,6 @@ done
 expect 0 '40x30' render a.objects "${view[@]}" --yon 19 -o far.png
 cmp -s far.png a.png && wrong "--yon changes nothing"
 expect 2 'needs --clip' render a.objects --cap hatch -o bad.png
-expect 2 'file is for draw' render a.objects --clip 0,1,0,0 --cap file \
-  -o bad.png
 objects cut "$left move -3,0,2.5"
 expect 0 '40x30' render a.objects "${view[@]}" --clip 0,1,0,0 -o cut.png
 expect 2 'leaves it open' render a.objects --clip 0,1,0,0 --cap hatch -o bad.png

@@ -162,9 +162,9 @@ std::string scalars_complaint(const DrawArguments& arguments,
   if (!arguments.scalars.source || !alone.empty()) return alone;
   if (arguments.paths.size() > 1) return "--scalar: colours one FILE";
   if (arguments.fill != "colour" || arguments.by != "colour" ||
-      asks_for_shade || !arguments.alphas.empty()) {
-    return "--scalar: gives regions their colours; give no --fill, --by, "
-           "--shade or --alpha";
+      asks_for_shade) {
+    return "--scalar: gives regions their colours; give no --fill, --by or "
+           "--shade";
   }
   if (arguments.scalars.has_legend &&
       (arguments.sheet.is_used() || arguments.axes))
@@ -218,6 +218,14 @@ Status run_draw(DrawArguments arguments) {
           ? load_scalar_figure(arguments.paths[0], options, arguments.scalars)
           : load_figure(arguments.paths, options);
   if (!loaded) return fail(arguments.paths[0], loaded.error());
+  if (loaded->scalars && !arguments.alphas.empty()) {
+    const std::vector<bool>& banded = loaded->scalars->banded;
+    if (std::find(banded.begin(), banded.end(), true) != banded.end()) {
+      return fail(
+          "--alpha: composes polygons of one colour each, and numbers at "
+          "corners change colours within polygons; take numbers of faces");
+    }
+  }
   // Reading leaves holes that large arrays do not fit.
   malloc_trim(0);
   if (arguments.view.background &&

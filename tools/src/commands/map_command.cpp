@@ -17,6 +17,7 @@
 #include "figure/figure_scene.hpp"
 #include "halfspace/fast/display_tree.hpp"
 #include "halfspace/fast/visible_map.hpp"
+#include "image/clipping.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -33,6 +34,7 @@ struct MapArguments {
   std::size_t most_cells = fast::MapLimits{}.most_cells;
   std::optional<int> grid_bits;
   ViewArguments view;
+  ClipArguments clip;
 };
 
 cpp_int integer_of(const fast::MapLine::Integer& words) {
@@ -123,9 +125,12 @@ std::string complaint_of(const MapArguments& arguments) {
 Status run_map(const MapArguments& arguments) {
   const std::string wrong = complaint_of(arguments);
   if (!wrong.empty()) return fail(wrong);
-  const Result<FigureScene> loaded = load_figure(
+  Result<FigureScene> loaded = load_figure(
       arguments.paths, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.paths[0], loaded.error());
+  const std::string no_caps =
+      prepare_caps(loaded->file, arguments.clip, loaded->files);
+  if (!no_caps.empty()) return fail(loaded->name, {ErrorCode::kOpen, no_caps});
   Size size = arguments.view.size.value_or(kUsualSize);
   fast::VisibleMap map;
   const Result<ChosenCamera> chosen =
@@ -135,11 +140,14 @@ Status run_map(const MapArguments& arguments) {
   if (chosen) {
     size = {chosen->camera->width_px, chosen->camera->height_px};
     const fast::BspTree tree = fast::build_display_tree(loaded->scene());
-    Result<fast::VisibleMap> made =
-        fast::visible_map(loaded->scene(), tree, chosen->camera,
-                          {choose_options(loaded->file, arguments.view).cull,
-                           keys_of(*loaded, arguments.by)},
-                          {arguments.most_cells});
+    ImageOptions image = choose_options(loaded->file, arguments.view);
+    const Result<Done> clipped =
+        add_clips(loaded->scene(), chosen->camera, arguments.clip, image);
+    if (!clipped) return fail(loaded->name, clipped.error());
+    Result<fast::VisibleMap> made = fast::section_map(
+        loaded->scene(), tree, chosen->camera,
+        {image.cull, keys_of(*loaded, arguments.by, false, image)}, image,
+        {arguments.most_cells});
     if (!made) return fail(loaded->name, made.error());
     map = std::move(*made);
   }
@@ -180,13 +188,17 @@ void add_map(CLI::App& program, Status& status) {
       ->capture_default_str();
   add_grid_option(*app, arguments->grid_bits);
   add_view_options(*app, arguments->view);
+  add_clip_options(*app, arguments->clip);
   add_quiet_option(*app);
   app->footer(
       "An arc is its two vertices and the regions on its left and right, -1 "
       "for the\noutside of the image; a region is its key, its lowest polygon "
-      "and loops of\nvertices, the outer one first (spec/S7-map.md).\n\n"
-      "Example:\n"
-      "  halfspace map part.stl --by face --exact -o map.json");
+      "and loops of\nvertices, the outer one first (spec/S7-map.md). Caps have "
+      "numbers after "
+      "those of\npolygons (S10.5).\n\n"
+      "Examples:\n"
+      "  halfspace map part.stl --by face --exact -o map.json\n"
+      "  halfspace map part.stl --clip 0,1,0,0 --cap part -o cut.json");
   app->callback([arguments, &status] { status = run_map(*arguments); });
 }
 

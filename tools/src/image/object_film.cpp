@@ -188,17 +188,16 @@ class ObjectFilm {
       }
     }
     const auto& [style, by] = *arguments_.clip.caps;
-    if (by == CapsBy::kFile) {
-      return Error{ErrorCode::kUnknownFormat,
-                   "--cap: file is for draw, which takes several; give part"};
-    }
-    if (by != CapsBy::kPart) return std::nullopt;
+    if (by != CapsBy::kPart && by != CapsBy::kFile) return std::nullopt;
     std::vector<std::uint32_t> part_of(assembly.polygon_count());
     const auto& occurrences = assembly.occurrences();
     for (std::size_t o = 0; o < occurrences.size(); ++o) {
-      const Scene& scene = assembly.model(occurrences[o].model).scene;
+      const std::int32_t model = occurrences[o].model;
+      // Each object is a part, or each model's file.
       std::fill_n(part_of.begin() + occurrences[o].first_polygon,
-                  scene.polygon_count(), static_cast<std::uint32_t>(o));
+                  assembly.model(model).scene.polygon_count(),
+                  by == CapsBy::kFile ? static_cast<std::uint32_t>(model)
+                                      : static_cast<std::uint32_t>(o));
     }
     parts_ = told_apart(std::move(part_of), style);
     return std::nullopt;
