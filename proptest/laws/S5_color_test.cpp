@@ -21,22 +21,9 @@ template <class Impl>
 class S5Color : public ::testing::Test {};
 TYPED_TEST_SUITE(S5Color, Implementations);
 
-/// A view with corner colours on all triangles, in Gouraud shading.
+/// A view with corner colours, in Gouraud shading.
 SceneFile gouraud(const SceneFile& view) {
-  SceneData data = view.scene.data();
-  data.corner_colors.assign(data.corners.size(), {});
-  for (std::size_t p = 0; p + 1 < data.first_corner.size(); ++p) {
-    const std::size_t first = data.first_corner[p];
-    const std::size_t count = data.first_corner[p + 1] - first;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t c = count == 3 ? k : 0;
-      data.corner_colors[first + k] = {
-          static_cast<std::uint8_t>(c == 0 ? 255 : 17 * p),
-          static_cast<std::uint8_t>(c == 1 ? 0 : 100 + c + p),
-          static_cast<std::uint8_t>(c == 2 ? 3 : 2)};
-    }
-  }
-  SceneFile changed = with_scene(view, *make_scene(std::move(data)));
+  SceneFile changed = with_corner_colors(view);
   changed.options.shading = Shading::kGouraud;
   return changed;
 }

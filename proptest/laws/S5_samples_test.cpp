@@ -152,22 +152,9 @@ TYPED_TEST(S5Samples, L20OneSampleIsTheImage) {
       kFewViews);
 }
 
-/// A view with corner colours on all triangles, smooth in two of three.
+/// A view with corner colours, smooth in two of three.
 SceneFile in_colors(const SceneFile& view, std::uint64_t seed) {
-  SceneData data = view.scene.data();
-  data.corner_colors.assign(data.corners.size(), {});
-  for (std::size_t p = 0; p + 1 < data.first_corner.size(); ++p) {
-    const std::size_t first = data.first_corner[p];
-    const std::size_t count = data.first_corner[p + 1] - first;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t c = count == 3 ? k : 0;
-      data.corner_colors[first + k] = {
-          static_cast<std::uint8_t>(c == 0 ? 255 : 17 * p),
-          static_cast<std::uint8_t>(c == 1 ? 0 : 100 + c + p),
-          static_cast<std::uint8_t>(c == 2 ? 3 : 2)};
-    }
-  }
-  SceneFile changed = with_scene(view, *make_scene(std::move(data)));
+  SceneFile changed = with_corner_colors(view);
   changed.options.shading = seed % 3 == 0 ? Shading::kFlat : Shading::kGouraud;
   changed.options.background = {1, 2, 200};
   return changed;

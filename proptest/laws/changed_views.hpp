@@ -32,6 +32,24 @@ inline SceneFile with_scene(const SceneFile& view, Scene scene) {
   return changed;
 }
 
+/// Corner colours on all polygons, which differ on triangles.
+inline SceneFile with_corner_colors(const SceneFile& view) {
+  SceneData data = view.scene.data();
+  data.corner_colors.assign(data.corners.size(), {});
+  for (std::size_t p = 0; p + 1 < data.first_corner.size(); ++p) {
+    const std::size_t first = data.first_corner[p];
+    const std::size_t count = data.first_corner[p + 1] - first;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t c = count == 3 ? k : 0;
+      data.corner_colors[first + k] = {
+          static_cast<std::uint8_t>(c == 0 ? 255 : 17 * p),
+          static_cast<std::uint8_t>(c == 1 ? 0 : 100 + c + p),
+          static_cast<std::uint8_t>(c == 2 ? 3 : 2)};
+    }
+  }
+  return with_scene(view, *make_scene(std::move(data)));
+}
+
 /// The view with a pixel for each of the `k` by `k` samples of a pixel: all
 /// scaled by `k` but the steps from pixel to pixel, and so many times as large;
 /// nothing where the scene or the camera has no room.
