@@ -58,9 +58,13 @@ def make(folder, environment):
     run("make_model", "pinwheel", "-o", "bars.off")
     render("depthsort.png", "bars.off", "--priority", "depthsort", "--aa",
            "4", "--lines", "features")
-    render("objects.png", "village.objects", "--size", "800x500")
-    render("objects-lines.png", "village.objects", "--size", "800x500",
-           "--lines", "features", "--aa", "4")
+    # A frame of the film, in which the door is open.
+    film = f"{environment['EXAMPLES']}/objects/village.path"
+    for name, how in (("objects", ()),
+                      ("objects-lines", ("--lines", "features", "--aa", "4"))):
+        render(name + "-%02d.png", "village.objects", "--size", "800x500",
+               "--path", film, "--frames", "14:15", *how)
+        (folder / (name + "-14.png")).rename(folder / (name + ".png"))
     write_torus(folder / "torus.off", folder / "torus.csv")
     render("scalars.png", "torus.off", "--scalar", "torus.csv",
            "--scalar-on", "vertices", "--map", "coolwarm", "--legend",
