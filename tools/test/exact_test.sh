@@ -133,6 +133,15 @@ expect 0 closed csg 'cylinder(4.5, 3.75, 7) - X1' X1=x1.hsolid -o chained.hsolid
 same chained.hsolid whole.hsolid
 chain "matrix($hull & half(y > 0.5), $turn) | A - A" '-' A
 chain 'A - A | cylinder(1.8, 1, 6)' '^' '(box(4, 4, 2.5) | A - A) ^ box(4, 4, 2.5)'
+# A vertex that numbers hold is not rounded, whether it is a point or a meet.
+tetrahedron '0 1.125 2.5' '-2 -3 0' '-2.88 -3 3' '-0.74 4 -0.5' >a.off
+cut='A ^ (box(4, 3, 5) -
+  half(-2, -1.8, -2.9, -0.75, -1.75, -1.29, 2.84, -1.95, 2.78))'
+chain "rotate($cut, 0, 1, 0, 180)" '&' "rotate($cut, 0, 1, 0, 180)"
+expect 0 closed csg "$cut" A=a.off -o x1.hsolid
+expect 0 closed csg "rotate($cut, 0, 1, 0, 180)" A=a.off -o whole.stl
+expect 0 closed csg 'rotate(X1, 0, 1, 0, 180)' X1=x1.hsolid -o chained.stl
+same chained.stl whole.stl
 chain 'A - A' '|' 'A & box(2) - A'
 box 0 0 0 3 3 3 >a.off
 # The unit and the bits are the solid's own, not those of what it was cut from.

@@ -102,18 +102,4 @@ double distance(const StepPoint& from, const GridPoint& to) {
                    std::abs(static_cast<double>(to.z) - from[2])});
 }
 
-bool is_exact(const Solid& solid, std::int32_t vertex) {
-  const SolidVertex v = vertex_at(solid, vertex);
-  if (!v.is_grid) return false;
-  const Unit& unit = solid.unit;
-  // Below, coordinates of the file are rounded already.
-  if (unit.base == 2) return unit.exponent >= -1074;
-  // 5^23 is greater than every coordinate, 10^22 a double.
-  if (unit.exponent < -22 || unit.exponent > 0) return false;
-  std::int64_t divisor = 1;
-  for (int i = 0; i < -unit.exponent; ++i) divisor *= 5;
-  const GridPoint p = v.point;
-  return p.x % divisor == 0 && p.y % divisor == 0 && p.z % divisor == 0;
-}
-
 }  // namespace halfspace::fast

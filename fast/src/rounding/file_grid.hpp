@@ -66,9 +66,6 @@ inline StepPoint step_point(const GridPoint& p) {
 /// The largest difference of coordinates.
 double distance(const StepPoint& from, const GridPoint& to);
 
-/// Whether rounding to doubles left a coordinate of a solid's vertex as it is.
-bool is_exact(const Solid& solid, std::int32_t vertex);
-
 /// The exponent of the last binary digit of a double that is not 0.
 int last_digit(double value);
 

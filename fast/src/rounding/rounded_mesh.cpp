@@ -108,7 +108,7 @@ class Rounding {
 int Rounding::least_exponent() const {
   int least = std::numeric_limits<int>::max();
   for (std::size_t v = 0; v < exported_.vertices.size(); ++v) {
-    if (!is_exact(solid_, exported_.points[v])) continue;
+    if (exported_.is_rounded[v] != 0) continue;
     for (const double c : exported_.vertices[v]) {
       if (c != 0) least = std::min(least, last_digit(c));
     }
@@ -124,7 +124,7 @@ void Rounding::begin() {
     StepPoint at;
     for (std::size_t k = 0; k < 3; ++k)
       at[k] = grid_.steps(exported_.vertices[v][k]);
-    if (is_exact(solid_, exported_.points[v])) {
+    if (exported_.is_rounded[v] == 0) {
       const GridPoint p = {static_cast<std::int64_t>(at[0]),
                            static_cast<std::int64_t>(at[1]),
                            static_cast<std::int64_t>(at[2])};

@@ -29,12 +29,19 @@ OffsetPlane offset_plane(const GeometryTable& table, std::int32_t plane) {
 }  // namespace
 
 std::array<double, 3> decimal_place(const GeometryTable& table,
-                                    std::int32_t vertex, int digits) {
+                                    std::int32_t vertex, int digits,
+                                    bool& is_rounded) {
   Int128 divisor = 1;
-  for (int i = 0; i < digits; ++i) divisor *= 10;
+  std::int64_t fives = 1;
+  for (int i = 0; i < digits; ++i) {
+    divisor *= 10;
+    fives *= 5;
+  }
   const TableVertex& v = table.vertex(vertex);
   if (v.is_grid()) {
-    // Both are doubles.
+    // Both are doubles, and 5^22 is less than 2^53.
+    const GridPoint p = v.point();
+    is_rounded |= p.x % fives != 0 || p.y % fives != 0 || p.z % fives != 0;
     const auto by = static_cast<double>(divisor);
     return {v.approximate.x / by, v.approximate.y / by, v.approximate.z / by};
   }
@@ -60,8 +67,9 @@ std::array<double, 3> decimal_place(const GeometryTable& table,
   below = multiply<8>(below, divisor);
   std::array<double, 3> at;
   for (std::size_t k = 0; k < 3; ++k) {
-    bool is_rounded = false;
-    at[k] = quotient(c[k], below, is_rounded);
+    bool is_one_rounded = false;
+    at[k] = quotient(c[k], below, is_one_rounded);
+    is_rounded |= is_one_rounded;
   }
   return at;
 }

@@ -179,30 +179,38 @@ struct Moves {
 /// Puts the vertices from number `first` to before `last` in the mesh, as they
 /// are in the order.
 Moves place_vertices(const Solid& solid, const List<std::int32_t>& order,
-                     std::size_t first, std::size_t last,
-                     std::vector<std::uint8_t>& moved, ExportedMesh& mesh) {
+                     std::size_t first, std::size_t last, ExportedMesh& mesh) {
   const GeometryTable& table = *solid.table;
   Moves moves;
   const Unit& unit = solid.unit;
   const bool is_decimal =
       unit.base == 10 && unit.exponent <= 0 && unit.exponent >= -kMostDigits;
+  // Times others, a double of a table may be none.
+  const bool is_scaled_exactly =
+      unit.base == 2 && std::abs(unit.exponent) <= 900;
   for (std::size_t i = first; i < last; ++i) {
     constexpr std::size_t kAhead = 16;
     if (i + kAhead < last) table.prefetch_vertex(order[i + kAhead]);
     bool rounded = false;
     std::array<double, 3>& at = mesh.vertices[i];
     if (is_decimal) {
-      at = decimal_place(table, order[i], -unit.exponent);
+      at = decimal_place(table, order[i], -unit.exponent, rounded);
     } else {
       at = table.nearest(order[i], rounded);
-      for (double& coordinate : at) coordinate = scaled(coordinate, unit);
+      for (double& coordinate : at) {
+        const double steps = coordinate;
+        coordinate = scaled(steps, unit);
+        rounded |= !is_scaled_exactly &&
+                   (unit.base == 10 ||
+                    std::ldexp(coordinate, -unit.exponent) != steps);
+      }
     }
-    if (!rounded && unit.base == 2) continue;
+    if (!rounded) continue;
     // Half a unit in the last place, and 2^-51 for a long power of ten and what
     // is done with it.
     const double size =
         std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
-    moved[i] = 1;
+    mesh.is_rounded[i] = 1;
     ++moves.count;
     moves.most = std::max(
         moves.most, size * (unit.base == 2 || is_decimal ? 0x1p-53 : 0x1p-50));
@@ -211,10 +219,9 @@ Moves place_vertices(const Solid& solid, const List<std::int32_t>& order,
 }
 
 /// Puts the vertices that the polygons have in the mesh, in the order of their
-/// coordinates, and their numbers there in place of the points' ids. By vertex
-/// of the mesh: 1 if it was moved, else 0.
-std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
-                                       int threads, ExportedMesh& mesh) {
+/// coordinates, and their numbers there in place of the points' ids.
+void add_vertices(const Solid& solid, Polygons& polygons, int threads,
+                  ExportedMesh& mesh) {
   const GeometryTable& table = *solid.table;
   IdRange extent;
   for (const std::int32_t v : polygons.corners) extent.add(v);
@@ -233,15 +240,15 @@ std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
   const std::size_t count = order.size();
   mesh.vertices.resize(count);
   mesh.points.assign(order.begin(), order.end());
-  std::vector<std::uint8_t> moved(count);
+  mesh.is_rounded.resize(count);
   std::vector<Moves> moves((count + kShare - 1) / kShare);
-  for_blocks(
-      threads, count, kShare,
-      [&](std::size_t number, std::size_t first, std::size_t last) {
-        moves[number] = place_vertices(solid, order, first, last, moved, mesh);
-        for (std::size_t i = first; i < last; ++i)
-          number_at[places.find(order[i])] = static_cast<std::int32_t>(i);
-      });
+  for_blocks(threads, count, kShare,
+             [&](std::size_t number, std::size_t first, std::size_t last) {
+               moves[number] = place_vertices(solid, order, first, last, mesh);
+               for (std::size_t i = first; i < last; ++i)
+                 number_at[places.find(order[i])] =
+                     static_cast<std::int32_t>(i);
+             });
   for (const Moves& some : moves) {
     mesh.moved += some.count;
     mesh.max_move = std::max(mesh.max_move, some.most);
@@ -259,7 +266,6 @@ std::vector<std::uint8_t> add_vertices(const Solid& solid, Polygons& polygons,
                for (std::size_t p = first; p < last; ++p)
                  begin_with_least(polygons.at(p));
              });
-  return moved;
 }
 
 /// The polygons in the order of their corners, the first of which are the
@@ -346,13 +352,8 @@ bool surely_faces_out(const ExportedMesh& mesh,
 class PolygonWriter {
  public:
   PolygonWriter(const Solid& solid, Polygons& polygons,
-                const std::vector<std::uint32_t>& order,
-                const std::vector<std::uint8_t>& moved, ExportedMesh& mesh)
-      : solid_(solid),
-        polygons_(polygons),
-        order_(order),
-        moved_(moved),
-        mesh_(mesh) {}
+                const std::vector<std::uint32_t>& order, ExportedMesh& mesh)
+      : solid_(solid), polygons_(polygons), order_(order), mesh_(mesh) {}
 
   void run(int threads) {
     mesh_.corners.resize(polygons_.corners.size());
@@ -384,7 +385,7 @@ class PolygonWriter {
   /// A polygon whose vertices do not move cannot be flipped by rounding.
   bool is_moved(std::span<const std::int32_t> corners) const {
     return std::any_of(corners.begin(), corners.end(), [&](std::int32_t v) {
-      return moved_[static_cast<std::size_t>(v)] != 0;
+      return mesh_.is_rounded[static_cast<std::size_t>(v)] != 0;
     });
   }
   const Face& face_at(std::size_t i) const {
@@ -431,7 +432,6 @@ class PolygonWriter {
   const Solid& solid_;
   Polygons& polygons_;
   const std::vector<std::uint32_t>& order_;
-  const std::vector<std::uint8_t>& moved_;
   ExportedMesh& mesh_;
 };
 
@@ -442,11 +442,10 @@ ExportedMesh to_mesh(const Solid& solid, const ExportOptions& options) {
   if (solid.faces.empty()) return mesh;
   const int threads = thread_count(options.threads);
   Polygons polygons = polygons_of(solid, options);
-  const std::vector<std::uint8_t> moved =
-      add_vertices(solid, polygons, threads, mesh);
+  add_vertices(solid, polygons, threads, mesh);
   const std::vector<std::uint32_t> order =
       polygons_in_order(polygons, mesh.vertices.size(), threads);
-  PolygonWriter(solid, polygons, order, moved, mesh).run(threads);
+  PolygonWriter(solid, polygons, order, mesh).run(threads);
   return mesh;
 }
 

@@ -136,6 +136,36 @@ TEST(S6Order, L21TheOrderOfOperandsDoesNotMatter) {
   cases.expect_all();
 }
 
+/// Whether a vertex is a point of the grid in one form and named by planes in
+/// the other.
+bool has_other_points(const fast::Solid& a, const fast::Solid& b) {
+  const auto count = [](const fast::Solid& solid) {
+    return std::count_if(solid.edges.begin(), solid.edges.end(),
+                         [&](const fast::SolidEdge& edge) {
+                           return fast::vertex_at(solid, edge.from).is_grid;
+                         });
+  };
+  return count(a) != count(b);
+}
+
+TEST(S6Order, L21TheFormForFilesIsRoundedToTheSame) {
+  law::Cases cases({"points were others", "vertices are rounded"});
+  std::uint64_t seed = 0;
+  law::for_all_solids(
+      [&](const generate::SolidPair& solids) {
+        const auto [one, other] = two_ways(solids, seed++);
+        const fast::Solid a = fast::canonical(one);
+        const fast::Solid b = fast::canonical_for_file(one);
+        HALFSPACE_LAW(same_when_rounded(a, b));
+        const fast::ExportedMesh mesh = fast::to_mesh(a);
+        HALFSPACE_LAW(mesh.is_rounded == fast::to_mesh(b).is_rounded);
+        if (has_other_points(a, b)) cases.meet("points were others");
+        if (mesh.moved > 0) cases.meet("vertices are rounded");
+      },
+      4 * kOrders);
+  cases.expect_all();
+}
+
 /// Faults planted in the order: each is seen.
 TEST(S6Order, FaultsInTheOrderAreFound) {
   std::uint64_t seed = 0;

@@ -32,7 +32,11 @@ struct ExportedMesh {
   std::vector<std::int32_t> faces;   ///< by polygon: which face it is a part of
   std::vector<std::int32_t> points;  ///< by vertex: the solid's id of its point
   std::vector<Rgb> colors;           ///< by polygon
-  std::size_t moved = 0;  ///< vertices that doubles may not hold exactly
+  /// By vertex: 1 if doubles do not hold the point exactly, whatever the
+  /// solid's unit is, else 0. With a power of ten above 1 or below 10^-22 it
+  /// is 1.
+  std::vector<std::uint8_t> is_rounded;
+  std::size_t moved = 0;  ///< vertices that are rounded
   double max_move = 0;    ///< no coordinate moved farther
   /// The polygons that rounding may have flipped or flattened.
   std::vector<std::int32_t> flipped;
