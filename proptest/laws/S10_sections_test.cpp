@@ -5,10 +5,12 @@
 
 #include "adapters/both.hpp"
 #include "halfspace/fast/display_tree.hpp"
+#include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/image/screens.hpp"
 #include "halfspace/fast/painter.hpp"
 #include "halfspace/fast/ray.hpp"
 #include "halfspace/fast/render.hpp"
+#include "halfspace/ref/depth_sort.hpp"
 #include "halfspace/ref/ray.hpp"
 #include "halfspace/ref/screens.hpp"
 #include "halfspace/splitmix.hpp"
@@ -88,6 +90,9 @@ struct RefSections {
       images.push_back(
           Ref::image_of(ref::render_on(scene, tree, *camera, options, kind)));
     }
+    const auto sorted = ref::depth_sort(scene, *camera);
+    images.push_back(
+        Ref::image_of(ref::render(scene, sorted.list, *camera, options)));
     return images;
   }
   static PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) {
@@ -130,6 +135,11 @@ struct FastSections {
       images.push_back(
           image_of(fast::render_on(scene, plain, *camera, options, kind)));
     }
+    const auto sorted = fast::depth_sort(scene, *camera);
+    images.push_back(
+        image_of(fast::render(scene, sorted.list, *camera, options)));
+    images.push_back(
+        image_of(fast::paint(scene, sorted.list, *camera, options)));
     return images;
   }
   static PolygonId pick(const SceneFile& view, std::int32_t i, std::int32_t j) {

@@ -134,7 +134,7 @@ for shade in flat gouraud; do
   same a.png b.png
   expect 0 'span' render "$@" -o whole.png
   cmp -s a.png whole.png && wrong "$shade: alpha changes nothing"
-  expect 0 'painter' render "$@" --alpha 255 -o b.png
+  expect 0 'span' render "$@" --alpha 255 -o b.png
   same whole.png b.png
 done
 expect 0 'painter' render sphere.scene "${size[@]}" --alpha 0 -o a.png

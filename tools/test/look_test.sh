@@ -180,6 +180,14 @@ for light in "--light 1,0,0" "--light 1,0,0 --light 0,1,0,0.5" \
   expect 0 'span' render ball.off "${size[@]}" $light -o light.png
   cmp -s flat.png light.png && wrong "$light changes nothing"
 done
+# What hides all behind it is opaque, whatever goes with it.
+for look in "--aa 4" "--aa exact" "--aa 2 --back-color 1,2,3"; do
+  # shellcheck disable=SC2086
+  expect 0 'span' render cubes.off "${size[@]}" $look -o opaque.png
+  # shellcheck disable=SC2086
+  expect 0 'span' render cubes.off "${size[@]}" $look --alpha 255 -o hides.png
+  same opaque.png hides.png
+done
 expect 2 'needs --lines' render cubes.off --line-width 2 -o no.png
 expect 2 '0.0625 to 256' render cubes.off --lines wire --line-width 0 -o no.png
 expect 2 'maybe a strength' render cubes.off --light 1,2,3,-1 -o no.png

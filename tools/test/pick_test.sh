@@ -62,6 +62,7 @@ expect 2 'give --at' pick box.off --at 1,1 --from 0,0,0 --to 1,1,1
 expect 2 'goes nowhere' pick box.off --from 0,0,0 --along 0,0,0
 expect 2 'goes nowhere' pick box.off --from 0,0,0 --to 0,0,0
 expect 2 '64 times' pick box.off --from 0,0,0 --to 1e30,0,0
+expect 2 'cut what --at sees' pick box.off --from 0,0,0 --to 1,1,1 --clip 1,0,0,0
 expect 2 'needs a ray' pick box.off --at 1,1 --all
 
 finish

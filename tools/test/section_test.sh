@@ -47,6 +47,16 @@ for how in fast ref; do
 done
 same areas-fast.png areas-ref.png
 
+# Polygons that are seen edge-on bound caps, and no list has them.
+box 0 0 0 4 4 4 >cube.off
+for eye in '--view front --ortho' '--eye 4,2,30 --target 4,2,0 --up 0,1,0'; do
+  # shellcheck disable=SC2086
+  set -- cube.off $eye --size 40x30 --clip 0,0,-1,2 --clip 0,1,0,-2 --cap hatch
+  expect 0 'span' render "$@" --ids tree.npy
+  expect 0 'depth sort' render "$@" --priority depthsort --ids list.npy
+  expect 0 'mismatches: 0' compare tree.npy list.npy
+done
+
 nine=()
 for k in 1 2 3 4 5 6 7 8 9; do nine+=(--clip "1,0,0,$k"); done
 expect 2 'at most 8 clip planes' render cubes.off "${nine[@]}" -o no.png

@@ -86,8 +86,10 @@ std::vector<PolygonId> crossing_polygons(const Scene& scene,
 
 std::vector<PolygonId> crossing_polygons(const TreeReader& reader,
                                          const ClipPlane& plane) {
-  // The root of a lazy tree has no fragments, only cells.
-  if (kLazyTrees && reader.tree().fragments.empty())
+  // The root of a lazy tree has no fragments, only cells; and what covers no
+  // pixel bounds caps, too.
+  const BspTree& tree = reader.tree();
+  if (tree.is_list || (kLazyTrees && tree.fragments.empty()))
     return crossing_polygons(reader.scene(), plane);
   const std::vector<ClipPlane> one = {plane};
   return crossing_polygons(reader,

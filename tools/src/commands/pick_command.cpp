@@ -62,6 +62,10 @@ std::string complaint(const PickArguments& arguments) {
                          : "";
   }
   if (!arguments.at && arguments.from && ends == 1) {
+    if (arguments.clip.is_used()) {
+      return "--clip, --yon and --cap: cut what --at sees; rays meet the whole "
+             "model";
+    }
     return arguments.all && arguments.sees
                ? "--all: --sees asks whether there is anything at all"
                : "";

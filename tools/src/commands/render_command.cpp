@@ -178,7 +178,9 @@ Result<RenderArguments> with_view_file(const RenderArguments& arguments) {
 Status run_render(const RenderArguments& given) {
   const Result<RenderArguments> with_view = with_view_file(given);
   if (!with_view) return fail(given.path, with_view.error());
-  const RenderArguments& arguments = *with_view;
+  RenderArguments arguments = *with_view;
+  // What hides all behind it is opaque, by whatever method.
+  if (arguments.alpha == kOpaque) arguments.alpha.reset();
   const std::unique_ptr<Engine> engine = make_engine(library_of(arguments));
   std::string wrong = complaint(arguments, *engine);
   if (wrong.empty()) {

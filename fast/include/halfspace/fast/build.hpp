@@ -108,6 +108,8 @@ struct BspTree {
   std::vector<FragmentBlock<4>> quadrangles;
   /// Empty, or for each node its blocks, and where the last end.
   std::vector<FirstBlocks> first_blocks;
+  /// A list priority (S3.9): polygons that cover nothing are not in it.
+  bool is_list = false;
 };
 
 /// The tree of the scene (S3.5; FAG83 sec. 2.2.1, Make_tree).

@@ -281,6 +281,7 @@ class DepthSorter {
   /// front of it.
   void make_chain() {
     BspTree& tree = result_.list;
+    tree.is_list = true;
     for (std::size_t k = listed_.size(); k-- > 0;) {
       const FragmentRef& fragment = listed_[k];
       Node node;
