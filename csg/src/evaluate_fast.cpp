@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/by_low_end.hpp"
 #include "exact/origin_parts.hpp"
 #include "halfspace/csg/carry.hpp"
 #include "halfspace/csg/components.hpp"
@@ -172,6 +173,7 @@ std::size_t bad_edges_of(const Mesh& mesh) {
     int sign;
   };
   std::vector<Use> uses;
+  uses.reserve(mesh.corners.size());
   for (std::size_t p = 0; p < mesh.faces.size(); ++p) {
     const std::size_t first = mesh.first_corner[p];
     const std::size_t end = mesh.first_corner[p + 1];
@@ -182,9 +184,9 @@ std::size_t bad_edges_of(const Mesh& mesh) {
           {std::min(from, to), std::max(from, to), from < to ? 1 : -1});
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
-    return a.low != b.low ? a.low < b.low : a.high < b.high;
-  });
+  sort_by_low_end(
+      uses, mesh.vertices.size(), [](const Use& use) { return use.low; },
+      [](const Use& a, const Use& b) { return a.high < b.high; });
   std::size_t bad = 0;
   int sum = 0;
   for (std::size_t i = 0; i < uses.size(); ++i) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/by_low_end.hpp"
 #include "exact/point_ranks.hpp"
 
 namespace halfspace::csg {
@@ -54,9 +55,10 @@ std::vector<Use> uses_of(const Scene& scene, const PointRanks& ranks) {
       uses.push_back({low << 32 | high, id, rank(i) == low});
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
-    return a.ends != b.ends ? a.ends < b.ends : a.polygon < b.polygon;
-  });
+  // They are in the order of their polygons, and stay so.
+  sort_by_low_end(
+      uses, ranks.points.size(), [](const Use& use) { return use.ends >> 32; },
+      [](const Use& a, const Use& b) { return a.ends < b.ends; });
   return uses;
 }
 

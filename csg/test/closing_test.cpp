@@ -70,7 +70,7 @@ Scene triangles(std::mt19937& random, int count) {
 
 TEST(Closing, AddsTheEndsThatLieWithinBadEdges) {
   std::mt19937 random(20261126);
-  std::size_t all = 0;
+  std::size_t all = 0, open_at_once = 0;
   for (int i = 0; i < 2000; ++i) {
     const Scene scene = triangles(random, 1 + i % 12);
     const std::vector<BadEdge> bad = bad_edges(scene);
@@ -85,11 +85,62 @@ TEST(Closing, AddsTheEndsThatLieWithinBadEdges) {
     }
     const ClosedScene split = split_on_lines(scene);
     ASSERT_EQ(split.added, expected) << "soup " << i;
+    // By a look at some of the edges, at once.
+    if (stays_open_on_lines(bad)) {
+      ++open_at_once;
+      ASSERT_TRUE(split.is_open) << "soup " << i;
+    }
     ASSERT_EQ(split.scene.data().corners.size(),
               scene.data().corners.size() + expected);
     all += expected;
   }
   EXPECT_GT(all, 500u);  // or it would say little
+  EXPECT_GT(open_at_once, 1000u);
+}
+
+TEST(Closing, IsNotSaidToStayOpenWhereLinesCancel) {
+  // A cube of which the sides have corners that the top and bottom have not.
+  std::mt19937 random(21);
+  for (int i = 0; i < 200; ++i) {
+    SceneData data;
+    const auto corner = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+      data.vertices.push_back({x, y, z});
+      data.corners.push_back(static_cast<VertexId>(data.vertices.size()) - 1);
+    };
+    const auto end = [&] {
+      data.first_corner.push_back(
+          static_cast<std::uint32_t>(data.corners.size()));
+      data.colors.push_back({1, 2, 3});
+    };
+    const std::array<std::array<std::int64_t, 2>, 5> ring = {
+        {{0, 0}, {60, 0}, {60, 60}, {0, 60}, {0, 0}}};
+    for (const bool top : {false, true}) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& [x, y] = ring[top ? k : 3 - k];
+        corner(x, y, top ? 60 : 0);
+      }
+      end();
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto [x, y] = ring[k];
+      const auto [u, v] = ring[k + 1];
+      // In strips, of edges of the same line one after another.
+      const auto strips = static_cast<std::int64_t>(1 + random() % 5);
+      for (std::int64_t s = 0; s < strips; ++s) {
+        const auto at = [&](std::int64_t part, std::int64_t z) {
+          corner(x + (u - x) * part / strips, y + (v - y) * part / strips, z);
+        };
+        at(s, 0);
+        at(s + 1, 0);
+        at(s + 1, 60);
+        at(s, 60);
+        end();
+      }
+    }
+    const Scene scene = *make_scene(std::move(data));
+    ASSERT_FALSE(stays_open_on_lines(bad_edges(scene)));
+    ASSERT_FALSE(closed_on_lines(scene).is_open);
+  }
 }
 
 }  // namespace

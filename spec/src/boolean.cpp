@@ -90,20 +90,32 @@ std::vector<BadEdge> bad_edges(const Scene& scene) {
   if (is_closed_by_index(scene)) return {};
   std::vector<GridPoint> points;
   const auto places = places_of(scene.data().vertices, points);
-  // The places of both ends, the lesser first, and whether the edge goes down.
-  std::vector<std::uint64_t> uses;
-  uses.reserve(scene.data().corners.size());
-  for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
-    const auto corners = scene.corners(static_cast<PolygonId>(p));
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto at = [&](std::size_t k) -> std::uint64_t {
-        return places[static_cast<std::size_t>(corners[k % corners.size()])];
-      };
-      const auto [low, high] = std::minmax({at(i), at(i + 1)});
-      uses.push_back(low << 33 | high << 1 | (at(i) == low ? 0u : 1u));
+  // The places of both ends, the lesser first, and whether the edge goes down:
+  // put in order by the lesser end, and then those of one end, which are few.
+  const auto for_uses = [&](const auto& visit) {
+    for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
+      const auto corners = scene.corners(static_cast<PolygonId>(p));
+      std::uint64_t from = places[static_cast<std::size_t>(corners.back())];
+      for (const VertexId corner : corners) {
+        const std::uint64_t to = places[static_cast<std::size_t>(corner)];
+        const auto [low, high] = std::minmax(from, to);
+        visit(low, low << 33 | high << 1 | (from == low ? 0u : 1u));
+        from = to;
+      }
     }
+  };
+  std::vector<std::uint32_t> at(points.size() + 1);
+  for_uses([&](std::uint64_t low, std::uint64_t) { ++at[low + 1]; });
+  std::partial_sum(at.begin(), at.end(), at.begin());
+  std::vector<std::uint64_t> uses(scene.data().corners.size());
+  for_uses(
+      [&](std::uint64_t low, std::uint64_t use) { uses[at[low]++] = use; });
+  auto first = uses.begin();
+  for (const std::uint32_t end : std::span(at).first(points.size())) {
+    const auto last = uses.begin() + end;
+    std::sort(first, last);
+    first = last;
   }
-  std::sort(uses.begin(), uses.end());
   std::vector<BadEdge> bad;
   for (std::size_t i = 0; i < uses.size();) {
     const std::uint64_t ends = uses[i] >> 1;

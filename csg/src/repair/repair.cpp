@@ -53,8 +53,17 @@ class Mender {
   Error naming_what_was_left_out(Error error) const;
   Result<Done> mend();
   bool is_open() {
-    if (!is_open_) is_open_ = !bad_edges(imported_.scene).empty();
+    if (!is_open_) is_open_ = !bad().empty();
     return *is_open_;
+  }
+  const std::vector<BadEdge>& bad() {
+    if (!bad_) bad_ = bad_edges(soup_);
+    return *bad_;
+  }
+  void forget_edges() {
+    is_open_.reset();
+    bad_.reset();
+    is_split_ = false;
   }
   bool stays_open();
   double step() const {
@@ -79,8 +88,10 @@ class Mender {
   std::string path_;
   const RepairOptions& options_;
   io::Imported imported_;
-  std::optional<bool> is_open_;  // the imported surface; nothing: not known yet
-  bool is_split_ = false;        // no vertex of it lies within a bad edge
+  // Of the imported surface; nothing: not known yet.
+  std::optional<bool> is_open_;
+  std::optional<std::vector<BadEdge>> bad_;
+  bool is_split_ = false;  // no vertex of it lies within a bad edge
   Soup soup_;
   std::size_t conflicts_ = 0;
   RepairReport report_;
@@ -89,8 +100,7 @@ class Mender {
 Result<Done> Mender::import(Result<io::Imported> imported) {
   if (!imported) return io::error_about(path_, imported.error());
   imported_ = *std::move(imported);
-  is_open_.reset();
-  is_split_ = false;
+  forget_edges();
   if (imported_.scene.polygon_count() == 0) {
     return io::error_about(
         path_, {ErrorCode::kEmpty,
@@ -105,26 +115,26 @@ Result<Done> Mender::import_soup() { return import(imported_soup(soup_)); }
 /// Vertices within edges become corners there.
 void Mender::split_lines() {
   if (is_split_) return;
-  Result<Scene> scene = make_scene(trimmed(imported_.scene));
-  if (!scene) return;
-  ClosedScene split = split_on_lines(*std::move(scene));
-  is_open_ = split.is_open;
-  is_split_ = split.added == 0;
-  if (is_split_) return;
-  report_.corners_added += split.added;
-  imported_.scene = std::move(split.scene);
+  std::optional<ClosedScene> split = split_on_lines(imported_.scene, bad());
+  if (!split) {
+    is_split_ = true;
+    return;
+  }
+  report_.corners_added += split->added;
+  imported_.scene = std::move(split->scene);
   soup_ = soup_of(imported_);
+  forget_edges();
+  is_open_ = split->is_open;
 }
 
 /// Whether the surface is open even with corners where vertices lie within
 /// edges, so that no solid comes of it as it is.
 bool Mender::stays_open() {
   if (!is_open()) return false;
-  Result<Scene> scene = make_scene(trimmed(imported_.scene));
-  if (!scene) return false;
-  const ClosedScene split = split_on_lines(*std::move(scene));
-  is_split_ = split.added == 0;
-  return split.is_open;
+  if (stays_open_on_lines(bad())) return true;
+  const auto split = split_on_lines(imported_.scene, bad());
+  is_split_ = !split;
+  return !split || split->is_open;
 }
 
 double Mender::weld_distance() const {

@@ -4,14 +4,18 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numeric>
+#include <span>
 
-#include "../exact/point_ranks.hpp"
+#include "../exact/by_low_end.hpp"
+#include "../exact/repeats.hpp"
 
 namespace halfspace::csg {
 
 std::vector<SoupEdge> edges_of(const Soup& soup) {
   std::vector<SoupEdge> edges;
+  edges.reserve(4 * soup.polygons.size());
   for (std::size_t p = 0; p < soup.polygons.size(); ++p) {
     const auto& corners = soup.polygons[p];
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -21,7 +25,9 @@ std::vector<SoupEdge> edges_of(const Soup& soup) {
                        static_cast<std::int32_t>(p), from < to});
     }
   }
-  std::sort(edges.begin(), edges.end());
+  sort_by_low_end(
+      edges, soup.points.size(), [](const SoupEdge& use) { return use.low; },
+      std::less<>());
   return edges;
 }
 
@@ -37,20 +43,35 @@ std::vector<std::pair<VertexId, VertexId>> open_edges(const Soup& soup) {
   return open;
 }
 
+std::vector<BadEdge> bad_edges(const Soup& soup) {
+  std::vector<BadEdge> bad;
+  for_edges(edges_of(soup), [&](const SoupEdge* first, const SoupEdge* last) {
+    std::int64_t excess = 0;
+    for (const SoupEdge* use = first; use < last; ++use)
+      excess += use->forward ? 1 : -1;
+    const GridPoint &low = soup.at(first->low), &high = soup.at(first->high);
+    if (excess > 0) bad.push_back({low, high, excess});
+    if (excess < 0) bad.push_back({high, low, -excess});
+  });
+  return bad;
+}
+
 Soup soup_of(const io::Imported& imported) {
   const Scene& scene = imported.scene;
   Soup soup;
   soup.unit = scene.unit();
   soup.decimal = soup.unit.base == 10;
-  const PointRanks ranks = point_ranks(scene.data().vertices);
-  std::vector<VertexId> ids(ranks.points.size(), -1);  // by rank
+  std::vector<VertexId> ids(scene.data().vertices.size(), -1);
+  soup.polygons.reserve(scene.polygon_count());
+  soup.sources.reserve(scene.polygon_count());
+  soup.colors.reserve(scene.polygon_count());
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
     const auto id = static_cast<PolygonId>(p);
     const auto corners = scene.corners(id);
     std::vector<VertexId> polygon;
     polygon.reserve(corners.size());
     for (const VertexId v : corners) {
-      VertexId& at = ids[ranks.of_vertex[static_cast<std::size_t>(v)]];
+      VertexId& at = ids[static_cast<std::size_t>(v)];
       if (at < 0) {
         at = static_cast<VertexId>(soup.points.size());
         soup.points.push_back(scene.point(v));
@@ -72,17 +93,34 @@ Result<io::Imported> imported_soup(const Soup& soup) {
     result.five += soup.unit.base == 10 ? soup.unit.exponent : 0;
     return result;
   };
-  for (const GridPoint& p : soup.points)
-    mesh.vertices.push_back({number(p.x), number(p.y), number(p.z)});
+  std::vector<VertexId> ids(soup.points.size(), -1);  // points in use
+  std::size_t corners = 0;
+  for (const auto& polygon : soup.polygons) corners += polygon.size();
+  mesh.corners.reserve(corners);
+  mesh.first_corner.reserve(soup.polygons.size() + 1);
+  mesh.face_colors.reserve(soup.polygons.size());
   for (std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    for (const VertexId v : soup.polygons[p])
+      ids[static_cast<std::size_t>(v)] = 0;
     mesh.corners.insert(mesh.corners.end(), soup.polygons[p].begin(),
                         soup.polygons[p].end());
     mesh.first_corner.push_back(
         static_cast<std::uint32_t>(mesh.corners.size()));
     mesh.face_colors.push_back(soup.colors[p]);
   }
+  mesh.vertices.reserve(
+      static_cast<std::size_t>(std::count(ids.begin(), ids.end(), 0)));
+  for (std::size_t v = 0; v < ids.size(); ++v) {
+    if (ids[v] < 0) continue;
+    const GridPoint& p = soup.points[v];
+    ids[v] = static_cast<VertexId>(mesh.vertices.size());
+    mesh.vertices.push_back({number(p.x), number(p.y), number(p.z)});
+  }
+  for (VertexId& corner : mesh.corners)
+    corner = ids[static_cast<std::size_t>(corner)];
   Result<io::Imported> imported = io::import_scene(mesh, {});
   if (!imported) return imported;
+  imported->report.vertices = soup.points.size();
   for (PolygonId& p : imported->faces)
     p = soup.sources[static_cast<std::size_t>(p)];
   return imported;
@@ -110,21 +148,34 @@ std::size_t drop_duplicates(Soup& soup) {
     std::size_t polygon = 0;
     bool reversed = false;
   };
-  std::vector<Entry> entries(soup.polygons.size());
-  for (std::size_t p = 0; p < entries.size(); ++p) {
-    std::vector<VertexId>& key = entries[p].corners;
+  // Polygons with the same corners have the same sum over them.
+  std::vector<std::uint64_t> sums;
+  sums.reserve(soup.polygons.size());
+  for (const auto& polygon : soup.polygons) {
+    std::uint64_t sum = 0;
+    for (const VertexId v : polygon)
+      sum += spread(static_cast<std::uint64_t>(v) + 1);
+    sums.push_back(spread(sum));
+  }
+  const std::vector<bool> is_suspect = may_repeat(sums);
+  std::vector<Entry> entries;
+  for (std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    if (!is_suspect[p]) continue;
+    Entry& entry = entries.emplace_back();
+    std::vector<VertexId>& key = entry.corners;
     key = soup.polygons[p];
     std::rotate(key.begin(), std::min_element(key.begin(), key.end()),
                 key.end());
-    entries[p].polygon = p;
-    entries[p].reversed = key.back() < key[1];
-    if (entries[p].reversed) std::reverse(key.begin() + 1, key.end());
+    entry.polygon = p;
+    entry.reversed = key.back() < key[1];
+    if (entry.reversed) std::reverse(key.begin() + 1, key.end());
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return a.corners != b.corners ? a.corners < b.corners
                                   : a.polygon < b.polygon;
   });
-  std::vector<bool> stays(soup.polygons.size());
+  std::vector<bool> stays = is_suspect;
+  stays.flip();
   for (std::size_t i = 0; i < entries.size();) {
     std::size_t end = i;
     std::ptrdiff_t excess = 0;
@@ -136,9 +187,10 @@ std::size_t drop_duplicates(Soup& soup) {
     if (excess != 0) stays[entries[i].polygon] = true;
     i = end;
   }
-  const std::size_t before = soup.polygons.size();
-  keep(soup, stays);
-  return before - soup.polygons.size();
+  const auto dropped =
+      static_cast<std::size_t>(std::count(stays.begin(), stays.end(), false));
+  if (dropped > 0) keep(soup, stays);
+  return dropped;
 }
 
 namespace {
@@ -148,14 +200,17 @@ std::int64_t distance(const GridPoint& p, const GridPoint& q) {
       {std::abs(p.x - q.x), std::abs(p.y - q.y), std::abs(p.z - q.z)});
 }
 
-/// Points in cells four times as wide as a distance, to find those that are so
-/// near: most points have no other cell within it.
+/// Points in cells four to eight times as wide as a distance, to find those
+/// that are so near: most points have no other cell within it.
 class Cells {
  public:
   Cells(std::int64_t reach, std::size_t points)
       : reach_(reach),
-        width_(4 * std::max<std::int64_t>(reach, 1)),
-        first_(std::bit_ceil(2 * points + 1), -1) {}
+        shift_(2 + static_cast<int>(
+                       std::bit_width(static_cast<std::uint64_t>(reach)))),
+        first_(std::bit_ceil(2 * points + 1), -1) {
+    entries_.reserve(points / 2);
+  }
 
   void add(const GridPoint& p, VertexId v) {
     const GridPoint cell = cell_of(p);
@@ -191,11 +246,8 @@ class Cells {
       at = entry.next;
     }
   }
-  std::int64_t cell(std::int64_t c) const {
-    return c >= 0 ? c / width_ : -((width_ - 1 - c) / width_);
-  }
   GridPoint cell_of(const GridPoint& p) const {
-    return {cell(p.x), cell(p.y), cell(p.z)};
+    return {p.x >> shift_, p.y >> shift_, p.z >> shift_};
   }
   std::size_t slot_of(const GridPoint& cell) const {
     std::uint64_t hash = 0;
@@ -207,7 +259,7 @@ class Cells {
   }
 
   std::int64_t reach_;
-  std::int64_t width_;
+  int shift_;                        // cells are 2^shift_ wide
   std::vector<std::int32_t> first_;  // by slot: an entry, or -1
   std::vector<Entry> entries_;
 };
@@ -229,18 +281,19 @@ void replace_corners(Soup& soup, const std::vector<VertexId>& become) {
 }  // namespace
 
 Welded weld(Soup& soup, std::int64_t reach) {
-  std::vector<VertexId> ends;
+  std::vector<bool> is_end(soup.points.size());
   for (const auto& [from, to] : open_edges(soup))
-    ends.insert(ends.end(), {from, to});
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    is_end[static_cast<std::size_t>(from)] =
+        is_end[static_cast<std::size_t>(to)] = true;
   // Each takes the place of the first one that is near and stays: no chain of
   // them moves farther than one step.
   std::vector<VertexId> become(soup.points.size());
   std::iota(become.begin(), become.end(), 0);
-  Cells cells(reach, ends.size());
+  Cells cells(reach, static_cast<std::size_t>(
+                         std::count(is_end.begin(), is_end.end(), true)));
   Welded welded;
-  for (const VertexId v : ends) {
+  for (VertexId v = 0; static_cast<std::size_t>(v) < is_end.size(); ++v) {
+    if (!is_end[static_cast<std::size_t>(v)]) continue;
     VertexId target = v;
     cells.for_near(soup.at(v), [&](VertexId u) {
       if (distance(soup.at(u), soup.at(v)) <= reach)

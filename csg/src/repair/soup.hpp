@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "halfspace/boolean.hpp"
 #include "halfspace/io/import.hpp"
 #include "halfspace/scene.hpp"
 
@@ -67,6 +68,10 @@ void for_edges(const std::vector<SoupEdge>& edges, Found&& found) {
 /// it is too many times.
 std::vector<std::pair<VertexId, VertexId>> open_edges(const Soup& soup);
 
+/// As halfspace::bad_edges(), in the order of the ids of their ends.
+std::vector<BadEdge> bad_edges(const Soup& soup);
+
+/// The polygons of what was imported, where no two vertices have one point.
 Soup soup_of(const io::Imported& imported);
 
 /// The soup imported anew: polygons that are not planar are cut, those without

@@ -46,6 +46,16 @@ TEST(BooleanTables, AreThoseUsedMoreOftenOneWay) {
   EXPECT_GT(up, 10u);
   EXPECT_GT(expected.size(), up + 10);
   EXPECT_EQ(bad_edges(solid), expected);
+  // Ids of a table of many solids are far apart.
+  for (SolidEdge& edge : solid.edges) {
+    edge.from = 1'000'000 + 977 * edge.from;
+    edge.to = 1'000'000 + 977 * edge.to;
+  }
+  for (BadEdge& edge : expected) {
+    edge.from = 1'000'000 + 977 * edge.from;
+    edge.to = 1'000'000 + 977 * edge.to;
+  }
+  EXPECT_EQ(bad_edges(solid), expected);
 }
 
 /// A tetrahedron through which no edge of cubes goes along its own.

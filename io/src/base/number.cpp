@@ -119,7 +119,7 @@ Number normalised_small(std::int64_t mantissa, std::int32_t two,
                         std::int32_t five) {
   if (mantissa == 0) return {};
   const int shift = std::countr_zero(static_cast<std::uint64_t>(mantissa));
-  mantissa /= std::int64_t{1} << shift;
+  mantissa >>= shift;  // exact
   two += shift;
   while (mantissa % 5 == 0) {
     mantissa /= 5;

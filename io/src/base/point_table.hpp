@@ -1,8 +1,12 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "halfspace/assert.hpp"
 
 namespace halfspace::io {
 
@@ -17,6 +21,11 @@ constexpr std::uint64_t mixed(std::uint64_t z) {
 template <class Point, class Hash>
 class PointTable {
  public:
+  /// Makes room for so many points.
+  void reserve(std::size_t count) {
+    HALFSPACE_ASSERT(slots_.empty());
+    slots_.assign(std::bit_ceil(2 * count + 2), kFree);
+  }
   /// The index of the point in `points`, where it is added if it is new.
   std::int32_t index_of(Point point, std::vector<Point>& points) {
     if (2 * (points.size() + 1) > slots_.size()) grow(points);

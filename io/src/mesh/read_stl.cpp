@@ -1,7 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "base/binary.hpp"
+#include "base/point_table.hpp"
 #include "base/text.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "mesh/readers.hpp"
@@ -28,6 +33,18 @@ bool is_binary(std::string_view bytes) {
   return bytes.substr(0, kHeaderSize).find('\0') != std::string_view::npos;
 }
 
+/// A point as the file has it, a zero without its sign.
+using FloatPoint = std::array<float, 3>;
+
+struct FloatsHash {
+  std::size_t operator()(const FloatPoint& point) const {
+    std::uint64_t hash = 0;
+    for (const float value : point)
+      hash = mixed(hash + std::bit_cast<std::uint32_t>(value));
+    return hash;
+  }
+};
+
 Result<Mesh> read_binary(std::string_view bytes, const Stop& stop) {
   if (bytes.size() < kHeaderSize) {
     return Error{ErrorCode::kTruncated,
@@ -47,9 +64,12 @@ Result<Mesh> read_binary(std::string_view bytes, const Stop& stop) {
   const std::size_t used = kTriangleSize * std::size_t{count};
   if (auto error = trailing_error(bytes, kHeaderSize + used)) return *error;
   MeshBuilder builder(stop);
+  // Numbers of any size are made of points once each, not of every corner.
+  PointTable<FloatPoint, FloatsHash> table;
+  std::vector<FloatPoint> points;
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      std::array<Number, 3> point;
+      FloatPoint point;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t at =
             kTriangleSize * std::size_t{triangle} + 12 + 12 * corner + 4 * axis;
@@ -61,11 +81,18 @@ Result<Mesh> read_binary(std::string_view bytes, const Stop& stop) {
                            std::to_string(value),
                        triangle};
         }
-        point[axis] = number_of(double{value});
+        point[axis] = value == 0 ? 0.0f : value;
       }
-      if (auto error = builder.add_corner_at(std::move(point))) return *error;
+      if (auto error = builder.add_corner(table.index_of(point, points)))
+        return *error;
     }
     builder.end_face();
+  }
+  builder.mesh.vertices.reserve(points.size());
+  for (const auto& [x, y, z] : points) {
+    if (auto error = builder.add_vertex(
+            {number_of(double{x}), number_of(double{y}), number_of(double{z})}))
+      return *error;
   }
   return std::move(builder.mesh);
 }

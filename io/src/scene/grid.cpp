@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "halfspace/assert.hpp"
@@ -39,17 +41,30 @@ Exponents in_units(const Number& number, const Unit& unit) {
           number.five - (unit.base == 10 ? unit.exponent : 0)};
 }
 
+/// The integer, if its size is less than 2^63; without a detour by others.
+std::optional<std::int64_t> short_integer(const Integer& integer) {
+  const auto& limbs = integer.backend();
+  constexpr std::size_t kLimbBits = 8 * sizeof(*limbs.limbs());
+  if (kLimbBits * limbs.size() > 64) return std::nullopt;
+  std::uint64_t size = 0;
+  for (std::size_t i = 0; i < limbs.size(); ++i)
+    size |= std::uint64_t{limbs.limbs()[i]} << (kLimbBits * i);
+  if (size > std::uint64_t{kMost}) return std::nullopt;
+  const auto value = static_cast<std::int64_t>(size);
+  return limbs.sign() ? -value : value;
+}
+
 /// The number in units, if that is an integer of less than 63 bits.
 std::optional<std::int64_t> exact_steps(const Number& number,
                                         const Unit& unit) {
-  if (number.mantissa == 0) return 0;
+  const auto mantissa = short_integer(number.mantissa);
+  if (mantissa == 0) return 0;
   const auto [two, five] = in_units(number, unit);
   if (two < 0 || five < 0 || two > 62 || five > 27) return std::nullopt;
-  if (number.mantissa > kMost || number.mantissa < -kMost) return std::nullopt;
-  const auto mantissa = static_cast<std::int64_t>(number.mantissa);
+  if (!mantissa) return std::nullopt;
   const std::int64_t power = kPowersOfFive[static_cast<std::size_t>(five)];
   std::int64_t steps = 0;
-  if (__builtin_mul_overflow(mantissa, power, &steps)) return std::nullopt;
+  if (__builtin_mul_overflow(*mantissa, power, &steps)) return std::nullopt;
   const std::int64_t limit = kMost >> two;
   if (steps > limit || steps < -limit) return std::nullopt;
   return steps * (std::int64_t{1} << two);
@@ -57,6 +72,12 @@ std::optional<std::int64_t> exact_steps(const Number& number,
 
 /// The greatest k with 2^k <= |number|, which is not zero.
 std::int64_t floor_log2(const Number& number) {
+  if (const auto mantissa = short_integer(number.mantissa);
+      mantissa && number.five == 0) {
+    const auto size =
+        static_cast<std::uint64_t>(*mantissa < 0 ? -*mantissa : *mantissa);
+    return static_cast<std::int64_t>(std::bit_width(size)) - 1 + number.two;
+  }
   Integer size = abs(number.mantissa);
   if (number.five >= 0) {
     size *= power_of_five(number.five);
@@ -129,6 +150,7 @@ std::optional<std::int32_t> Chooser::coarsest(int base) const {
 int Chooser::bits_needed(const Unit& unit) const {
   int bits = 1;
   for_each([&](const Number& number) {
+    if (bits == 64) return;
     const std::optional<std::int64_t> steps = exact_steps(number, unit);
     while (bits < 64 && (!steps || !fits(*steps, bits))) ++bits;
   });
@@ -162,7 +184,11 @@ GridChoice Chooser::refined(const Candidate& candidate, int bits) const {
 std::optional<GridChoice> Chooser::exact() const {
   std::vector<Candidate> candidates;
   add_candidates(mesh_.decimal ? 10 : 2, candidates);
-  add_candidates(mesh_.decimal ? 2 : 10, candidates);
+  // Of floats with digits after the point, 10^-k is no shorter than 2^-k, which
+  // goes first.
+  const bool are_floats = !mesh_.decimal && !candidates.empty() &&
+                          candidates.front().unit.exponent < 0;
+  if (!are_floats) add_candidates(mesh_.decimal ? 2 : 10, candidates);
   for (const int bits : kGridBits) {
     if (options_.grid_bits && *options_.grid_bits != bits) continue;
     for (const Candidate& candidate : candidates) {

@@ -116,6 +116,7 @@ class Importer {
   std::vector<VertexId> face_;            // vertices of the mesh
   std::vector<std::size_t> face_places_;  // of them in mesh_.corners
   std::vector<GridPoint> points_;
+  std::vector<std::size_t> all_;  // 0, 1, 2, ..., as far as was needed
   Rgb color_;
   std::vector<Rgb> corner_colors_;
 };
@@ -159,6 +160,10 @@ bool Importer::choose() {
 /// Puts the used vertices on the grid, equal points on one vertex.
 bool Importer::place_vertices() {
   PointTable<GridPoint, GridPointHash> table;
+  const auto points =
+      static_cast<std::size_t>(std::count(used_.begin(), used_.end(), true));
+  table.reserve(points);
+  data_.vertices.reserve(points);
   scene_id_.resize(mesh_.vertices.size());
   for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
     if (stops()) return false;
@@ -347,9 +352,8 @@ bool Importer::add_face(std::size_t face) {
   const bool whole =
       shape == Shape::kConvex && (!only_triangles || points_.size() == 3);
   if (whole) {
-    std::vector<std::size_t> all(points_.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    add_polygon(face, all);
+    while (all_.size() < points_.size()) all_.push_back(all_.size());
+    add_polygon(face, std::span(all_).first(points_.size()));
     return true;
   }
   if (points_.size() > kMaxEarCorners) {
@@ -375,6 +379,10 @@ Result<Imported> Importer::import() {
   }
   if (!find_used() || !choose() || !place_vertices()) return *error_;
   if (options_.gouraud && !sum_normals()) return *error_;
+  data_.corners.reserve(mesh_.corners.size());
+  data_.first_corner.reserve(mesh_.face_count() + 1);
+  data_.colors.reserve(mesh_.face_count());
+  faces_.reserve(mesh_.face_count());
   for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
     if (stops() || !add_face(face)) return *error_;
   }

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 
+#include "halfspace/boolean.hpp"
 #include "halfspace/scene.hpp"
 
 namespace halfspace::csg {
@@ -26,5 +29,15 @@ ClosedScene closed_on_lines(Scene scene);
 
 /// The same whether that closes the scene or not.
 ClosedScene split_on_lines(Scene scene);
+
+/// The same, the scene's bad edges being known, in any order. Nothing where no
+/// corner is added.
+std::optional<ClosedScene> split_on_lines(const Scene& scene,
+                                          std::span<const BadEdge> bad);
+
+/// Whether a look at some of the bad edges of a surface tells that no corners
+/// on lines close it. Not if this is false.
+/// Cost: linear.
+bool stays_open_on_lines(std::span<const BadEdge> bad);
 
 }  // namespace halfspace::csg
