@@ -338,7 +338,11 @@ Result<Outcome> outcome_of(fast::Solid solid, const EvaluateOptions& options) {
                                  .threads = options.threads,
                                  .max_move = options.max_move,
                                  .keep_corners = options.keep_corners});
-  if (!mesh) return mesh.error();
+  if (!mesh) {
+    return options.output.empty()
+               ? mesh.error()
+               : io::error_about(options.output, mesh.error());
+  }
   take_polygons(solid, *mesh, {2, 0}, result);
   result.moved = mesh->moved;
   result.max_move = mesh->max_move;

@@ -111,6 +111,12 @@ double size_of(const Extent& extent) {
   return io::to_double(extent.greatest) - io::to_double(extent.least);
 }
 
+/// The binary logarithm of the size of a number that is not zero, about.
+double log2_of(const io::Number& number) {
+  return static_cast<double>(msb(io::Integer(abs(number.mantissa)))) +
+         number.two + number.five * std::log2(5.0);
+}
+
 bool is_short(const Plane& plane) {
   return std::all_of(
       plane.points.begin(), plane.points.end(), [](const Numbers3& point) {
@@ -272,6 +278,25 @@ bool Operands::choose_unrounded_grid() {
   return true;
 }
 
+/// An error of all coordinates, with the name of what reaches the farthest.
+Error Operands::about_farthest(const Error& error) const {
+  std::int32_t farthest = -1;
+  double reach = 0;  // by its binary logarithm, for doubles do not reach so far
+  for (std::int32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    if (is_empty(leaf)) continue;
+    std::vector<io::Number> coordinates;
+    add_need(leaf, coordinates);
+    for (const io::Number& number : coordinates) {
+      if (number.mantissa == 0) continue;
+      const double log = log2_of(number);
+      if (farthest >= 0 && log <= reach) continue;
+      farthest = leaf;
+      reach = log;
+    }
+  }
+  return farthest < 0 ? error : io::error_about(path_of(farthest), error);
+}
+
 /// Chooses the grid to which everything is rounded: as little as can be, lest
 /// it cross itself, but where all was moved anyway.
 Result<Done> Operands::choose_rounded_grid() {
@@ -287,7 +312,7 @@ Result<Done> Operands::choose_rounded_grid() {
     how.grid_bits = any && all_moved && !options_.finest_grid ? 40 : 54;
   }
   const auto imported = io::import_scene(mesh_of_needs(), how);
-  if (!imported) return imported.error();
+  if (!imported) return about_farthest(imported.error());
   set_grid(imported->report.unit, imported->report.grid_bits);
   return Done{};
 }

@@ -64,6 +64,28 @@ cat form.hsolid | "$program" csg 'X - translate(Y, 1, 0, 0)' X=- Y=- -o x.off -q
 "$program" csg 'X - B' X=- B=b.off -o chain.hsolid <form.hsolid >out.txt ||
   wrong 'csg -'
 expect 0 painted render ab.hsolid -o ab.png
+# It is no mesh, and there is nothing in it to mend.
+expect 2 'ab.hsolid: an exact file needs no repair: .* A=ab.hsolid -o x.off' \
+  repair ab.hsolid -o x.off
+expect 2 'x.hsolid: .* as a mesh first; .* makes an exact file of that' \
+  repair a.off -o x.hsolid
+"$program" repair - -o x.off <form.hsolid 2>stderr &&
+  wrong 'an exact file was repaired'
+grep -q 'standard input: an exact file is no mesh' stderr ||
+  wrong "repair of an exact pipe: $(cat stderr)"
+# Units beyond all doubles, and the file in the error.
+"$program" csg A A=ab.hsolid -o - --format hsolid-text |
+  sed 's/^unit .*/unit 10 4096/; s/^checksum .*/checksum -/' >far.hsolid
+expect 2 'far.hsolid: the coordinates need a unit' \
+  csg 'A - B' A=far.hsolid B=b.off -o x.off
+expect 2 'far.hsolid: the coordinates need a unit' \
+  csg 'A & half(x < 5)' A=far.hsolid -o x.off
+sed 's/^unit .*/unit 2 4096/' far.hsolid >farther.hsolid
+expect 2 'farther.hsolid: .*coordinates go up to inf' \
+  csg 'translate(A, 0.3, 0, 0)' A=farther.hsolid -o x.off
+sed 's/^unit .*/unit 10 300/' far.hsolid >300.hsolid
+expect 2 'x.stl: the solid.s coordinates go up to .*e+300' \
+  csg 'rotate(A, 0, 0, 1, 30)' A=300.hsolid -o x.stl
 # Origins are those of the first operands.
 grep -a -q 'a.off' chain.hsolid || wrong 'the parts are lost'
 

@@ -134,7 +134,7 @@ TEST(Gltf, WhatIsWrongHasAPlace) {
   expect_error(read(R"({"byteLength": 120, "uri": "https://x/a.bin"})"),
                ErrorCode::kUnreadable,
                "buffers[0] is in 'https://x/a.bin', which is not read from "
-               "there: put it beside the file");
+               "there: put it beside the file or below");
   expect_error(read(R"({"byteLength": 120, "uri": "data:;base64,!"})"),
                ErrorCode::kSyntax, "buffers[0].uri is no base64");
   expect_error(read(R"({"byteLength": 120, "uri": "data:;base64,YWJj"})"),
@@ -151,10 +151,34 @@ TEST(Gltf, WhatIsWrongHasAPlace) {
                "a GLB begins with glTF, and a .gltf with {", 0);
   const TemporaryFile file("a.gltf");
   samples::write(file.path(),
-                 gltf_of("", R"({"byteLength": 1, "uri": "../b.bin"})"));
+                 gltf_of("", R"({"byteLength": 1, "uri": "b/../c.bin"})"));
   expect_error(read_mesh(file.path()), ErrorCode::kUnreadable,
                file.path().string() + ": buffers[0]: there is no file " +
-                   (file.path().parent_path() / "../b.bin").string());
+                   (file.path().parent_path() / "b/../c.bin").string());
+}
+
+TEST(Gltf, BuffersOutsideOfItsFolderAreNotRead) {
+  const TemporaryFile file("a.gltf"), there("there.bin");
+  samples::write(there.path(), std::string(120, '\0'));
+  const std::string name = there.path().filename().string();
+  const std::string folder = file.path().parent_path().filename().string();
+  for (const std::string& uri :
+       {"../" + folder + "/" + name, "%2E%2e/" + folder + "/" + name,
+        "./x/../../" + folder + "/" + name, "..%2f" + folder + "%2F" + name,
+        there.path().string(), "%2f" + there.path().string().substr(1)}) {
+    samples::write(file.path(), gltf_of("", R"({"byteLength": 120, "uri": ")" +
+                                                uri + R"("})"));
+    expect_error(read_mesh(file.path()), ErrorCode::kUnreadable,
+                 file.path().string() + ": buffers[0] is in '" + uri +
+                     "', which is not read from there: put it beside the file "
+                     "or below");
+  }
+  samples::write(
+      file.path(),
+      gltf_of("", R"({"byteLength": 120, "uri": "./x/../)" + name + R"("})"));
+  const Result<Mesh> mesh = read_mesh(file.path());
+  EXPECT_TRUE(mesh ||
+              mesh.error().message.find("not read") == std::string::npos);
 }
 
 /// The file with a material whose image is this.

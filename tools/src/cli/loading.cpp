@@ -6,8 +6,10 @@
 
 #include "cli/options.hpp"
 #include "halfspace/csg/exact.hpp"
+#include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/mesh_input.hpp"
 #include "halfspace/io/read_mesh.hpp"
+#include "halfspace/solid_file.hpp"
 #include "halfspace/viewer/model.hpp"
 
 namespace halfspace::tools {
@@ -28,6 +30,12 @@ Result<io::Mesh> read_mesh_file(const std::string& path) {
     if (path != "-") return io::read_mesh(path);
     const Result<std::string> bytes = io::read_input();
     if (!bytes) return bytes.error();
+    if (is_solid_file(*bytes)) {
+      return Error{ErrorCode::kUnknownFormat,
+                   io::kInputName +
+                       ": an exact file is no mesh, and needs no repair; "
+                       "halfspace csg A A=- -o OUT writes it in any format"};
+    }
     return io::mesh_of_input(*bytes);
   } catch (const std::bad_alloc&) {
     return no_room_for({path});
@@ -35,10 +43,10 @@ Result<io::Mesh> read_mesh_file(const std::string& path) {
 }
 
 Error no_room_for(const std::vector<std::string>& paths) {
-  return {ErrorCode::kOutOfRange,
-          fmt::format("{}: there is not enough memory to read {}",
-                      fmt::join(paths, ", "),
-                      paths.size() == 1 ? "it" : "them")};
+  return {
+      ErrorCode::kOutOfRange,
+      fmt::format("{}: there is not enough memory to read {}",
+                  fmt::join(paths, ", "), paths.size() == 1 ? "it" : "them")};
 }
 
 std::string to_string(const io::ImportReport& report) {

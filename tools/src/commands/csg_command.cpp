@@ -246,6 +246,7 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
   options.triangles = format && io::has_floats(*format);
   if (options.triangles) options.number = fast::FileNumber::kFloat;
   options.max_move = arguments_.max_move;
+  options.output = arguments_.output == "-" ? kOutputName : arguments_.output;
   options.keep_origin = arguments_.keep_origin;
   options.keep_corners = !arguments_.origin.empty() || arguments_.keep_origin;
   options.build = build_options(arguments_.build);
@@ -426,10 +427,10 @@ Status run_csg(const CsgArguments& arguments) {
 }
 
 constexpr Word<std::string_view> kFormatWords[] = {
-    {"off", "off"},        {"obj", "obj"},       {"stl", "stl"},
-    {"ply", "ply"},        {"3mf", "3mf"},       {"glb", "glb"},
-    {"gltf", "gltf"},      {"scene", "scene"},   {"hsolid", "hsolid"},
-    {"step", "step"},      {kTextForm, kTextForm}};
+    {"off", "off"},   {"obj", "obj"},        {"stl", "stl"},
+    {"ply", "ply"},   {"3mf", "3mf"},        {"glb", "glb"},
+    {"gltf", "gltf"}, {"scene", "scene"},    {"hsolid", "hsolid"},
+    {"step", "step"}, {kTextForm, kTextForm}};
 
 constexpr Word<csg::MergeRule> kMergeWords[] = {
     {"origin", csg::MergeRule::kOrigin},

@@ -14,6 +14,9 @@
 
 namespace halfspace::tools {
 
+/// What the output `-` is called in messages.
+inline constexpr const char* kOutputName = "standard output";
+
 /// All that there is to tell of a boolean that was done.
 struct CsgContext {
   const csg::Script& script;

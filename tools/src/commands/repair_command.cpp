@@ -98,6 +98,7 @@ Result<std::optional<csg::Outcome>> outcome_of(const RepairArguments& arguments,
   options.triangles = format && io::has_floats(*format);
   if (options.triangles) options.number = fast::FileNumber::kFloat;
   options.max_move = arguments.max_move;
+  options.output = arguments.output == "-" ? kOutputName : arguments.output;
   options.threads = threads_of(arguments);
   options.progress = [&work](double share) { return work.report(share); };
   return csg::evaluate_fast(*plan, *operands, options);
@@ -163,6 +164,15 @@ std::string file_complaint(const RepairArguments& arguments,
   return complaint(inputs, outputs);
 }
 
+/// Of a file that has nothing to be welded, turned or filled.
+std::string exact_input(const RepairArguments& arguments) {
+  return arguments.input +
+         ": an exact file needs no repair: halfspace csg A A=" +
+         arguments.input + " -o " + arguments.output +
+         " writes it in any format, and with --repair resolves what crosses "
+         "itself";
+}
+
 /// Where a flat surface was closed.
 constexpr const char* kNothingWithin =
     ": what fills its holes lies upon its polygons, so nothing is within; "
@@ -171,6 +181,13 @@ constexpr const char* kNothingWithin =
 Status run_repair(const RepairArguments& arguments) {
   const std::string output = output_name(arguments);
   if (output == "-") return fail("-o -: give --format as well");
+  if (io::is_solid_name(arguments.input)) return fail(exact_input(arguments));
+  if (io::is_solid_name(output)) {
+    return fail(output +
+                ": a repaired solid is written as a mesh first; halfspace csg "
+                "A A=MESH -o " +
+                output + " makes an exact file of that");
+  }
   if (!io::is_scene_name(output) && !io::format_of(output)) {
     return fail(output + ": the name must end in " +
                 io::format_extensions(".scene"));

@@ -284,6 +284,7 @@ class Operands {
   bool choose_exact_grid(unsigned rounds, bool keeps_decimals);
   bool choose_unrounded_grid();
   Result<Done> choose_rounded_grid();
+  Error about_farthest(const Error& error) const;
   io::Mesh mesh_of_needs() const;
   Error no_grid() const;
   const Source& source_of(std::int32_t leaf) const;

@@ -46,6 +46,8 @@ struct EvaluateOptions {
   /// No polygon of the result is to reach beyond the one that it comes from.
   /// The fast library's.
   bool keep_corners = false;
+  /// What the result is to be written to: errors of rounding it name it.
+  std::string output = {};
   /// The result is wanted for a `.hsolid` file. The fast library's.
   bool exact_data = false;
   /// The attributes say where polygons come from, too. The fast library's.

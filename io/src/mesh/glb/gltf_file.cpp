@@ -132,16 +132,15 @@ class BufferReader {
 
   Result<std::string_view> bytes_beside(const std::string& uri,
                                         const std::string& place) {
-    const std::filesystem::path name = name_of_uri(uri);
-    const bool is_elsewhere =
-        uri.find("://") != std::string::npos || name.is_absolute();
+    const bool is_elsewhere = leads_elsewhere(uri);
     if (folder_ == nullptr || is_elsewhere) {
-      return Error{ErrorCode::kUnreadable,
-                   place + " is in " + in_quotes(uri) + ", which is not read " +
-                       (is_elsewhere ? "from there: put it beside the file"
-                                     : "without the folder: name the file")};
+      return Error{
+          ErrorCode::kUnreadable,
+          place + " is in " + in_quotes(uri) + ", which is not read " +
+              (is_elsewhere ? "from there: put it beside the file or below"
+                            : "without the folder: name the file")};
     }
-    const std::filesystem::path path = *folder_ / name;
+    const std::filesystem::path path = *folder_ / name_of_uri(uri);
     if (!is_plain_file(path)) {
       return Error{ErrorCode::kUnreadable,
                    place + ": there is no file " + path.string()};
@@ -158,6 +157,13 @@ class BufferReader {
 };
 
 }  // namespace
+
+bool leads_elsewhere(std::string_view uri) {
+  if (uri.find("://") != std::string_view::npos) return true;
+  const std::filesystem::path name =
+      std::filesystem::path(name_of_uri(uri)).lexically_normal();
+  return name.has_root_path() || (!name.empty() && *name.begin() == "..");
+}
 
 std::string name_of_uri(std::string_view uri) {
   std::string name;

@@ -28,6 +28,10 @@ struct GltfFile {
 /// A file's name from a URI, in which bytes may be given as %20 (RFC 3986).
 std::string name_of_uri(std::string_view uri);
 
+/// Whether a URI names something that is not in the folder of the file or below
+/// it, as its dots and %2e tell: a reader opens no such file.
+bool leads_elsewhere(std::string_view uri);
+
 /// The bytes of a URI `data:...;base64,...`; nothing where it is none.
 std::optional<std::string> bytes_of_data_uri(std::string_view uri);
 
