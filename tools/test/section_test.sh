@@ -57,6 +57,39 @@ for eye in '--view front --ortho' '--eye 4,2,30 --target 4,2,0 --up 0,1,0'; do
   expect 0 'mismatches: 0' compare tree.npy list.npy
 done
 
+# Planes of a film move evenly, and nothing is built anew.
+cat >cut.path <<'END'
+0 eye 30,20,15 target 2,2,2 clip 0,1,0,-1 clip 1,0,0,-0.5
+4 clip 0,1,0,-3 clip 1,0,0,-0.5
+END
+expect 0 '5 frames' render cube.off --size 40x30 --path cut.path --cap hatch \
+  -o moves-%d.png
+for k in 0 1 2 3 4; do
+  expect 0 'span' render cube.off --size 40x30 --eye 30,20,15 --target 2,2,2 \
+    --clip "0,1,0,-$(python3 -c "print(1 + $k / 2)")" --clip 1,0,0,-0.5 \
+    --cap hatch -o still.png
+  same still.png moves-$k.png
+done
+cmp -s moves-0.png moves-4.png && wrong 'the planes do not move'
+printf '0 eye 9,9,9 target 0,0,0 yon 10\n2 yon 20\n' >yon.path
+expect 0 '3 frames' render cube.off --size 40x30 --path yon.path -o yon-%d.png
+expect 0 'span' render cube.off --size 40x30 --eye 9,9,9 --target 0,0,0 \
+  --yon 15 -o still.png
+same still.png yon-1.png
+bad_path() { # MESSAGE LINES
+  printf '0 eye 9,9,9 target 0,0,0 %b\n' "$2" >bad.path
+  expect 2 "$1" render cube.off --size 40x30 --path bad.path -o no-%d.png \
+    --cap hatch
+}
+bad_path 'line 1: clip must be A,B,C,D' 'clip 1,0,0'
+bad_path 'line 1: yon must be a number above 0' 'yon 0'
+bad_path 'line 2: clip is said here' '\n2 clip 0,1,0,-1'
+bad_path 'line 2: clip is said 2 times here, and 1 times before' \
+  'clip 0,1,0,-1\n2 clip 0,1,0,-1 clip 1,0,0,0'
+bad_path 'frame 1: --clip: .*normal is zero' 'clip 0,1,0,-1\n2 clip 0,-1,0,-1'
+bad_path 'needs --clip' ''
+ls no-*.png >no.txt 2>/dev/null && wrong 'a picture was written for bad input'
+
 nine=()
 for k in 1 2 3 4 5 6 7 8 9; do nine+=(--clip "1,0,0,$k"); done
 expect 2 'at most 8 clip planes' render cubes.off "${nine[@]}" -o no.png

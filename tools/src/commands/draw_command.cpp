@@ -232,8 +232,9 @@ Status run_draw(DrawArguments arguments) {
       arguments.view.background->style != Background::Style::kColor) {
     return fail("--background: a figure has one colour behind it");
   }
-  const std::string no_caps =
-      prepare_caps(loaded->file, arguments.clip, loaded->files);
+  std::string no_caps = cut_complaint(arguments.clip);
+  if (no_caps.empty())
+    no_caps = prepare_caps(loaded->file, arguments.clip, loaded->files);
   if (!no_caps.empty()) return fail(loaded->name, {ErrorCode::kOpen, no_caps});
   const ImageOptions image = choose_options(loaded->file, arguments.view);
   ViewFigure figures(arguments, *loaded, image);

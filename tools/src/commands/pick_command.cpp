@@ -208,7 +208,8 @@ class AskedTree {
 };
 
 Status run_pixel(const PickArguments& arguments, io::LoadedScene& loaded) {
-  const std::string wrong = prepare_caps(loaded.file, arguments.clip);
+  std::string wrong = cut_complaint(arguments.clip);
+  if (wrong.empty()) wrong = prepare_caps(loaded.file, arguments.clip);
   if (!wrong.empty()) return fail(wrong);
   const Result<ChosenCamera> chosen =
       choose_camera(loaded.file, arguments.view);

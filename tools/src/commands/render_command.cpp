@@ -94,6 +94,9 @@ Status run_film(Engine& engine, const Subject& subject,
   }
   const Result<Range> frames = frames_of(*path, arguments);
   if (!frames) return fail(frames.error().message);
+  const std::string uncut =
+      clip_complaint(*path, *frames, loaded.file.scene, arguments.clip);
+  if (!uncut.empty()) return fail(uncut);
   for (std::int64_t k = *frames->first; k < *frames->end; ++k) {
     const std::string wrong =
         file_complaint(arguments, outputs_of(arguments, k));
@@ -117,9 +120,10 @@ Status run_film(Engine& engine, const Subject& subject,
         frame_camera(loaded.file, *path, first + k, arguments);
     if (!chosen)
       return fail(name + ": " + camera_error(arguments.path, chosen.error()));
-    Result<Frame> frame =
-        make_frame(engine, subject, chosen->camera, arguments);
-    if (!frame) return fail(frame.error().message);
+    RenderArguments now = arguments;
+    now.clip = path->clip_at(first + k, arguments.clip);
+    Result<Frame> frame = make_frame(engine, subject, chosen->camera, now);
+    if (!frame) return fail(name + ": " + frame.error().message);
     const Status written =
         write_frame(*frame, outputs_of(arguments, first + k));
     if (written != Status::kFine) return written;
@@ -199,7 +203,9 @@ Status run_render(const RenderArguments& given) {
     return fail(arguments.path +
                 ": a scene has its own colours; --color, --light, --headlight, "
                 "--ambient and --smooth are for meshes");
-  wrong = prepare_caps(loaded->file, arguments.clip);
+  // The planes of a film may be its path's.
+  if (!arguments.camera_path_file) wrong = cut_complaint(arguments.clip);
+  if (wrong.empty()) wrong = prepare_caps(loaded->file, arguments.clip);
   if (!wrong.empty()) return fail(wrong);
   Subject subject{*loaded};
   if (arguments.scalars.source) {

@@ -64,6 +64,31 @@ std::optional<std::int64_t> parse_frame(const std::string& text) {
   return frame && *frame >= 0 && *frame < kMostFrames ? frame : std::nullopt;
 }
 
+/// Sets what cuts, as set() does. The planes of a line are all that there are.
+std::optional<bool> set_clip(KeyFrame& key, bool& has_planes,
+                             const std::string& word,
+                             const std::string& value) {
+  if (word == "yon") return store(key.yon, value, parse_yon);
+  if (word != "clip") return std::nullopt;
+  if (!has_planes) key.planes.clear();
+  has_planes = true;
+  const std::optional<ClipNumbers> plane = parse_clip_numbers(value);
+  if (plane) key.planes.push_back(*plane);
+  return plane.has_value();
+}
+
+/// What the value of a word that is known must be.
+std::string wanted_of(const std::string& word) {
+  if (word.find('.') != std::string::npos) {
+    return "X,Y,Z to move, X,Y,Z,DEGREES to turn, a number to scale, yes or no "
+           "for there";
+  }
+  if (word == "eye" || word == "target" || word == "up")
+    return "X,Y,Z, three finite numbers";
+  if (word == "clip") return "A,B,C,D, four numbers";
+  return word == "yon" ? "a number above 0" : "a finite number";
+}
+
 /// One line's words into a key frame.
 std::optional<Error> parse_line(const std::vector<std::string>& words,
                                 std::int64_t line, KeyFrame& key) {
@@ -75,40 +100,35 @@ std::optional<Error> parse_line(const std::vector<std::string>& words,
                           words[0] + "'");
   }
   key.frame = *frame;
+  bool has_planes = false;
   for (std::size_t k = 1; k < words.size(); k += 2) {
     const std::string& word = words[k];
     const std::string value = k + 1 < words.size() ? words[k + 1] : "";
     std::optional<bool> understood = set(key.view, word, value);
+    if (!understood) understood = set_clip(key, has_planes, word, value);
     if (!understood) understood = set_object(key, word, value);
     if (!understood) {
       return line_error(
           line, ErrorCode::kSyntax,
-          "knows eye, target, up, fov, height, near and, of objects, "
-          "NAME.move, NAME.turn, NAME.scale and NAME.there, not '" +
+          "knows eye, target, up, fov, height, near, clip, yon and, of "
+          "objects, NAME.move, NAME.turn, NAME.scale and NAME.there, not '" +
               word + "'");
     }
-    if (!*understood && word.find('.') != std::string::npos) {
-      return line_error(line, ErrorCode::kSyntax,
-                        word +
-                            " must be X,Y,Z to move, X,Y,Z,DEGREES to turn, a "
-                            "number to scale, yes or no for there, not '" +
-                            value + "'");
-    }
     if (!*understood) {
-      const bool is_vector = word == "eye" || word == "target" || word == "up";
       return line_error(
           line, ErrorCode::kSyntax,
-          word + " must be " +
-              (is_vector ? "X,Y,Z, three finite numbers" : "a finite number") +
-              ", not '" + value + "'");
+          word + " must be " + wanted_of(word) + ", not '" + value + "'");
     }
   }
   return std::nullopt;
 }
 
 /// A word that the later of two key frames says and the earlier one does not.
-std::optional<std::string> news(const ViewArguments& before,
-                                const ViewArguments& after) {
+std::optional<std::string> news(const KeyFrame& first, const KeyFrame& next) {
+  if (!next.planes.empty() && first.planes.empty()) return "clip";
+  if (next.yon && !first.yon) return "yon";
+  const ViewArguments& before = first.view;
+  const ViewArguments& after = next.view;
   if (after.eye && !before.eye) return "eye";
   if (after.target && !before.target) return "target";
   if (after.up && !before.up) return "up";
@@ -127,6 +147,16 @@ double between(double a, double b, double share) {
 glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) {
   return {between(a.x, b.x, share), between(a.y, b.y, share),
           between(a.z, b.z, share)};
+}
+
+ClipNumbers between(const ClipNumbers& a, const ClipNumbers& b, double share) {
+  ClipNumbers plane = a;
+  for (std::size_t k = 0; k < plane.size(); ++k) {
+    const double from = io::to_double(a[k]);
+    const double to = io::to_double(b[k]);
+    if (from != to) plane[k] = io::number_of(between(from, to, share));
+  }
+  return plane;
 }
 
 template <class T>
@@ -159,6 +189,27 @@ ViewArguments CameraPath::at(std::int64_t frame) const {
   view.ortho_height = between(a.view.ortho_height, b.view.ortho_height, share);
   view.near = between(a.view.near, b.view.near, share);
   return view;
+}
+
+ClipArguments CameraPath::clip_at(std::int64_t frame,
+                                  ClipArguments start) const {
+  const auto after =
+      std::lower_bound(keys_.begin(), keys_.end(), frame,
+                       [](const KeyFrame& key, std::int64_t wanted) {
+                         return key.frame < wanted;
+                       });
+  const KeyFrame& b = *after;
+  const KeyFrame& a = b.frame == frame ? b : *std::prev(after);
+  const double share = b.frame == frame
+                           ? 0
+                           : static_cast<double>(frame - a.frame) /
+                                 static_cast<double>(b.frame - a.frame);
+  if (a.yon) start.yon = between(a.yon, b.yon, share);
+  if (a.planes.empty()) return start;
+  start.planes.clear();
+  for (std::size_t k = 0; k < a.planes.size(); ++k)
+    start.planes.push_back(between(a.planes[k], b.planes[k], share));
+  return start;
 }
 
 Stand CameraPath::stand_at(const std::string& object, std::int64_t frame,
@@ -321,7 +372,8 @@ Result<CameraPath> turntable(const SceneFile& file,
 }
 
 Result<CameraPath> parse_camera_path(const std::string& text,
-                                     const ViewArguments& start) {
+                                     const ViewArguments& start,
+                                     const ClipArguments& clip) {
   std::vector<KeyFrame> keys;
   std::istringstream lines(text);
   std::string content;
@@ -330,9 +382,14 @@ Result<CameraPath> parse_camera_path(const std::string& text,
     const std::vector<std::string> words{
         std::istream_iterator<std::string>(tokens), {}};
     if (words.empty()) continue;
-    KeyFrame key{
-        0, keys.empty() ? start : keys.back().view,
-        keys.empty() ? decltype(KeyFrame::objects)() : keys.back().objects};
+    KeyFrame key;
+    if (keys.empty()) {
+      key.view = start;
+      key.planes = clip.planes;
+      key.yon = clip.yon;
+    } else {
+      key = keys.back();
+    }
     if (const auto error = parse_line(words, line, key)) return *error;
     if (!keys.empty() && key.frame <= keys.back().frame) {
       return line_error(line, ErrorCode::kOutOfRange,
@@ -341,7 +398,7 @@ Result<CameraPath> parse_camera_path(const std::string& text,
                             std::to_string(keys.back().frame));
     }
     if (!keys.empty()) {
-      const auto word = news(keys.back().view, key.view);
+      const auto word = news(keys.back(), key);
       if (word) {
         return line_error(line, ErrorCode::kSyntax,
                           *word +
@@ -350,6 +407,14 @@ Result<CameraPath> parse_camera_path(const std::string& text,
                               *word);
       }
     }
+    if (!keys.empty() && key.planes.size() != keys.back().planes.size()) {
+      return line_error(line, ErrorCode::kSyntax,
+                        "clip is said " + std::to_string(key.planes.size()) +
+                            " times here, and " +
+                            std::to_string(keys.back().planes.size()) +
+                            " times before: planes move, and none comes or "
+                            "goes");
+    }
     keys.push_back(std::move(key));
   }
   if (keys.empty()) return Error{ErrorCode::kEmpty, "there are no cameras"};
@@ -357,10 +422,11 @@ Result<CameraPath> parse_camera_path(const std::string& text,
 }
 
 Result<CameraPath> read_camera_path(const std::string& path,
-                                    const ViewArguments& start) {
+                                    const ViewArguments& start,
+                                    const ClipArguments& clip) {
   const Result<std::string> text = io::read_file(path, kMostBytes);
   if (!text) return io::error_about(path, text.error());
-  Result<CameraPath> parsed = parse_camera_path(*text, start);
+  Result<CameraPath> parsed = parse_camera_path(*text, start, clip);
   if (!parsed) return io::error_about(path, parsed.error());
   return parsed;
 }

@@ -9,6 +9,7 @@
 
 #include "halfspace/result.hpp"
 #include "halfspace/scene.hpp"
+#include "image/clipping.hpp"
 #include "image/object_file.hpp"
 #include "image/viewing.hpp"
 
@@ -24,13 +25,16 @@ struct KeyFrame {
   std::map<std::string, StandWords> objects = {};
   /// Instead of what `view` describes.
   std::optional<ChosenCamera> camera = std::nullopt;
+  std::vector<ClipNumbers> planes = {};  ///< none: those of the options
+  std::optional<double> yon = std::nullopt;
 };
 
 /// The way of a camera: its frames are those from the first key frame to the
 /// last one.
 class CameraPath {
  public:
-  /// Requires: not empty; frames ascend; what one says, all after it say.
+  /// Requires: not empty; frames ascend; what one says, all after it say, of
+  ///           planes as many.
   explicit CameraPath(std::vector<KeyFrame> keys);
 
   std::int64_t first_frame() const { return keys_.front().frame; }
@@ -43,6 +47,9 @@ class CameraPath {
   /// The camera of a frame that has one beside what is described.
   /// Requires: first_frame() <= frame <= last_frame().
   std::optional<ChosenCamera> camera_at(std::int64_t frame) const;
+
+  /// What cuts in a frame, likewise, and else as `start` says.
+  ClipArguments clip_at(std::int64_t frame, ClipArguments start) const;
 
   /// Where an object that stands so at first stands in a frame, likewise.
   Stand stand_at(const std::string& object, std::int64_t frame,
@@ -67,14 +74,16 @@ Result<CameraPath> turntable(const SceneFile& file,
                              std::uint32_t frames, const ViewArguments& start);
 
 /// The path that the text describes (docs/guide.md). What its lines do not say
-/// is as the line before says, at first as `start` does.
+/// is as the line before says, at first as `start` and `clip` do.
 ///
 /// Errors: kSyntax, kOutOfRange with the number of the line; kEmpty.
 Result<CameraPath> parse_camera_path(const std::string& text,
-                                     const ViewArguments& start);
+                                     const ViewArguments& start,
+                                     const ClipArguments& clip);
 
 /// The same from a file. Errors: kUnreadable, too; the file is named.
 Result<CameraPath> read_camera_path(const std::string& path,
-                                    const ViewArguments& start);
+                                    const ViewArguments& start,
+                                    const ClipArguments& clip);
 
 }  // namespace halfspace::tools

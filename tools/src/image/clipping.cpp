@@ -9,10 +9,9 @@
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
-namespace {
 
-std::optional<std::array<io::Number, 4>> parse_plane(std::string_view text) {
-  std::array<io::Number, 4> numbers;
+std::optional<ClipNumbers> parse_clip_numbers(std::string_view text) {
+  ClipNumbers numbers;
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t comma = k < 3 ? text.find(',') : text.size();
     if (comma == std::string_view::npos) return std::nullopt;
@@ -23,6 +22,13 @@ std::optional<std::array<io::Number, 4>> parse_plane(std::string_view text) {
   }
   return numbers;
 }
+
+std::optional<double> parse_yon(std::string_view text) {
+  const auto length = parse_number<double>(text);
+  return length && *length > 0 ? length : std::nullopt;
+}
+
+namespace {
 
 std::optional<CapChoice> parse_caps(std::string_view text) {
   constexpr Rgb kLines = {60, 60, 60};
@@ -42,10 +48,10 @@ void add_clip_options(CLI::App& app, ClipArguments& arguments) {
   const std::string group = "Section";
   const auto add = [&arguments](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
-      arguments.planes.push_back(*parse_plane(text));
+      arguments.planes.push_back(*parse_clip_numbers(text));
   };
   const auto complain = [](const std::string& text) {
-    return parse_plane(text)
+    return parse_clip_numbers(text)
                ? std::string()
                : fmt::format("must be A,B,C,D, four numbers, not '{}'", text);
   };
@@ -57,10 +63,6 @@ void add_clip_options(CLI::App& app, ClipArguments& arguments) {
       ->allow_extra_args(false)
       ->type_name("A,B,C,D")
       ->group(group);
-  const auto parse_yon = [](std::string_view text) {
-    const auto length = parse_number<double>(text);
-    return length && *length > 0 ? length : std::nullopt;
-  };
   add_parsed(app, "--yon", "LENGTH", "a number above 0", arguments.yon,
              parse_yon,
              "What is farther from the eye than this is not seen; one of the "
@@ -76,15 +78,24 @@ void add_clip_options(CLI::App& app, ClipArguments& arguments) {
       ->group(group);
 }
 
-Result<Done> add_clips(const Scene& scene, const Camera& camera,
-                       const ClipArguments& arguments, ImageOptions& options) {
-  std::vector<ClipPlane> planes = options.clips;
-  for (const auto& numbers : arguments.planes) {
+Result<std::vector<ClipPlane>> clip_planes(const Scene& scene,
+                                           const ClipArguments& arguments) {
+  std::vector<ClipPlane> planes;
+  for (const ClipNumbers& numbers : arguments.planes) {
     const Result<ClipPlane> plane = io::clip_plane(scene, numbers);
     if (!plane)
       return Error{plane.error().code, "--clip: " + plane.error().message};
     planes.push_back(*plane);
   }
+  return planes;
+}
+
+Result<Done> add_clips(const Scene& scene, const Camera& camera,
+                       const ClipArguments& arguments, ImageOptions& options) {
+  const auto own = clip_planes(scene, arguments);
+  if (!own) return own.error();
+  std::vector<ClipPlane> planes = options.clips;
+  planes.insert(planes.end(), own->begin(), own->end());
   if (arguments.yon) {
     const Result<ClipPlane> plane =
         io::yon_plane(scene, camera, *arguments.yon);
@@ -99,11 +110,15 @@ Result<Done> add_clips(const Scene& scene, const Camera& camera,
   return Done{};
 }
 
+std::string cut_complaint(const ClipArguments& arguments) {
+  return arguments.caps && !arguments.cuts()
+             ? "--cap: needs --clip, which says what is cut"
+             : "";
+}
+
 std::string prepare_caps(SceneFile& file, const ClipArguments& arguments,
                          const std::vector<std::int32_t>& files) {
   if (!arguments.caps) return {};
-  if (arguments.planes.empty() && !arguments.yon)
-    return "--cap: needs --clip, which says what is cut";
   const Scene& scene = file.scene;
   file.options.parts = nullptr;
   if (!bad_edges(scene).empty()) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "halfspace/camera.hpp"
@@ -28,17 +29,30 @@ struct CapChoice {
   CapsBy by = CapsBy::kNothing;
 };
 
+/// A clip plane's A, B, C and D, in model units.
+using ClipNumbers = std::array<io::Number, 4>;
+
+/// A,B,C,D; nothing where that is no such text.
+std::optional<ClipNumbers> parse_clip_numbers(std::string_view text);
+/// A number above 0, else nothing.
+std::optional<double> parse_yon(std::string_view text);
+
 /// What the command line says about clip planes and caps (S10).
 struct ClipArguments {
-  std::vector<std::array<io::Number, 4>> planes;  ///< in model units
+  std::vector<ClipNumbers> planes;
   std::optional<double> yon;
   std::optional<CapChoice> caps;
-  bool is_used() const { return !planes.empty() || yon || caps; }
+  bool cuts() const { return !planes.empty() || yon; }
+  bool is_used() const { return cuts() || caps; }
 };
 
 /// Adds --clip, --yon and --cap.
 /// Requires: `arguments` outlives the parsing.
 void add_clip_options(CLI::App& app, ClipArguments& arguments);
+
+/// The planes of --clip. Errors: those of io::clip_plane(), in words about it.
+Result<std::vector<ClipPlane>> clip_planes(const Scene& scene,
+                                           const ClipArguments& arguments);
 
 /// Adds the planes and caps asked for to the options of an image.
 ///
@@ -46,6 +60,9 @@ void add_clip_options(CLI::App& app, ClipArguments& arguments);
 ///         options.
 Result<Done> add_clips(const Scene& scene, const Camera& camera,
                        const ClipArguments& arguments, ImageOptions& options);
+
+/// What is wrong where caps are asked for, and nothing cuts; else empty.
+std::string cut_complaint(const ClipArguments& arguments);
 
 /// What is wrong with caps for the scene; empty if nothing. Where they are
 /// asked for, the file's options are given the parts that they are told apart

@@ -56,7 +56,8 @@ Result<CameraPath> film_path(const SceneFile& file,
                              const RenderArguments& arguments) {
   if (arguments.camera_path_file) {
     const std::string& name = *arguments.camera_path_file;
-    Result<CameraPath> path = read_camera_path(name, arguments.view);
+    Result<CameraPath> path =
+        read_camera_path(name, arguments.view, arguments.clip);
     if (!path) return io::error_about(name, path.error());
     return path;
   }
@@ -89,6 +90,18 @@ Result<Range> frames_of(const CameraPath& path,
                "--frames: the path has the frames " +
                    std::to_string(path.first_frame()) + ":" +
                    std::to_string(path.last_frame() + 1)};
+}
+
+std::string clip_complaint(const CameraPath& path, const Range& frames,
+                           const Scene& scene, const ClipArguments& clip) {
+  const std::string uncut = cut_complaint(path.clip_at(*frames.first, clip));
+  if (!uncut.empty()) return uncut;
+  for (std::int64_t k = *frames.first; k < *frames.end; ++k) {
+    const auto planes = clip_planes(scene, path.clip_at(k, clip));
+    if (!planes)
+      return "frame " + std::to_string(k) + ": " + planes.error().message;
+  }
+  return {};
 }
 
 Outputs outputs_of(const RenderArguments& arguments, std::int64_t number) {

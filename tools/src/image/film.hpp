@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "cli/arguments.hpp"
 #include "halfspace/scene_file.hpp"
@@ -36,6 +37,10 @@ Result<ChosenCamera> frame_camera(const SceneFile& file, const CameraPath& path,
 /// Errors: kOutOfRange.
 Result<Range> frames_of(const CameraPath& path,
                         const RenderArguments& arguments);
+
+/// What is wrong with what cuts in one of the frames; empty if nothing.
+std::string clip_complaint(const CameraPath& path, const Range& frames,
+                           const Scene& scene, const ClipArguments& clip);
 
 /// The names of a frame's files.
 Outputs outputs_of(const RenderArguments& arguments, std::int64_t number);

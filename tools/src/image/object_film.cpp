@@ -154,12 +154,14 @@ class ObjectFilm {
     return error;
   }
 
-  Result<Frame> draw(const Camera& camera, const std::vector<Stand>& stands) {
+  Result<Frame> draw(const Camera& camera, const std::vector<Stand>& stands,
+                     const ClipArguments& clip) {
     const Result<Placement> placement =
         make_placement(file_.assembly, pose_of(file_, stands));
     if (!placement) return named(placement.error());
-    Result<ImageOptions> options =
-        image_options(file_.world(), camera, arguments_);
+    RenderArguments now = arguments_;
+    now.clip = clip;
+    Result<ImageOptions> options = image_options(file_.world(), camera, now);
     if (!options) return options.error();
     options->parts = parts_;
     if (!flat_reason(arguments_).empty())
@@ -171,10 +173,6 @@ class ObjectFilm {
   /// Caps are of surfaces that are closed, and stay so.
   std::optional<Error> prepare_caps() {
     const Assembly& assembly = file_.assembly;
-    if (arguments_.clip.planes.empty() && !arguments_.clip.yon) {
-      return Error{ErrorCode::kEmpty,
-                   "--cap: needs --clip, which says what is cut"};
-    }
     if (file_.cut) {
       return Error{ErrorCode::kOpen,
                    "--cap: only cuts of solids are filled, and what is `cut` "
@@ -386,7 +384,9 @@ Status draw_frames(ObjectFilm& film, const CameraPath* path, Range frames,
              : still_camera(world, film.scalars(), arguments);
     if (!chosen)
       return fail(name + camera_error(arguments.path, chosen.error()));
-    Result<Frame> frame = film.draw(chosen->camera, film.stands_at(path, k));
+    Result<Frame> frame =
+        film.draw(chosen->camera, film.stands_at(path, k),
+                  path ? path->clip_at(k, arguments.clip) : arguments.clip);
     if (LongWork::interrupted()) return stop("interrupted");
     if (!frame)
       return fail(arguments.path + ": " + name + frame.error().message);
@@ -415,8 +415,11 @@ Status render_objects(const RenderArguments& arguments) {
   ObjectFilm film(arguments, *std::move(file));
   if (const auto error = film.prepare())
     return fail(arguments.path + ": " + error->message);
-  if (!arguments.camera_path_file && !arguments.turntable)
+  if (!arguments.camera_path_file && !arguments.turntable) {
+    const std::string uncut = cut_complaint(arguments.clip);
+    if (!uncut.empty()) return fail(arguments.path + ": " + uncut);
     return draw_frames(film, nullptr, {0, 1}, arguments);
+  }
   const Result<CameraPath> path =
       film_path(film.file().world(), film.scalars(), arguments);
   if (!path) return fail(path.error().message);
@@ -427,6 +430,9 @@ Status render_objects(const RenderArguments& arguments) {
   const Result<Range> asked = frames_of(*path, arguments);
   if (!asked) return fail(asked.error().message);
   const Range frames = *asked;
+  const std::string uncut =
+      clip_complaint(*path, frames, film.file().world().scene, arguments.clip);
+  if (!uncut.empty()) return fail(arguments.path + ": " + uncut);
   // Before anything is drawn: no object leaves its region in any frame.
   for (std::int64_t k = *frames.first; k < *frames.end; ++k) {
     const auto placed = make_placement(
