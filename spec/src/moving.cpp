@@ -70,8 +70,8 @@ std::optional<Error> fault_of_regions(const Model& model, std::int32_t index) {
       return Error{ErrorCode::kOutOfRange,
                    "the regions of " +
                        name_of_object(index, std::min(order[i], order[j])) +
-                       " and of object " +
-                       std::to_string(std::max(order[i], order[j])) +
+                       " and of " +
+                       name_of_object(index, std::max(order[i], order[j])) +
                        " share space; move them apart",
                    static_cast<std::int64_t>(std::min(order[i], order[j]))};
     }

@@ -116,7 +116,7 @@ expect 2 'models is not closed' render a.objects --clip 0,1,0,0 --cap hatch \
 
 # Where the world's polygons are in the way, it says so, or cuts.
 objects 'object low block region 1,1,-0.5 6,6,4 move 3,3,2'
-expect 2 'region of object 0 of model 0 is not free: polygon' render a.objects \
+expect 2 'region of low is not free: polygon' render a.objects \
   -o bad.png
 objects 'cut' 'object low block region 1,1,-0.5 6,6,4 move 3,3,2'
 expect 0 '1 objects' render a.objects "${view[@]}" --ids a.npy
@@ -131,12 +131,13 @@ wrong_objects() {
   objects "$@"
   expect 2 "$pattern" render a.objects -o bad.png --ids bad.npy
 }
-wrong_objects 'object 0 of model 0 and of object 1 share space' "$left" \
+wrong_objects 'regions of left and of two share space' "$left" \
   'object two block region -2,-4,1 3,4,6'
-wrong_objects 'object 0 of model 0 and of object 1 share space' "$left" \
+wrong_objects 'regions of left and of two share space' "$left" \
   'object two block region -2,-4,1 3,-4,1 3,4,1 3,0,6'
 wrong_objects 'right: .*leaves its region' "$right move 4,0,5"
 wrong_objects 'left: .*leaves its region' "$left move -2,0,2.5"
+wrong_objects 'turn must be X,Y,Z,DEGREES' "$left turn 0,0,1"
 wrong_objects 'singular' "$left move -3,0,2.5 scale 0"
 wrong_objects 'an entry of 2^31' "$left move -3,0,2.5 scale 1e12"
 wrong_objects 'moves by 2^86' "$left move 1e30,0,0"

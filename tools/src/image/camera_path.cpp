@@ -79,10 +79,8 @@ std::optional<bool> set_clip(KeyFrame& key, bool& has_planes,
 
 /// What the value of a word that is known must be.
 std::string wanted_of(const std::string& word) {
-  if (word.find('.') != std::string::npos) {
-    return "X,Y,Z to move, X,Y,Z,DEGREES to turn, a number to scale, yes or no "
-           "for there";
-  }
+  const std::size_t dot = word.find('.');
+  if (dot != std::string::npos) return stand_value_of(word.substr(dot + 1));
   if (word == "eye" || word == "target" || word == "up")
     return "X,Y,Z, three finite numbers";
   if (word == "clip") return "A,B,C,D, four numbers";

@@ -78,7 +78,11 @@ class ObjectReader {
       file_.files.push_back(std::move(read.file));
     }
     Result<Assembly> assembly = make_assembly(std::move(models));
-    if (!assembly) return assembly.error();
+    if (!assembly) {
+      Error error = assembly.error();
+      error.message = with_object_names(error.message, file_);
+      return error;
+    }
     file_.assembly = *std::move(assembly);
     file_.files[0].loaded.file.scene = file_.assembly.models()[0].scene;
     file_.most_shift = io::most_shift(file_.assembly);
@@ -167,7 +171,8 @@ class ObjectReader {
       if (!understood)
         return wrong("knows move, turn, scale and there, not " + words[k]);
       if (!*understood)
-        return wrong(words[k] + " has a value like in the guide");
+        return wrong(words[k] + " must be " + stand_value_of(words[k]) +
+                     ", not '" + value + "'");
     }
     auto& owner = models_[object.owner];
     object.object = owner.objects.size();
@@ -210,6 +215,30 @@ ObjectMap map_of(const Stand& stand, const Unit& inner, const Unit& outer,
 }
 
 }  // namespace
+
+std::string with_object_names(std::string message, const ObjectFile& file) {
+  for (const NamedObject& object : file.objects) {
+    const std::string number = "object " + std::to_string(object.object) +
+                               " of model " + std::to_string(object.owner);
+    for (auto at = message.find(number); at != std::string::npos;
+         at = message.find(number, at + object.name.size())) {
+      const std::size_t end = at + number.size();
+      // Of model 1, not of 12.
+      if (end < message.size() && message[end] >= '0' && message[end] <= '9') {
+        at = end;
+        continue;
+      }
+      message.replace(at, number.size(), object.name);
+    }
+  }
+  return message;
+}
+
+std::string stand_value_of(const std::string& word) {
+  if (word == "move") return "X,Y,Z, three finite numbers";
+  if (word == "turn") return "X,Y,Z,DEGREES, an axis and an angle";
+  return word == "scale" ? "a finite number" : "yes or no";
+}
 
 std::optional<bool> set_stand(Stand& stand, const std::string& word,
                               const std::string& value) {

@@ -29,6 +29,9 @@ struct Stand {
 std::optional<bool> set_stand(Stand& stand, const std::string& word,
                               const std::string& value);
 
+/// What a value of such a word must be.
+std::string stand_value_of(const std::string& word);
+
 /// The stand at `share` of the way from `a` to `b`.
 Stand between(const Stand& a, const Stand& b, double share);
 
@@ -59,6 +62,9 @@ struct ObjectFile {
   /// For cameras: the world on the grid that it has now.
   const SceneFile& world() const { return files.front().loaded.file; }
 };
+
+/// The message with objects' names for `object K of model M`.
+std::string with_object_names(std::string message, const ObjectFile& file);
 
 /// Errors: kSyntax, kBadIndex with the line; those of load_scene() and
 ///         make_assembly(). The message names the file.

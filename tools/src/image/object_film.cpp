@@ -413,8 +413,10 @@ Status render_objects(const RenderArguments& arguments) {
   Result<ObjectFile> file = read_object_file(arguments.path, options);
   if (!file) return fail(file.error().message);
   ObjectFilm film(arguments, *std::move(file));
-  if (const auto error = film.prepare())
-    return fail(arguments.path + ": " + error->message);
+  if (const auto error = film.prepare()) {
+    return fail(arguments.path + ": " +
+                with_object_names(error->message, film.file()));
+  }
   if (!arguments.camera_path_file && !arguments.turntable) {
     const std::string uncut = cut_complaint(arguments.clip);
     if (!uncut.empty()) return fail(arguments.path + ": " + uncut);
