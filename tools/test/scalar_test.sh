@@ -84,7 +84,7 @@ for way in "--impl ref" --lazy "--priority depthsort" "--threads 2"; do
   expect 0 'painter' render cube.ply "${size[@]}" "${glass[@]}" $way -o other.png
   same glass.png other.png
 done
-expect 0 'painter' render cube.ply "${size[@]}" "${heat[@]}" --alpha 255 \
+expect 0 'span' render cube.ply "${size[@]}" "${heat[@]}" --alpha 255 \
   -o other.png
 same span.png other.png
 expect 0 'span' render cube.ply "${size[@]}" "${heat[@]}" --rows 0:$half \
