@@ -125,4 +125,17 @@ class IdMap {
   std::vector<std::int32_t> keys_;
 };
 
+/// New ids by old ones.
+class Renumbering {
+ public:
+  explicit Renumbering(const IdRange& extent)
+      : map_(extent), ids_(map_.size(), -1) {}
+  /// -1 where there is none yet.
+  std::int32_t& at(std::int32_t old) { return ids_[map_(old)]; }
+
+ private:
+  IdMap map_;
+  std::vector<std::int32_t> ids_;
+};
+
 }  // namespace halfspace::fast

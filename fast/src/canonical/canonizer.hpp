@@ -16,19 +16,6 @@
 
 namespace halfspace::fast {
 
-/// Ids that are given in the order in which they are asked for.
-class Renumbering {
- public:
-  explicit Renumbering(const IdRange& extent)
-      : map_(extent), ids_(map_.size(), -1) {}
-  /// -1 where there is none yet.
-  std::int32_t& at(std::int32_t old) { return ids_[map_(old)]; }
-
- private:
-  IdMap map_;
-  std::vector<std::int32_t> ids_;
-};
-
 /// A plane at an end, or at both ends, of an edge.
 struct PlaneAtEdge {
   std::int32_t low = 0;

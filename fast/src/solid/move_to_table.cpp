@@ -1,27 +1,9 @@
 #include "solid/move_to_table.hpp"
 
-#include <vector>
-
 #include "base/id_map.hpp"
 #include "halfspace/assert.hpp"
 
 namespace halfspace::fast {
-namespace {
-
-/// New ids by old ones.
-class NewIds {
- public:
-  explicit NewIds(const IdRange& extent)
-      : map_(extent), ids_(map_.size(), -1) {}
-  /// -1 where there is none yet.
-  std::int32_t& at(std::int32_t old) { return ids_[map_(old)]; }
-
- private:
-  IdMap map_;
-  std::vector<std::int32_t> ids_;
-};
-
-}  // namespace
 
 Solid moved_to(const Solid& solid, TableLease& lease) {
   Solid result = solid;
@@ -43,7 +25,7 @@ Solid moved_to(const Solid& solid, TableLease& lease) {
     }
   }
   // Step 2: they are interned as they come up.
-  NewIds new_planes(planes), new_vertices(vertices);
+  Renumbering new_planes(planes), new_vertices(vertices);
   const auto plane = [&](std::int32_t p) {
     std::int32_t& id = new_planes.at(p);
     if (id < 0) id = to.add_plane(from.normal(p), from.plane(p).origin).plane;
