@@ -168,17 +168,21 @@ std::optional<T> between(const std::optional<T>& a, const std::optional<T>& b,
 
 CameraPath::CameraPath(std::vector<KeyFrame> keys) : keys_(std::move(keys)) {}
 
-ViewArguments CameraPath::at(std::int64_t frame) const {
+CameraPath::Place CameraPath::place_of(std::int64_t frame) const {
   const auto after =
       std::lower_bound(keys_.begin(), keys_.end(), frame,
                        [](const KeyFrame& key, std::int64_t wanted) {
                          return key.frame < wanted;
                        });
-  if (after->frame == frame) return after->view;
-  const KeyFrame& a = *std::prev(after);
-  const KeyFrame& b = *after;
-  const double share = static_cast<double>(frame - a.frame) /
-                       static_cast<double>(b.frame - a.frame);
+  if (after->frame == frame) return {*after, *after, 0};
+  const KeyFrame& before = *std::prev(after);
+  return {before, *after,
+          static_cast<double>(frame - before.frame) /
+              static_cast<double>(after->frame - before.frame)};
+}
+
+ViewArguments CameraPath::at(std::int64_t frame) const {
+  const auto [a, b, share] = place_of(frame);
   ViewArguments view = a.view;
   view.eye = between(a.view.eye, b.view.eye, share);
   view.target = between(a.view.target, b.view.target, share);
@@ -191,17 +195,7 @@ ViewArguments CameraPath::at(std::int64_t frame) const {
 
 ClipArguments CameraPath::clip_at(std::int64_t frame,
                                   ClipArguments start) const {
-  const auto after =
-      std::lower_bound(keys_.begin(), keys_.end(), frame,
-                       [](const KeyFrame& key, std::int64_t wanted) {
-                         return key.frame < wanted;
-                       });
-  const KeyFrame& b = *after;
-  const KeyFrame& a = b.frame == frame ? b : *std::prev(after);
-  const double share = b.frame == frame
-                           ? 0
-                           : static_cast<double>(frame - a.frame) /
-                                 static_cast<double>(b.frame - a.frame);
+  const auto [a, b, share] = place_of(frame);
   if (a.yon) start.yon = between(a.yon, b.yon, share);
   if (a.planes.empty()) return start;
   start.planes.clear();
@@ -220,16 +214,8 @@ Stand CameraPath::stand_at(const std::string& object, std::int64_t frame,
       set_stand(stand, word, value);
     return stand;
   };
-  const auto after =
-      std::lower_bound(keys_.begin(), keys_.end(), frame,
-                       [](const KeyFrame& key, std::int64_t wanted) {
-                         return key.frame < wanted;
-                       });
-  if (after->frame == frame) return of(*after);
-  const KeyFrame& before = *std::prev(after);
-  return between(of(before), of(*after),
-                 static_cast<double>(frame - before.frame) /
-                     static_cast<double>(after->frame - before.frame));
+  const auto [a, b, share] = place_of(frame);
+  return share == 0 ? of(a) : between(of(a), of(b), share);
 }
 
 std::set<std::string> CameraPath::objects() const {
@@ -241,12 +227,8 @@ std::set<std::string> CameraPath::objects() const {
 }
 
 std::optional<ChosenCamera> CameraPath::camera_at(std::int64_t frame) const {
-  const auto found =
-      std::lower_bound(keys_.begin(), keys_.end(), frame,
-                       [](const KeyFrame& key, std::int64_t wanted) {
-                         return key.frame < wanted;
-                       });
-  return found->frame == frame ? found->camera : std::nullopt;
+  const Place place = place_of(frame);
+  return place.share == 0 ? place.before.camera : std::nullopt;
 }
 
 namespace {

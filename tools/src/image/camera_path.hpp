@@ -58,6 +58,15 @@ class CameraPath {
   std::set<std::string> objects() const;
 
  private:
+  /// The key frames on both sides of a frame, which are one where it is one,
+  /// and its share of the way between them.
+  struct Place {
+    const KeyFrame& before;
+    const KeyFrame& after;
+    double share;
+  };
+  Place place_of(std::int64_t frame) const;
+
   std::vector<KeyFrame> keys_;
 };
 
