@@ -135,11 +135,11 @@ wrong_objects 'regions of left and of two share space' "$left" \
   'object two block region -2,-4,1 3,4,6'
 wrong_objects 'regions of left and of two share space' "$left" \
   'object two block region -2,-4,1 3,-4,1 3,4,1 3,0,6'
-wrong_objects 'right: .*leaves its region' "$right move 4,0,5"
-wrong_objects 'left: .*leaves its region' "$left move -2,0,2.5"
+wrong_objects 'right leaves its region' "$right move 4,0,5"
+wrong_objects 'left leaves its region' "$left move -2,0,2.5"
 wrong_objects 'turn must be X,Y,Z,DEGREES' "$left turn 0,0,1"
 wrong_objects 'singular' "$left move -3,0,2.5 scale 0"
-wrong_objects 'an entry of 2^31' "$left move -3,0,2.5 scale 1e12"
+wrong_objects 'left has a map with an entry of 2^31' "$left move -3,0,2.5 scale 1e12"
 wrong_objects 'moves by 2^86' "$left move 1e30,0,0"
 wrong_objects 'lie in one plane' \
   'object two block region 0,0,1 1,0,1 0,1,1 1,1,1'
@@ -150,10 +150,20 @@ wrong_objects 'there is no model ball' 'object two ball region 0,0,1 1,1,2'
 wrong_objects 'knows move, turn' "$left spin 3"
 wrong_objects 'a second object left' "$left" "$left"
 
+for content in '' '# nothing'; do
+  printf '%s\n' "$content" >empty.objects
+  expect 2 'line 1: begins with halfspace-objects 1' render empty.objects \
+    -o bad.png
+done
+: >empty.objects
+expect 2 'line 1: begins with halfspace-objects 1' render empty.objects -o bad.png
+printf 'halfspace-objects 1\n' >empty.objects
+expect 2 'line 1: has no world' render empty.objects -o bad.png
+
 # In any frame, before the first is drawn.
 objects "$left move -3,0,2.5" "$right move 4,0,2.5 scale 0.5"
 printf '0 right.move 4,0,2.5\n8 right.move 4,0,6.9\n' >a.path
-expect 2 'frame [1-8]: right: .*leaves its region' render a.objects \
+expect 2 'frame [1-8]: right leaves its region' render a.objects \
   "${view[@]}" --path a.path -o bad-%d.png
 printf '0 right.move 4,0,2.5\n8 right.move 4,0,3\n' >a.path
 expect 0 '9 frames' render a.objects "${view[@]}" --path a.path -o f-%d.png

@@ -121,6 +121,9 @@ bad 'one dimension' --scalar flat.npy
 bad 'none.npy: cannot be read' --scalar none.npy
 bad 'there is no property .warmth. .* only x, y, z, heat, part' --scalar warmth
 bad '2 columns' --scalar heat.csv
+"$make_model" cube -o cube.off
+expect 2 'height is no .npy or .csv, and only a PLY' render cube.off \
+  --scalar height -o no.png
 bad 'no column' --scalar heat.csv:cold
 bad 'is no number' --scalar heat.csv:name
 bad 'is no file, and no map: heated' --scalar heat --map sunny

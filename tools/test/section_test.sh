@@ -98,6 +98,16 @@ expect 2 'A,B,C,D' render cubes.off --clip 1,0,0 -o no.png
 expect 2 'not closed' render klein.off --clip 1,0,0,0 --cap hatch -o no.png
 expect 2 'needs --clip' render cubes.off --cap hatch -o no.png
 expect 2 'above 0' render cubes.off --yon -1 -o no.png
+for command in render draw map pick; do
+  case $command in
+    pick) out=(--at 3,4) ;;
+    map) out=(-o no.json) ;;
+    render) out=(-o no.png) ;;
+    draw) out=(-o no.svg) ;;
+  esac
+  expect 2 'yon: must be more than --near' $command cubes.off --yon 2 --near 2 \
+    "${out[@]}"
+done
 [ -e no.png ] && wrong "a picture was written for bad input"
 
 finish

@@ -232,7 +232,7 @@ Status run_draw(DrawArguments arguments) {
       arguments.view.background->style != Background::Style::kColor) {
     return fail("--background: a figure has one colour behind it");
   }
-  std::string no_caps = cut_complaint(arguments.clip);
+  std::string no_caps = cut_complaint(arguments.clip, arguments.view.near);
   if (no_caps.empty())
     no_caps = prepare_caps(loaded->file, arguments.clip, loaded->files);
   if (!no_caps.empty()) return fail(loaded->name, {ErrorCode::kOpen, no_caps});

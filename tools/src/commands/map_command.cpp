@@ -128,7 +128,7 @@ Status run_map(const MapArguments& arguments) {
   Result<FigureScene> loaded = load_figure(
       arguments.paths, import_options(arguments.view, arguments.grid_bits));
   if (!loaded) return fail(arguments.paths[0], loaded.error());
-  std::string no_caps = cut_complaint(arguments.clip);
+  std::string no_caps = cut_complaint(arguments.clip, arguments.view.near);
   if (no_caps.empty())
     no_caps = prepare_caps(loaded->file, arguments.clip, loaded->files);
   if (!no_caps.empty()) return fail(loaded->name, {ErrorCode::kOpen, no_caps});

@@ -208,7 +208,7 @@ class AskedTree {
 };
 
 Status run_pixel(const PickArguments& arguments, io::LoadedScene& loaded) {
-  std::string wrong = cut_complaint(arguments.clip);
+  std::string wrong = cut_complaint(arguments.clip, arguments.view.near);
   if (wrong.empty()) wrong = prepare_caps(loaded.file, arguments.clip);
   if (!wrong.empty()) return fail(wrong);
   const Result<ChosenCamera> chosen =

@@ -204,7 +204,8 @@ Status run_render(const RenderArguments& given) {
                 ": a scene has its own colours; --color, --light, --headlight, "
                 "--ambient and --smooth are for meshes");
   // The planes of a film may be its path's.
-  if (!arguments.camera_path_file) wrong = cut_complaint(arguments.clip);
+  if (!arguments.camera_path_file)
+    wrong = cut_complaint(arguments.clip, arguments.view.near);
   if (wrong.empty()) wrong = prepare_caps(loaded->file, arguments.clip);
   if (!wrong.empty()) return fail(wrong);
   Subject subject{*loaded};

@@ -41,7 +41,8 @@ BuildOptions build_options(const BuildArguments& arguments);
 /// The number of threads asked for, for images; 1 if none.
 int thread_count(const BuildArguments& arguments);
 
-/// The same for builds and for packing pictures: 0, all that there are, if none.
+/// The same for builds and for packing pictures: 0, all that there are, if
+/// none.
 int working_threads(const BuildArguments& arguments);
 
 /// A tree that was built or loaded, and what it took.

@@ -110,7 +110,14 @@ Result<Done> add_clips(const Scene& scene, const Camera& camera,
   return Done{};
 }
 
-std::string cut_complaint(const ClipArguments& arguments) {
+std::string cut_complaint(const ClipArguments& arguments,
+                          std::optional<double> near) {
+  if (near && arguments.yon && *near >= *arguments.yon) {
+    return fmt::format(
+        "--yon: must be more than --near, for what is seen is between them, "
+        "not {} and {}",
+        *arguments.yon, *near);
+  }
   return arguments.caps && !arguments.cuts()
              ? "--cap: needs --clip, which says what is cut"
              : "";

@@ -61,8 +61,10 @@ Result<std::vector<ClipPlane>> clip_planes(const Scene& scene,
 Result<Done> add_clips(const Scene& scene, const Camera& camera,
                        const ClipArguments& arguments, ImageOptions& options);
 
-/// What is wrong where caps are asked for, and nothing cuts; else empty.
-std::string cut_complaint(const ClipArguments& arguments);
+/// What is wrong where caps are asked for and nothing cuts, or where nothing is
+/// left between the near distance and the far one; else empty.
+std::string cut_complaint(const ClipArguments& arguments,
+                          std::optional<double> near = {});
 
 /// What is wrong with caps for the scene; empty if nothing. Where they are
 /// asked for, the file's options are given the parts that they are told apart

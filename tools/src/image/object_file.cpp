@@ -60,6 +60,10 @@ class ObjectReader {
       }
       if (auto error = read_line(words)) return error;
     }
+    if (!has_head) {
+      line_ = 1;
+      return wrong("begins with halfspace-objects 1");
+    }
     if (models_.empty()) return wrong("has no world");
     return std::nullopt;
   }

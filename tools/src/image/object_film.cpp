@@ -141,16 +141,7 @@ class ObjectFilm {
 
   /// The error of a placement, with the object's name in the file.
   Error named(Error error) const {
-    const auto& occurrences = file_.assembly.occurrences();
-    if (error.index < 0 || error.index >= std::ssize(occurrences)) return error;
-    const Occurrence& here = occurrences[static_cast<std::size_t>(error.index)];
-    const Occurrence& owner = occurrences[static_cast<std::size_t>(here.owner)];
-    for (const NamedObject& object : file_.objects) {
-      if (static_cast<std::int32_t>(object.owner) == owner.model &&
-          static_cast<std::int32_t>(object.object) == here.object) {
-        error.message = object.name + ": " + error.message;
-      }
-    }
+    error.message = with_object_names(std::move(error.message), file_);
     return error;
   }
 
@@ -418,7 +409,8 @@ Status render_objects(const RenderArguments& arguments) {
                 with_object_names(error->message, film.file()));
   }
   if (!arguments.camera_path_file && !arguments.turntable) {
-    const std::string uncut = cut_complaint(arguments.clip);
+    const std::string uncut =
+        cut_complaint(arguments.clip, arguments.view.near);
     if (!uncut.empty()) return fail(arguments.path + ": " + uncut);
     return draw_frames(film, nullptr, {0, 1}, arguments);
   }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "cli/options.hpp"
+#include "halfspace/io/format.hpp"
 #include "image/viewing.hpp"
 
 namespace halfspace::tools {
@@ -155,14 +156,19 @@ Result<ShownScalars> load_scalars(const std::string& path,
                                   const ScalarArguments& arguments) {
   const std::string& source = *arguments.source;
   const bool is_file = io::is_scalar_file_name(source);
-  if (!is_file && loaded.is_scene_file && !arguments.owner) {
-    return Error{ErrorCode::kUnknownFormat,
-                 "--scalar: " + source +
-                     " is no .npy or .csv, and only a PLY has properties"};
-  }
+  const Error no_ply = {ErrorCode::kUnknownFormat,
+                        "--scalar: " + source +
+                            " is no .npy or .csv, and only a PLY has "
+                            "properties"};
+  if (!is_file && loaded.is_scene_file && !arguments.owner) return no_ply;
   Result<io::ScalarColumn> column =
       is_file ? io::read_scalars(source) : io::read_ply_scalars(path, source);
-  if (!column) return column.error();
+  if (!column) {
+    const bool other = !is_file && io::format_of(path) != io::Format::kPly;
+    return other && column.error().code == ErrorCode::kUnknownFormat
+               ? no_ply
+               : column.error();
+  }
   if (arguments.place) column->place = arguments.place;
   Result<ScalarField> field = io::scalars_of(loaded, *column);
   if (!field) return io::error_about(is_file ? source : path, field.error());

@@ -49,8 +49,7 @@ std::string tree_cost_warning(const Scene& scene, Library library,
                               const TreeRequest& request) {
   const std::size_t count = scene.polygon_count();
   const bool cuts_all = request.rule || !request.leaves;
-  if (!cuts_all || library != Library::kFast || count < kMostSampled)
-    return {};
+  if (!cuts_all || library != Library::kFast || count < kMostSampled) return {};
   const std::size_t step = std::max<std::size_t>(4, count / kMostSampled);
   const Scene large = sample_of(scene, step);
   const Scene small = sample_of(scene, 4 * step);
