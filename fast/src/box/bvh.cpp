@@ -30,7 +30,7 @@ std::uint64_t spread(std::uint64_t v) {
 
 /// Sorts along the Z-order curve (MOR66), so that items near each other in the
 /// row are near each other in space.
-void BoxTree::sort_items(std::vector<Item>& items) {
+void BoxTree::sort_items(List<Item>& items) {
   std::array<float, 3> low = kEmptyBox.low;
   std::array<float, 3> high = kEmptyBox.high;
   const auto middle = [](const Box& box, std::size_t k) {
@@ -57,13 +57,13 @@ void BoxTree::sort_items(std::vector<Item>& items) {
     keyed.push_back({key, static_cast<std::uint32_t>(keyed.size())});
   }
   sort_by_key(keyed);
-  std::vector<Item> sorted;
+  List<Item> sorted;
   sorted.reserve(items.size());
   for (const KeyedIndex& k : keyed) sorted.push_back(items[k.index]);
   items.swap(sorted);
 }
 
-void BoxTree::build(std::vector<Item>& items) {
+void BoxTree::build(List<Item>& items) {
   if (items.empty()) return;
   if (items.size() > kFewItems) sort_items(items);
   constexpr std::size_t kCount = EightBoxes::kCount;

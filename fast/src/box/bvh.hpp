@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "box/box.hpp"
+#include "halfspace/fast/list.hpp"
 
 namespace halfspace::fast {
 
@@ -84,7 +85,7 @@ class BoxTree {
   /// Holds the boxes `box_of(item)`, for the numbers in `items`.
   template <class BoxOf>
   BoxTree(BoxOf&& box_of, const std::vector<std::int32_t>& items) {
-    std::vector<Item> row;
+    List<Item> row;
     row.reserve(items.size());
     for (const std::int32_t item : items) row.push_back({box_of(item), item});
     build(row);
@@ -102,6 +103,15 @@ class BoxTree {
   /// The number of packets: items stand in eights that are near each other.
   std::size_t packet_count() const {
     return level_count_ > 1 ? levels_[1] : level_count_;
+  }
+
+  /// Calls `visit(item)` for the items of a packet; of none, if there are less.
+  template <class Visit>
+  void for_items(std::size_t packet, Visit&& visit) const {
+    const std::size_t first = EightBoxes::kCount * packet;
+    const std::size_t end =
+        std::min(first + EightBoxes::kCount, numbers_.size());
+    for (std::size_t i = first; i < end; ++i) visit(numbers_[i]);
   }
 
   /// Calls `found(item, other)` once for each two items whose boxes overlap,
@@ -179,12 +189,12 @@ class BoxTree {
     }
   }
 
-  static void sort_items(std::vector<Item>& items);
-  void build(std::vector<Item>& items);
+  static void sort_items(List<Item>& items);
+  void build(List<Item>& items);
 
-  std::vector<std::int32_t> numbers_;  ///< the items'
+  List<std::int32_t> numbers_;  ///< the items'
   /// The items' boxes, then the hulls of eight of them, and so on.
-  std::vector<EightBoxes> eights_;
+  List<EightBoxes> eights_;
   std::array<std::size_t, kMostLevels> levels_{};  ///< where each begins
   std::size_t level_count_ = 0;
 };

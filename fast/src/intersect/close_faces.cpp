@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "intersect/flat_stars.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -209,6 +210,7 @@ FacePairs undecided_pairs(const Solid& solid, const GeometryTable& table,
                           const SurfaceEdges& edges, const DynamicBvh& index,
                           const CheckOptions& options) {
   const CloseFaces close(solid, table, edges);
+  const FlatStars stars(solid, edges.is_closed());
   FacePairs pairs;
   const BoxTree* const tree = index.whole();
   const std::size_t count = tree != nullptr ? tree->packet_count() : 0;
@@ -224,7 +226,12 @@ FacePairs undecided_pairs(const Solid& solid, const GeometryTable& table,
     for_blocks(thread_count(options.threads), size, kBlock,
                [&](std::size_t number, std::size_t first, std::size_t last) {
                  for (std::size_t i = begin + first; i < begin + last; ++i) {
+                   tree->for_items(i + 2,
+                                   [&](std::int32_t f) { stars.prefetch(f); });
+                   tree->for_items(
+                       i + 1, [&](std::int32_t f) { stars.prefetch_plane(f); });
                    tree->find_pairs(i, [&](std::int32_t f, std::int32_t g) {
+                     if (stars.settle(f, g)) return;
                      if (f > g) std::swap(f, g);
                      if (!close.only_share_corners(f, g))
                        found[number].emplace_back(f, g);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "halfspace/fast/list.hpp"
 #include "halfspace/fast/solid.hpp"
 
 namespace halfspace::fast {
@@ -31,7 +32,7 @@ class SurfaceEdges {
   }
 
  private:
-  std::vector<std::int32_t> neighbours_;  ///< by edge
+  List<std::int32_t> neighbours_;  ///< by edge
   bool is_closed_ = true;
 };
 

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -118,6 +121,52 @@ TEST(CloseFaces, CubesInTrianglesAreMostlyDecided) {
   }
   EXPECT_GT(crossing.crossings, 1000u);
   EXPECT_LT(3 * fine.undecided, fine.pairs);
+}
+
+/// Two fans of triangles over one ring of points, which may cross itself, and
+/// wind round the tips more than once or not at all; nothing if a triangle has
+/// no area.
+std::optional<Solid> double_cone(int count, int step, std::uint64_t& state) {
+  SceneData data;
+  const auto random = [&](std::int64_t range) {
+    return static_cast<std::int64_t>(
+               mix(++state) % static_cast<std::uint64_t>(2 * range + 1)) -
+           range;
+  };
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * step * i / count;
+    data.vertices.push_back({std::llround(20 * std::cos(angle)) + random(3),
+                             std::llround(20 * std::sin(angle)) + random(3),
+                             random(4)});
+  }
+  data.vertices.push_back({random(9), random(9), 10 + random(6)});
+  data.vertices.push_back({random(9), random(9), -10 + random(6)});
+  for (int i = 0; i < count; ++i) {
+    const VertexId from = i, to = (i + 1) % count;
+    for (const VertexId corner : {from, to, count, to, from, count + 1})
+      data.corners.push_back(corner);
+    data.first_corner.push_back(static_cast<std::uint32_t>(6 * i + 3));
+    data.first_corner.push_back(static_cast<std::uint32_t>(6 * i + 6));
+  }
+  data.colors.resize(data.first_corner.size() - 1);
+  Result<Scene> scene = make_scene(data);
+  if (!scene) return {};
+  return to_solid(*make_solid(*std::move(scene)));
+}
+
+TEST(CloseFaces, TrianglesRoundACornerThatTurnOnceAreSettled) {
+  std::uint64_t state = 11;
+  Counts once, more;
+  for (int i = 0; i < 600; ++i) {
+    SCOPED_TRACE("cone " + std::to_string(i));
+    const int count = 3 + i % 6;
+    if (const auto solid = double_cone(count, 1, state))
+      expect_all_found(*solid, once);
+    if (const auto solid = double_cone(count, 2 + i % 2, state))
+      expect_all_found(*solid, more);
+  }
+  EXPECT_GT(more.crossings, 1000u);
+  EXPECT_LT(20 * once.undecided, once.pairs);
 }
 
 TEST(CloseFaces, WhoShowsProgressMayStop) {
