@@ -92,8 +92,9 @@ Relation relation(const std::vector<Point>& points, const Plane& plane) {
     const int side = side_of(plane, p);
     positive = positive || side > 0;
     negative = negative || side < 0;
+    if (positive && negative) return Relation::kSpanning;
   }
-  if (positive) return negative ? Relation::kSpanning : Relation::kPositive;
+  if (positive) return Relation::kPositive;
   return negative ? Relation::kNegative : Relation::kCoincident;
 }
 

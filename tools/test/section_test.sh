@@ -23,9 +23,9 @@ expect 0 'span' render cubes.off --ids all.npy
 same far.npy all.npy
 
 expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
-  --ids fine.npy --size 32x24
+  --ids fine.npy --size 16x12
 expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
-  --ids exact.npy --size 32x24 --impl ref
+  --ids exact.npy --size 16x12 --impl ref
 same fine.npy exact.npy
 # Caps are blended as polygons are.
 for how in fast ref; do
