@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "exact/by_low_end.hpp"
@@ -214,8 +213,8 @@ void take_polygons(const fast::Solid& solid, const Mesh& mesh, Unit unit,
                    Outcome& result) {
   result.polygons = mesh.faces.size();
   result.bad_edges = bad_edges_of(mesh);
-  result.volume = about_volume(mesh.vertices, mesh.first_corner, mesh.corners) *
-                  std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
+  result.volume = {about_volume(mesh.vertices, mesh.first_corner, mesh.corners),
+                   unit, 3};
   result.origins.clear();
   for (const std::int32_t f : mesh.faces) {
     const fast::Face& face = solid.faces[static_cast<std::size_t>(f)];
@@ -302,9 +301,13 @@ Outcome exact_outcome(fast::Solid solid, const Plan& plan,
       merged_by(in_order_for(options.merge, std::move(solid)), options.merge));
   if (!note_closed(solid, result)) return result;
   result.faces = solid.faces.size();
+  const Unit unit = solid.unit;
+  // In steps, for the volume: doubles need not hold the coordinates.
+  solid.unit = {2, 0};
   const fast::ExportedMesh mesh =
       fast::to_mesh(solid, {.triangles = false, .threads = options.threads});
-  take_polygons(solid, mesh, {2, 0}, result);
+  solid.unit = unit;
+  take_polygons(solid, mesh, unit, result);
   result.polygons = result.faces;
   result.bad_edges = 0;
   result.origins.clear();

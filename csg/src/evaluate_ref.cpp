@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -145,9 +144,8 @@ std::optional<Scene> scene_of(const ref::Solid& solid, Unit unit) {
   return *std::move(scene);
 }
 
-double volume_of(const ref::Solid& solid, const Unit& unit) {
-  const double steps = volume6(solid).big().convert_to<double>() / 6;
-  return steps * std::pow(static_cast<double>(unit.base), 3.0 * unit.exponent);
+Scaled volume_of(const ref::Solid& solid, const Unit& unit) {
+  return {volume6(solid).big().convert_to<double>() / 6, unit, 3};
 }
 
 }  // namespace

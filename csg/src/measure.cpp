@@ -177,8 +177,7 @@ Measures measures_of(const Scene& scene) {
   Measures all;
   const auto& data = scene.data();
   if (scene.polygon_count() == 0) return all;
-  const double step = std::pow(static_cast<double>(scene.unit().base),
-                               static_cast<double>(scene.unit().exponent));
+  all.unit = scene.unit();
   const auto exact = [&](std::size_t corner) {
     const GridPoint& p = scene.point(data.corners[corner]);
     return Vector{static_cast<double>(p.x), static_cast<double>(p.y),
@@ -225,13 +224,8 @@ Measures measures_of(const Scene& scene) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double from_middle = all.volume != 0 ? by_volume[axis] / all.volume
                                                : by_area[axis] / all.area;
-    all.centre[axis] = step * (middle[axis] + from_middle);
-    all.least[axis] *= step;
-    all.most[axis] *= step;
+    all.centre[axis] = middle[axis] + from_middle;
   }
-  all.area *= step * step;
-  all.volume *= step * step * step;
-  for (Component& part : all.components) part.volume *= step * step * step;
   return all;
 }
 

@@ -54,7 +54,7 @@ TEST_F(CsgEvaluate, BothLibrariesHaveTheSameVolume) {
     const auto outcome = evaluated(kDrilled, {}, by);
     ASSERT_TRUE(outcome) << outcome.error().message;
     ASSERT_TRUE(outcome->has_value());
-    EXPECT_EQ((*outcome)->volume, 7);
+    EXPECT_EQ((*outcome)->volume.value(), 7);
     EXPECT_EQ((*outcome)->bad_edges, 0u);
     EXPECT_TRUE((*outcome)->scene);
   }
@@ -87,7 +87,7 @@ TEST_F(CsgEvaluate, CombineGetsEveryBooleanOfTwoSolidsWithoutHalves) {
   const auto outcome =
       evaluated(std::string("(") + kDrilled + ") & half(x < 1)", options);
   ASSERT_TRUE(outcome) << outcome.error().message;
-  EXPECT_EQ((*outcome)->volume, 4);
+  EXPECT_EQ((*outcome)->volume.value(), 4);
   EXPECT_EQ(operations, std::vector{BooleanOp::kDifference});
 }
 

@@ -23,7 +23,7 @@ std::string volume_of(const std::string& text) {
   const auto outcome = evaluate_fast(*plan, *operands, {});
   if (!outcome) return outcome.error().message;
   char shown[32];
-  std::snprintf(shown, sizeof shown, "%.9g", (*outcome)->volume);
+  std::snprintf(shown, sizeof shown, "%.9g", (*outcome)->volume.value());
   return shown;
 }
 

@@ -24,7 +24,7 @@ std::string scad(const std::string& text) {
   const auto outcome = evaluate_fast(*plan, *operands, {});
   if (!outcome) return outcome.error().message;
   char shown[32];
-  std::snprintf(shown, sizeof shown, "%.6g", (*outcome)->volume);
+  std::snprintf(shown, sizeof shown, "%.6g", (*outcome)->volume.value());
   return shown;
 }
 

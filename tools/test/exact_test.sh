@@ -81,7 +81,7 @@ expect 2 'far.hsolid: the coordinates need a unit' \
 expect 2 'far.hsolid: the coordinates need a unit' \
   csg 'A & half(x < 5)' A=far.hsolid -o x.off
 sed 's/^unit .*/unit 2 4096/' far.hsolid >farther.hsolid
-expect 2 'farther.hsolid: .*coordinates go up to inf' \
+expect 2 'farther.hsolid: .*coordinates are beyond the greatest double' \
   csg 'translate(A, 0.3, 0, 0)' A=farther.hsolid -o x.off
 sed 's/^unit .*/unit 10 300/' far.hsolid >300.hsolid
 expect 2 'x.stl: the solid.s coordinates go up to .*e+300' \

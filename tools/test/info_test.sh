@@ -55,4 +55,37 @@ assert [part.get("code") for part in (a, two, inwards, gap, crossed)] == [
 assert [part.get("polygon") for part in (a, inwards, gap)] == [None, 0, 2]
 assert crossed["polygon"] == 5 and "cross" in crossed["fault"]
 PYTHON
+# Exact files have units of which no double has the square or cube.
+"$program" csg '"a.off"' --format hsolid-text -o - >a.txt
+# in_unit UNIT: the box with steps of so much.
+in_unit() {
+  sed "s/^unit .*/unit $1/; s/^checksum .*/checksum -/" a.txt >units.hsolid
+}
+in_unit '10 300'
+expect 0 '^volume     2.4e+901$' info units.hsolid
+expect 0 '^area       5.2e+601$' info units.hsolid
+expect 0 'volume 2.4e+901,' csg '"units.hsolid"' -o out.hsolid
+expect 0 'volume 2.4e+901,' csg '"units.hsolid"' -o out.off
+box 0 0 0 1e301 2e300 3e300 >far.off
+for library in ref fast; do
+  expect 0 'volume 6e+901,' csg '"far.off"' -o out.off --impl $library
+done
+expect 0 '"volume": null,' info --json units.hsolid
+in_unit '10 -300'
+expect 0 '^volume     2.4e-899$' info units.hsolid
+expect 0 'volume 2.4e-899,' csg '"units.hsolid"' -o out.hsolid
+in_unit '10 310'
+expect 2 'units.hsolid: .* beyond the greatest double.* 10^310' info units.hsolid
+expect 0 'volume 2.4e+931,' csg '"units.hsolid"' -o out.hsolid
+expect 2 'out.stl: .* beyond the greatest double' csg '"units.hsolid"' -o out.stl
+in_unit '10 -330'
+expect 2 'units.hsolid: .* below the least double.* 10^-330' info units.hsolid
+for exponent in 4096 -4096; do
+  for base in 2 10; do
+    in_unit "$base $exponent"
+    expect 0 'closed, volume [1-9]' csg '"units.hsolid"' -o out.hsolid
+    expect 0 'closed, volume [1-9]' csg '"out.hsolid"' -o again.hsolid
+    same out.hsolid again.hsolid
+  done
+done
 finish

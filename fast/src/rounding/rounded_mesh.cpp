@@ -41,9 +41,7 @@ class Rounding {
       for (const double c : at) greatest = std::max(greatest, std::abs(c));
     }
     if (!grid_.choose(greatest, least_exponent(), options_.number)) {
-      return Error{ErrorCode::kOutOfRange,
-                   "the solid's coordinates go up to " + text(greatest) +
-                       ", which the file's numbers do not hold"};
+      return Error{ErrorCode::kOutOfRange, out_of_range(greatest)};
     }
     // Loose points are known to half a unit in their last place, and with a
     // long power of ten to a few.
@@ -72,6 +70,26 @@ class Rounding {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.9g", value);
     return digits;
+  }
+  /// Why coordinates up to `greatest` in size are refused.
+  std::string out_of_range(double greatest) const {
+    const std::string sentence = "the solid's coordinates ";
+    const std::string unit = std::to_string(solid_.unit.base) + "^" +
+                             std::to_string(solid_.unit.exponent);
+    if (std::isinf(greatest)) {
+      return sentence +
+             "are beyond the greatest double, 1.8e308: a step of its "
+             "grid is " +
+             unit;
+    }
+    if (greatest == 0) {
+      return sentence +
+             "are below the least double, 4.9e-324: a step of its "
+             "grid is " +
+             unit;
+    }
+    return sentence + "go up to " + text(greatest) +
+           ", which the file's numbers do not hold";
   }
   std::string place_of(const GridPoint& p) const {
     return "near " + text(grid_.coordinate(p.x)) + ", " +

@@ -141,9 +141,11 @@ std::optional<std::int32_t> Chooser::coarsest(int base) const {
     five = std::min(five, number.five);
   });
   if (two == std::numeric_limits<std::int32_t>::max()) return 0;
-  if (base == 10) return std::min(two, five);
+  // Units go up to the base's power of 4096.
+  constexpr std::int32_t kGreatest = 4096;
+  if (base == 10) return std::min({two, five, kGreatest});
   if (five < 0) return std::nullopt;
-  return two;
+  return std::min(two, kGreatest);
 }
 
 /// The bits of the greatest coordinate in the unit; 64 if it has that or more.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/command.hpp"
+#include "cli/json_number.hpp"
 #include "cli/loading.hpp"
 #include "cli/outputs.hpp"
 #include "halfspace/csg/step_file.hpp"
@@ -224,7 +225,7 @@ nlohmann::json stats_of(const CsgContext& context,
                           {"corners_added", context.operands.corners_added()},
                           {"settled", context.operands.settled_contacts()},
                           {"trusted", context.operands.are_trusted()},
-                          {"volume", result.volume},
+                          {"volume", json_of(result.volume)},
                           {"boolean_ms", context.boolean_ms},
                           {"import",
                            {{"moved", import.moved},
@@ -287,8 +288,8 @@ void print_summary(const CsgContext& context, const io::ExportReport& report,
         context.checks->checked, context.checks->operations,
         context.checks->points, context.checks->mismatches);
   }
-  say("result: {} polygons, closed, volume {:.12g}, {:.3f} ms\n",
-      result.polygons, result.volume, context.boolean_ms);
+  say("result: {} polygons, closed, volume {}, {:.3f} ms\n", result.polygons,
+      csg::to_string(result.volume, 12), context.boolean_ms);
   say("{}: moved {} {} (by at most {:.3g}), triangulated {}\n", output,
       report.moved, result.moved > 0 ? "vertices" : "coordinates",
       report.max_move, report.triangulated);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/json_number.hpp"
 #include "cli/loading.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/csg/closing.hpp"
@@ -93,8 +94,22 @@ void print_polygons(const Scene& scene) {
 
 using Triple = std::array<double, 3>;
 
-void print_triple(const char* name, const Triple& v) {
-  say("{:<10} {:.9g}, {:.9g}, {:.9g}\n", name, v[0], v[1], v[2]);
+/// The sizes of the box's edges. Units: steps.
+Triple size_of(const csg::Measures& m) {
+  return {m.most[0] - m.least[0], m.most[1] - m.least[1],
+          m.most[2] - m.least[2]};
+}
+
+/// Three lengths in steps, as text in model units.
+std::string triple_text(const csg::Measures& m, const Triple& v,
+                        const char* between) {
+  constexpr int kDigits = 9;
+  std::string text;
+  for (const double steps : v) {
+    if (!text.empty()) text += between;
+    text += csg::to_string(m.in_units(steps), kDigits);
+  }
+  return text;
 }
 
 /// The corners of the box in grid steps, which are exact.
@@ -119,13 +134,12 @@ void print_box(const Facts& facts, bool exact) {
   if (exact) {
     print_exact_box(facts.scene());
   } else {
-    print_triple("from", m.least);
-    print_triple("to", m.most);
+    say("from       {}\n", triple_text(m, m.least, ", "));
+    say("to         {}\n", triple_text(m, m.most, ", "));
   }
-  say("size       {:.9g} x {:.9g} x {:.9g}\n", m.most[0] - m.least[0],
-      m.most[1] - m.least[1], m.most[2] - m.least[2]);
-  say("area       {:.9g}\n", m.area);
-  print_triple("centre", m.centre);
+  say("size       {}\n", triple_text(m, size_of(m), " x "));
+  say("area       {}\n", csg::to_string(m.in_units(m.area, 2), 9));
+  say("centre     {}\n", triple_text(m, m.centre, ", "));
 }
 
 /// The volume as a short decimal, or exactly.
@@ -134,8 +148,9 @@ std::string volume_text(const Facts& facts, bool exact) {
   const std::string& volume = facts.exact_volume;
   const bool is_short =
       volume.size() <= kShort && volume.find('/') == std::string::npos;
+  const csg::Measures& m = facts.measures;
   return exact || is_short ? volume
-                           : fmt::format("{:.12g}", facts.measures.volume);
+                           : csg::to_string(m.in_units(m.volume, 3), 12);
 }
 
 void print_components(const std::vector<csg::Component>& components) {
@@ -202,7 +217,13 @@ std::string code_name(ErrorCode code) {
   return std::string(to_string(code));
 }
 
-nlohmann::ordered_json json_of(const Facts& facts) {
+/// Three lengths in steps, in model units.
+nlohmann::json triple_json(const csg::Measures& m, const Triple& v) {
+  return {json_of(m.in_units(v[0])), json_of(m.in_units(v[1])),
+          json_of(m.in_units(v[2]))};
+}
+
+nlohmann::ordered_json facts_json(const Facts& facts) {
   const Scene& scene = facts.scene();
   const csg::Measures& m = facts.measures;
   const io::ImportReport& report = facts.loaded.report;
@@ -213,13 +234,11 @@ nlohmann::ordered_json json_of(const Facts& facts) {
       {"corner_colors", !scene.data().corner_colors.empty()},
       {"grid_bits", scene.grid_bits()},
       {"unit", io::to_string(scene.unit())},
-      {"from", m.least},
-      {"to", m.most},
-      {"size",
-       {m.most[0] - m.least[0], m.most[1] - m.least[1],
-        m.most[2] - m.least[2]}},
-      {"area", m.area},
-      {"centre", m.centre},
+      {"from", triple_json(m, m.least)},
+      {"to", triple_json(m, m.most)},
+      {"size", triple_json(m, size_of(m))},
+      {"area", json_of(m.in_units(m.area, 2))},
+      {"centre", triple_json(m, m.centre)},
       {"import",
        {{"polygons", report.polygons},
         {"vertices", report.vertices},
@@ -231,13 +250,14 @@ nlohmann::ordered_json json_of(const Facts& facts) {
       {"bad_edges", facts.bad_edges},
       {"corners_added", facts.corners_added}};
   if (facts.is_closed()) {
-    json["volume"] = m.volume;
+    json["volume"] = json_of(m.in_units(m.volume, 3));
     json["exact_volume"] = facts.exact_volume;
   }
   json["components"] = nlohmann::ordered_json::array();
   for (const csg::Component& part : m.components) {
     nlohmann::ordered_json component = {{"polygons", part.polygons}};
-    if (facts.is_closed()) component["volume"] = part.volume;
+    if (facts.is_closed())
+      component["volume"] = json_of(m.in_units(part.volume, 3));
     component["genus"] = part.genus ? nlohmann::ordered_json(*part.genus)
                                     : nlohmann::ordered_json();
     json["components"].push_back(std::move(component));
@@ -259,7 +279,7 @@ Status run_info(const InfoArguments& arguments) {
     if (!loaded) return fail(path, loaded.error());
     const Facts facts = facts_of(path, *loaded, arguments);
     if (arguments.json) {
-      all.push_back(json_of(facts));
+      all.push_back(facts_json(facts));
       continue;
     }
     if (path != arguments.paths.front()) say("\n");
@@ -293,7 +313,8 @@ void add_info(CLI::App& program, Status& status) {
   add_grid_option(*app, arguments->grid_bits);
   app->footer(
       "Lengths are in the model's units, which files do not name; those of "
-      "3MF are\nmillimetres, of GLB and glTF metres.\n\n"
+      "3MF are\nmillimetres, of GLB and glTF metres. In JSON a number that no "
+      "double is\nnear is null.\n\n"
       "Examples:\n"
       "  halfspace info part.stl\n"
       "  halfspace info *.stl --json\n"

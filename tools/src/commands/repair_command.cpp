@@ -140,10 +140,10 @@ Status write(const RepairArguments& arguments, const csg::RepairReport& report,
       write_result(arguments.output, outcome);
   if (!written) return fail(arguments.output, written.error());
   print_report(report, outcome);
-  say("{}: {} polygons, closed, volume {:.12g}; moved {} vertices (by at most "
+  say("{}: {} polygons, closed, volume {}; moved {} vertices (by at most "
       "{:.3g})\n",
-      arguments.output, outcome.polygons, outcome.volume, written->moved,
-      written->max_move);
+      arguments.output, outcome.polygons, csg::to_string(outcome.volume, 12),
+      written->moved, written->max_move);
   if (outcome.rounding && outcome.rounding->lost_any())
     say("warning: {}\n", loss_sentence(outcome));
   print_lost(arguments.output, written->lost);

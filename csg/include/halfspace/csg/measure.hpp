@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "halfspace/csg/scaled.hpp"
 #include "halfspace/scene.hpp"
 
 namespace halfspace::csg {
@@ -18,14 +19,20 @@ struct Component {
   std::optional<std::int64_t> genus;
 };
 
-/// What can be measured of a surface, in doubles. Units: model units.
+/// What can be measured of a surface, in doubles. Units: grid steps, which
+/// never take a double out of its range; `in_units` gives them in model units.
 struct Measures {
+  Unit unit{2, 0};
   double area = 0;
   std::array<double, 3> least{};  ///< of the box round the polygons
   std::array<double, 3> most{};
   double volume = 0;                  ///< that the surface winds round
   std::array<double, 3> centre{};     ///< of that; of the area where it is 0
   std::vector<Component> components;  ///< by their first polygons
+
+  Scaled in_units(double steps, int power = 1) const {
+    return {steps, unit, power};
+  }
 };
 
 /// Measures a scene. The volume, its centre and those of the components mean

@@ -11,6 +11,7 @@
 #include "halfspace/boolean.hpp"
 #include "halfspace/bsp_tree.hpp"
 #include "halfspace/csg/operands.hpp"
+#include "halfspace/csg/scaled.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"
 #include "halfspace/io/write_mesh.hpp"
 #include "halfspace/progress.hpp"
@@ -109,7 +110,7 @@ struct Outcome {
   std::size_t faces = 0;        ///< of the exact solid
   std::size_t polygons = 0;     ///< of the scene or mesh
   std::size_t bad_edges = 0;    ///< 0: it is closed, as it must be (S6.5)
-  double volume = 0;            ///< rounded; model units
+  Scaled volume{0, {2, 0}, 3};  ///< rounded
   std::vector<Origin> origins;  ///< by polygon; empty: not known
   /// By polygon; empty where all colours are their operands' own.
   std::vector<ColorSource> color_sources;
