@@ -4,6 +4,7 @@
 #include <memory_resource>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -78,7 +79,13 @@ Status run(int count, char** words) {
   } catch (const std::bad_alloc&) {
     status = halfspace::tools::fail("there is not enough memory");
   } catch (const std::exception& error) {
-    status = halfspace::tools::fail(error.what());
+    // oneTBB's words where a thread cannot begin.
+    const bool is_thread =
+        std::string_view(error.what()).starts_with("pthread_create");
+    status = halfspace::tools::fail(
+        is_thread ? "the system gives no more threads, perhaps for lack of "
+                    "memory; --threads 1 takes one"
+                  : error.what());
   }
   return status;
 }

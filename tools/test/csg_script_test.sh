@@ -393,6 +393,10 @@ expect 0 'volume 24,' csg 'box(2, 3, 4)' -o out.off
 expect 0 'volume 4,' csg 'union([for i in range(4): translate(A, 2 * i, 0, 0)])' \
   A=m1.off -o out.off
 expect 2 'line 1, column 1: this bracket is never closed' csg 'box(1' -o out.off
+# Files where an expression was expected.
+expect 2 'm1.off: this is a file, .*A A=FILE.*--script' csg m1.off -o out.off
+expect 2 'm1.off: this is a file' csg m1.off - m2.off -o out.off
+expect 2 'column 3: .*files stand in quotes' csg 'm1.off - m2.off' -o out.off
 # Inside out: the advice works.
 sed 's/^\(4\) \(.*\) \(.*\) \(.*\) \(.*\)$/\1 \5 \4 \3 \2/' m1.off >turned.off
 expect 2 'turned.off.*inside out.*flip' csg union turned.off m2.off -o out.off

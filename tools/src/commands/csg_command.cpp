@@ -142,6 +142,14 @@ std::optional<Result<Request>> request_by_word(
   return std::nullopt;
 }
 
+/// Whether the word, which can be no expression, names a file that is there.
+bool names_file(const std::string& word) {
+  std::error_code ignored;
+  return word.find('.') != std::string::npos &&
+         word.find_first_of("\"()") == std::string::npos &&
+         std::filesystem::is_regular_file(word, ignored);
+}
+
 Result<Request> request_of(const CsgArguments& arguments) {
   if (arguments.script.empty()) {
     if (auto request = request_by_word(arguments.words))
@@ -159,6 +167,14 @@ Result<Request> request_of(const CsgArguments& arguments) {
         std::filesystem::path(arguments.script).parent_path().string();
   } else if (!arguments.words.empty()) {
     request.text = arguments.words[0];
+    if (names_file(request.text)) {
+      return Error{ErrorCode::kSyntax,
+                   request.text +
+                       ": this is a file, where an expression was "
+                       "expected, as in csg A A=FILE; for a script there is "
+                       "--script FILE",
+                   -1};
+    }
     first = 1;
   } else {
     return Error{ErrorCode::kSyntax,

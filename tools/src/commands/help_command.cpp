@@ -132,7 +132,18 @@ std::string bash_completion(const CLI::App& program) {
          "complete -o default -F _halfspace halfspace\n";
 }
 
-/// Where the word is an option, or occurs in what one does.
+std::string in_lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+bool mentions(const std::string& text, const std::string& word) {
+  return in_lower_case(text).find(in_lower_case(word)) != std::string::npos;
+}
+
+/// Where the word is an option, or occurs in what one takes or does.
 std::string options_about(const CLI::App& program, const std::string& word) {
   const std::string bare =
       word.substr(std::min(word.find_first_not_of('-'), word.size()));
@@ -142,14 +153,15 @@ std::string options_about(const CLI::App& program, const std::string& word) {
       const auto& names = option->get_lnames();
       const bool is_named =
           std::find(names.begin(), names.end(), bare) != names.end();
-      const bool is_mentioned = word == bare && option->get_description().find(
-                                                    word) != std::string::npos;
+      const bool is_mentioned =
+          word == bare && (mentions(option->get_description(), word) ||
+                           mentions(option->get_type_name(), word));
       if (bare.empty() || (!is_named && !is_mentioned)) continue;
       found += "halfspace " + command->get_name() + " " + heading_of(*option) +
                "\n    " + option->get_description() + "\n";
     }
     const bool is_in_notes =
-        !bare.empty() && command->get_footer().find(word) != std::string::npos;
+        !bare.empty() && mentions(command->get_footer(), word);
     if (is_in_notes) {
       found += "halfspace " + command->get_name() + "\n    `halfspace help " +
                command->get_name() + "` mentions it\n";
