@@ -10,6 +10,7 @@ namespace halfspace::fast {
 /// What kernels ask, for tests: each overrides what it is about. No polygon is
 /// nearer, and no line covered.
 struct NoFallback : ExactFallback {
+  void fetch(std::uint32_t) const override {}
   PixelSource begin(std::int32_t, std::int32_t) override { return {}; }
   PixelRange exact_line(std::int32_t, PixelRange) override { return {0, 0}; }
   void nearer(std::int32_t, std::int32_t, std::int32_t,

@@ -71,6 +71,7 @@ class ObjectPainter final : public ExactFallback {
   };
 
   Painter& painter_of(std::int32_t model, std::size_t depth);
+  void fetch(std::uint32_t some) const override { current_->fetch(some); }
   PixelSource begin(std::int32_t k, std::int32_t turn) override {
     return current_->begin(k, turn);
   }

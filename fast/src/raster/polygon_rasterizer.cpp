@@ -103,6 +103,32 @@ void PolygonRasterizer<kBits>::prefetch(const Node& leaf) const {
                 });
 }
 
+/// The last step: what prefetch() asked for long before may have left the
+/// nearest memory again.
+template <int kBits>
+void PolygonRasterizer<kBits>::fetch(
+    [[maybe_unused]] std::uint32_t some) const {
+#if !defined(__wasm__)
+  const SceneData& scene = frame_.reader.scene().data();
+  const TreeFragment* fragments = frame_.reader.fragments_of(*block_);
+  if (gouraud_ && !triangles_) return;
+  for (; some != 0; some &= some - 1) {
+    const TreeFragment& fragment = fragments[std::countr_zero(some)];
+    const auto source = static_cast<std::size_t>(fragment.source);
+    if (!gouraud_) {
+      __builtin_prefetch(scene.colors.data() + source);
+      continue;
+    }
+    __builtin_prefetch(scene.corner_colors.data() + 3 * source);
+    if (fragment.corner_count == 3 &&
+        ((block_of<3>(*block_).whole >> std::countr_zero(some)) & 1u) != 0)
+      continue;
+    for (std::size_t k = 3 * source; k < 3 * source + 3; ++k)
+      __builtin_prefetch(scene.vertices.data() + scene.corners[k]);
+  }
+#endif
+}
+
 template <int kBits>
 PixelSource PolygonRasterizer<kBits>::begin(std::int32_t k, std::int32_t turn) {
   cuts_ = 0;

@@ -172,6 +172,7 @@ class PolygonRasterizer final : public ExactFallback, public LayerOrder {
                       int eye_sign);
   PixelSource start(const TreeFragment& fragment, int eye_sign);
   void start_shader(const TreeFragment& fragment, int eye_sign);
+  void fetch(std::uint32_t some) const override;
   PixelSource begin(std::int32_t k, std::int32_t turn) override;
   PixelRange exact_line(std::int32_t j, PixelRange range) override;
   void nearer(std::int32_t other, std::int32_t x, std::int32_t y,

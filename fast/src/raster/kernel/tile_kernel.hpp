@@ -32,6 +32,9 @@ struct BlockDrawn {
 /// decide, and its colours.
 class ExactFallback {
  public:
+  /// Begins to fetch what the next functions read of those fragments of a block
+  /// that have a bit in `some`.
+  virtual void fetch(std::uint32_t some) const = 0;
   /// Begins the k-th fragment of a block, which turns as an Outline does.
   virtual PixelSource begin(std::int32_t k, std::int32_t turn) = 0;
   /// The pixels of line `j` whose samples the polygon covers, of `range`.

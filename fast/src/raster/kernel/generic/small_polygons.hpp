@@ -532,6 +532,7 @@ struct SmallPolygons : Base {
     drawn.displayed = __builtin_popcount(known);
     const std::uint32_t inside = known & seen.inside;
     if (inside == 0) return drawn;
+    if constexpr (Base::kShadesSmall) screen.exact->fetch(inside);
     Edges8<kCorners> edges;
     std::uint32_t undecided = 0;
     enter_eight(seen, edges, undecided);
