@@ -18,8 +18,8 @@ Member member_of(const Scene& scene, const FragmentName& name) {
   return {name, points_of(scene, name), plane_of(scene, name.source)};
 }
 
-/// How a list lies against the plane of one of its members (S3.3), as far as the
-/// rule asks for it.
+/// How a list lies against the plane of one of its members (S3.3), as far as
+/// the rule asks for it.
 struct Degrees {
   std::int64_t cuts = 0;
   std::int64_t cut_by = 0;
@@ -89,9 +89,8 @@ const Member& root_of(const std::vector<Member>& list,
   const Member* best = nullptr;
   Score least;
   for (const std::size_t i : candidates_of(list.size(), options, key)) {
-    const Score score =
-        score_of(degrees_of(list, list[i], options.rule), options,
-                 list[i].name.source);
+    const Score score = score_of(degrees_of(list, list[i], options.rule),
+                                 options, list[i].name.source);
     if (best != nullptr && !(score < least)) continue;
     best = &list[i];
     least = score;

@@ -178,8 +178,8 @@ TYPED_TEST(S10Sections, L1TheImageIsThatOfTheSceneCutBeforehand) {
 }
 
 /// Calls the property for views of closed scenes with clip planes and caps. In
-/// three of four of those that had no planes the eye is on the side of the first
-/// one that is cut away: most caps are seen from there.
+/// three of four of those that had no planes the eye is on the side of the
+/// first one that is cut away: most caps are seen from there.
 void for_all_capped(const std::function<void(const SceneFile&)>& property) {
   law::for_all(closed_views(), kClippedViews, [&](const SceneFile& whole) {
     if (!bad_edges(whole.scene).empty()) return;

@@ -95,7 +95,7 @@ int Hull::orientation(std::size_t a, std::size_t b, std::size_t c,
   if (value > bound) return 1;
   if (value < -bound) return -1;
   const Integers3 normal = cross(difference(scaled_[b], scaled_[a]),
-                              difference(scaled_[c], scaled_[a]));
+                                 difference(scaled_[c], scaled_[a]));
   return dot(normal, difference(scaled_[d], scaled_[a])).sign();
 }
 

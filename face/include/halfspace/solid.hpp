@@ -174,9 +174,10 @@ class HALFSPACE_API Solid {
   static Solid from_mesh(Mesh mesh, const OperandOptions& options = {});
   /// The solid in an OBJ, STL, PLY, OFF, 3MF, GLB, glTF, scene or `.hsolid`
   /// file, gzipped or not; read when it is needed. That of a `.hsolid` file is
-  /// the exact solid that was saved. What else a mesh file says of its faces and
-  /// their corners (materials, names, texture coordinates, normals, numbers)
-  /// stays with them, and faces do not merge across it; save() writes it.
+  /// the exact solid that was saved. What else a mesh file says of its faces
+  /// and their corners (materials, names, texture coordinates, normals,
+  /// numbers) stays with them, and faces do not merge across it; save() writes
+  /// it.
   static Solid from_file(std::filesystem::path path,
                          const OperandOptions& options = {});
   /// What a script says (docs/guide.md has the language); its files are sought
@@ -290,8 +291,8 @@ class HALFSPACE_API Solid {
   /// solids have one; whether all of `other` is in this one. Exact.
   /// Cost: a boolean of both; of touches() also n log n, and the faces that are
   ///   near the other solid.
-  /// Error: kUnbounded (of touches(), where a half-space by itself is beside the
-  ///   other solid).
+  /// Error: kUnbounded (of touches(), where a half-space by itself is beside
+  ///   the other solid).
   Result<bool> overlaps(const Solid& other) const;
   Result<bool> touches(const Solid& other) const;
   Result<bool> contains(const Solid& other) const;

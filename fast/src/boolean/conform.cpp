@@ -187,8 +187,8 @@ bool Conformer::add_points(std::int32_t id, std::int32_t f) {
   const int high = side_of(f, edge.high);
   // At an end there is a vertex of the edge.
   if (low * high > 0 || (low == 0) != (high == 0)) return true;
-  const std::array<std::int32_t, 2> planes{
-      edge.plane, transversal_plane(edge, table_)};
+  const std::array<std::int32_t, 2> planes{edge.plane,
+                                           transversal_plane(edge, table_)};
   const std::int32_t across = other_than(face.plane, planes);
   const auto edges = edges_near(f, across);
   if (low != 0) {

@@ -18,8 +18,8 @@ namespace halfspace::fast {
 /// Numbers of a drawing. An end of an edge is (x, y, z) / w; on the line of two
 /// clip planes x, y and z have 5n + 8 bits and w 4n + 3: 278 and 219 at most.
 /// The longest function of a point is the near limit of a polygon: slopes of
-/// 6n + 52 bits and an offset of 7n + 44, 376 and 422 at most, so that its value
-/// there has 656.
+/// 6n + 52 bits and an offset of 7n + 44, 376 and 422 at most, so that its
+/// value there has 656.
 using FormInt = Wide<7>;
 using FormValue = Wide<11>;
 using CutProduct = Wide<22>;  ///< of two such values

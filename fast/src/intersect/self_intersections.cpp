@@ -81,7 +81,7 @@ class AlternationCheck {
 
   const Operand& operand_;
   const GeometryTable& table_;
-  List<EdgeInFace> covers_;  ///< by edge
+  List<EdgeInFace> covers_;         ///< by edge
   std::vector<EdgeInFace> others_;  ///< of the current edge, by other faces
   std::vector<std::int32_t> ends_;  ///< of its parts
   std::vector<HalfFace> half_faces_;

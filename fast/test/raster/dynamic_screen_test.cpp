@@ -1,5 +1,3 @@
-#include "halfspace/fast/screen.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "halfspace/fast/screen.hpp"
 #include "halfspace/image.hpp"
 
 namespace halfspace::fast {

@@ -272,9 +272,8 @@ TYPED_TEST(S9Sections, ThreeCapsMeetInThreeEdges) {
   for (const std::array<double, 2>& end : ends) {
     EXPECT_TRUE(std::any_of(
         parts.strokes.begin(), parts.strokes.end(), [&](const Part& s) {
-          return std::get<4>(s) == EdgeClass::kSection &&
-                 std::get<5>(s) == 0 && distance(middle, s) < 1e-9 &&
-                 distance(end, s) < 1e-9 &&
+          return std::get<4>(s) == EdgeClass::kSection && std::get<5>(s) == 0 &&
+                 distance(middle, s) < 1e-9 && distance(end, s) < 1e-9 &&
                  std::hypot(std::get<2>(s) - std::get<0>(s),
                             std::get<3>(s) - std::get<1>(s)) < 27;
         }));
@@ -353,8 +352,8 @@ TEST(S9SectionsAgree, RefAndFastDrawTheSameCornersOfCaps) {
     agree::Draws draws(*rc::gen::arbitrary<std::uint64_t>());
     SceneFile view = cut_cube();
     std::vector<ClipPlane> planes;
-    const GridPoint p = draws.one_in(2) ? GridPoint{0, 0, 0}
-                                        : GridPoint{10, 10, -10};
+    const GridPoint p =
+        draws.one_in(2) ? GridPoint{0, 0, 0} : GridPoint{10, 10, -10};
     for (std::int64_t k = draws.from_to(2, 3); k > 0; --k) {
       const auto entry = [&] { return Int128{draws.from_to(-1, 1)}; };
       ClipPlane plane{entry(), entry(), entry(), 0};

@@ -25,8 +25,7 @@ std::optional<Point> meet(const Plane& f, const Plane& g, const Point& x,
   const Rational volume = dot(x, u);
   if (sign(volume) == 0) return std::nullopt;
   const auto part = [&](std::size_t axis) {
-    return (at * along(u, axis) - f.d * along(v, axis) -
-            g.d * along(w, axis)) /
+    return (at * along(u, axis) - f.d * along(v, axis) - g.d * along(w, axis)) /
            volume;
   };
   return Point{part(0), part(1), part(2)};

@@ -18,9 +18,9 @@ std::optional<std::pair<Point, Point>> corner_line(
     const std::vector<Fragment>& polygons, const ClipPlane& first,
     const ClipPlane& second);
 
-/// Whether the caps of planes `first` and `second` of `clips` meet at a point of
-/// their line.
-/// Requires: no polygon's plane that crosses the line passes through it there.
+/// Whether the caps of planes `first` and `second` of `clips` meet at a point
+/// of their line. Requires: no polygon's plane that crosses the line passes
+/// through it there.
 bool do_caps_meet(const std::vector<Fragment>& polygons,
                   const std::vector<ClipPlane>& clips, std::size_t first,
                   std::size_t second, const Point& p);

@@ -16,8 +16,8 @@ namespace halfspace::fast {
 /// A line of a drawing in space (S9.1, S9.3).
 struct DrawingEdge {
   EdgeClass edge_class = EdgeClass::kCrease;
-  /// Its ends; -1 for an intersection, a section or a given line, whose ends are
-  /// no vertices.
+  /// Its ends; -1 for an intersection, a section or a given line, whose ends
+  /// are no vertices.
   VertexId from = -1;
   VertexId to = -1;
   /// The lowest polygon at it, and the next one, or -1: of an intersection the

@@ -54,8 +54,8 @@ std::uint8_t channel(std::mt19937_64& engine) {
   return static_cast<std::uint8_t>(engine() % 256);
 }
 
-/// Triangles that cross each other, steeply for floats, and some that lie on one
-/// of them or cross it by a step.
+/// Triangles that cross each other, steeply for floats, and some that lie on
+/// one of them or cross it by a step.
 Scene crossing(int count) {
   std::mt19937_64 engine(3);
   const auto number = [&engine](std::int64_t size) {

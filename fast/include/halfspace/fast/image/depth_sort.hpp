@@ -23,8 +23,8 @@ struct DepthSort {
 ///
 /// A pure function of its arguments.
 /// Polygons whose planes no ray of the image meets are not listed (S3.10).
-/// Requires: the list is displayed for this camera alone; the near distance does
-///           not matter.
+/// Requires: the list is displayed for this camera alone; the near distance
+///           does not matter.
 /// Exact:    yes: sides of planes are decided. Depths and images are compared
 ///           in doubles with bounds; where these touch, the planes decide.
 /// Cost:     for each fragment a pass over those whose depths meet its own; a
