@@ -286,7 +286,33 @@ bool note_closed(const fast::Solid& made, Outcome& result) {
   return result.bad_edges == 0;
 }
 
+/// The solid, its faces' parts being those of the file, in the order and with
+/// the names of the file.
+fast::Solid named_for_file(fast::Solid solid, const OriginParts& parts,
+                           MergeRule merge) {
+  parts.expand(solid);
+  // What has no face conforms, whatever was known of that on the way.
+  solid.is_conforming = solid.is_conforming || solid.faces.empty();
+  return fast::canonical_for_file(
+      merged_by(in_order_for(merge, std::move(solid)), merge));
+}
+
+/// The solid, by its own faces.
+FileSolid file_solid(const fast::Solid& solid, const OriginParts& parts) {
+  FileSolid file;
+  for (const fast::Face& face : solid.faces)
+    file.origins.push_back(parts.of_operand({face.part, face.polygon}));
+  file.data = in_least_grid(fast::data_of(solid, parts.names()));
+  return file;
+}
+
 }  // namespace
+
+FileSolid for_file(fast::Solid solid, std::span<const OperandPart> operands) {
+  const OriginParts parts(operands);
+  return file_solid(named_for_file(std::move(solid), parts, MergeRule::kNone),
+                    parts);
+}
 
 Outcome exact_outcome(fast::Solid solid, const Plan& plan,
                       const Operands& operands,
@@ -294,11 +320,7 @@ Outcome exact_outcome(fast::Solid solid, const Plan& plan,
   Outcome result;
   if (!note_closed(solid, result)) return result;
   const OriginParts parts(plan, operands);
-  parts.expand(solid);
-  // What has no face conforms, whatever was known of that on the way.
-  solid.is_conforming = solid.is_conforming || solid.faces.empty();
-  solid = fast::canonical_for_file(
-      merged_by(in_order_for(options.merge, std::move(solid)), options.merge));
+  solid = named_for_file(std::move(solid), parts, options.merge);
   if (!note_closed(solid, result)) return result;
   result.faces = solid.faces.size();
   const Unit unit = solid.unit;
@@ -310,11 +332,10 @@ Outcome exact_outcome(fast::Solid solid, const Plan& plan,
   take_polygons(solid, mesh, unit, result);
   result.polygons = result.faces;
   result.bad_edges = 0;
-  result.origins.clear();
-  for (const fast::Face& face : solid.faces)
-    result.origins.push_back(parts.of_operand({face.part, face.polygon}));
+  FileSolid file = file_solid(solid, parts);
+  result.origins = std::move(file.origins);
   note_color_sources(operands, result);
-  result.data = in_least_grid(fast::data_of(solid, parts.names()));
+  result.data = std::move(file.data);
   for (std::size_t f = 0; f < result.data->faces.size(); ++f) {
     if (result.color_sources[f] != ColorSource::kNone) continue;
     result.data->faces[f].has_color = false;

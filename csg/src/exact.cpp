@@ -328,30 +328,6 @@ Result<io::Imported> rounded(const SolidData& data,
   return imported;
 }
 
-SolidData data_of(fast::Solid solid, std::span<const OperandPart> parts) {
-  std::vector<std::string> names;
-  std::vector<std::size_t> first;
-  for (const OperandPart& part : parts) {
-    first.push_back(names.size());
-    if (part.data == nullptr) {
-      names.push_back(part.name);
-    } else {
-      names.insert(names.end(), part.data->parts.begin(),
-                   part.data->parts.end());
-    }
-  }
-  for (fast::Face& face : solid.faces) {
-    const auto part = static_cast<std::size_t>(face.part);
-    face.part = static_cast<std::int32_t>(first[part]);
-    if (parts[part].data == nullptr) continue;
-    const SolidData::Origin& origin =
-        parts[part].data->origins[static_cast<std::size_t>(face.polygon)];
-    face.part += static_cast<std::int32_t>(origin.part);
-    face.polygon = static_cast<PolygonId>(origin.polygon);
-  }
-  return fast::data_of(solid, names);
-}
-
 namespace {
 
 Result<io::LoadedScene> rounded_scene(const std::string& name,

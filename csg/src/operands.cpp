@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "exact/lean.hpp"
-#include "exact/part_names.hpp"
 #include "halfspace/csg/closing.hpp"
 #include "halfspace/csg/fault.hpp"
 #include "halfspace/csg/measure.hpp"
+#include "halfspace/csg/part_names.hpp"
 #include "halfspace/csg/trimmed.hpp"
 #include "halfspace/csg/volume.hpp"
 #include "halfspace/fast/rounded_mesh.hpp"

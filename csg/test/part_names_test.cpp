@@ -1,4 +1,4 @@
-#include "exact/part_names.hpp"
+#include "halfspace/csg/part_names.hpp"
 
 #include <gtest/gtest.h>
 

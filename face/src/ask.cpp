@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fields.hpp"
+#include "files/exact_file.hpp"
 #include "halfspace/csg/carry.hpp"
 #include "halfspace/csg/exact_measure.hpp"
 #include "halfspace/csg/locate.hpp"
@@ -135,30 +136,21 @@ void color_faces(const Evaluation& evaluation, fast::Solid& solid) {
                      .value_or(io::kUsualSurface);
 }
 
-/// Writes the solid as it is, its faces' origins with it.
+/// Writes the solid as it is, its faces' origins with it, as the program does.
 Result<Done> saved_exactly(const std::filesystem::path& path,
                            const Evaluation& evaluation, fast::Solid solid) {
   if (solid.unbounded) {
     return Error{ErrorCode::kUnbounded,
                  path.string() + ": the solid reaches infinitely far"};
   }
-  std::vector<csg::OperandPart> parts;
-  for (const Evaluation::Use& use : evaluation.uses) {
-    parts.push_back({SolidNode::solid_of(use.node).name(),
-                     use.node->leaf->data()->source->exact.get()});
+  csg::FileSolid file = detail::for_file(evaluation, std::move(solid));
+  for (std::size_t f = 0; f < file.origins.size(); ++f) {
+    const auto& [operand, polygon] = file.origins[f];
+    SolidData::Face& face = file.data.faces[f];
+    face.has_color = color_of(evaluation, operand, polygon).has_value();
+    if (!face.has_color) face.color = {};
   }
-  for (const Evaluation::Cut& cut : evaluation.cuts)
-    parts.push_back({SolidNode::solid_of(cut.node).name(), nullptr});
-  std::vector<bool> has_color;
-  for (const fast::Face& face : solid.faces)
-    has_color.push_back(
-        color_of(evaluation, face.part, face.polygon).has_value());
-  SolidData data = csg::data_of(std::move(solid), parts);
-  for (std::size_t f = 0; f < data.faces.size(); ++f) {
-    data.faces[f].has_color = has_color[f];
-    if (!has_color[f]) data.faces[f].color = {};
-  }
-  return io::write_file(path, write_solid(data, SolidForm::kBinary));
+  return io::write_file(path, write_solid(file.data, SolidForm::kBinary));
 }
 
 }  // namespace

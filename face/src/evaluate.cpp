@@ -134,7 +134,8 @@ Result<std::shared_ptr<Evaluation>> evaluated(const Node& root,
     const auto half = static_cast<std::size_t>(plan->planes[i].half);
     const auto points = operands->plane(static_cast<std::int32_t>(i));
     if (!points) return points.error();
-    result->cuts.push_back({lowered->halves[half], *points});
+    result->cuts.push_back(
+        {lowered->halves[half], *points, plan->planes[i].points});
   }
   return result;
 }

@@ -28,6 +28,8 @@ struct LeafData {
   /// each as the short decimal that it stands for; or neither.
   enum class From : std::uint8_t { kDoubles, kShortDecimals, kOthers };
   From from = From::kOthers;
+  /// What it is called in exact files; empty: by the solid's name.
+  std::string part;
 };
 
 /// A leaf of an expression: made, or read, when it is first needed.
@@ -59,11 +61,12 @@ struct Evaluation {
     csg::Matrix matrix;
   };
   std::vector<Use> uses;
-  /// By plane of the plan: the half-space, and points of the plane on the grid,
-  /// counterclockwise as seen from outside.
+  /// By plane of the plan: the half-space, and points of the plane,
+  /// counterclockwise as seen from outside: on the grid, and as they were said.
   struct Cut {
     std::shared_ptr<const SolidNode> node;
     std::array<GridPoint, 3> points;
+    csg::HalfSpace said;
   };
   std::vector<Cut> cuts;
   RoundingReport rounding;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "halfspace/csg/part_names.hpp"
 #include "halfspace/csg/script.hpp"
 #include "halfspace/io/load_scene.hpp"
 #include "import.hpp"
@@ -102,8 +103,15 @@ Solid leaf_of(const csg::File& file, const std::filesystem::path& path) {
   node->leaf = std::make_shared<const detail::Leaf>(
       [file, path]() -> Result<detail::LeafData> {
         // Numbers of a script are meant as they are: not free.
-        if (file.mesh)
-          return detail::imported_leaf(file.name, *file.mesh, nullptr, {});
+        if (file.mesh) {
+          auto made = detail::imported_leaf(file.name, *file.mesh, nullptr, {});
+          if (made) {
+            // Where it stands in the script is not what it is.
+            made->part = csg::primitive_name(
+                file.name.substr(0, file.name.find(" at ")), *file.mesh);
+          }
+          return made;
+        }
         Result<csg::Source> source =
             csg::read_source(path.string(), {}, file.is_flipped);
         if (!source) return source.error();

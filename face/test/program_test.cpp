@@ -16,6 +16,7 @@
 #include "halfspace/csg/script.hpp"
 #include "halfspace/halfspace.hpp"
 #include "halfspace/io/write_mesh.hpp"
+#include "halfspace/solid_file.hpp"
 
 namespace halfspace {
 namespace {
@@ -48,6 +49,26 @@ std::string program_bytes(const std::string& text, const std::string& a,
   grid_bits = operands->report().grid_bits;
   EXPECT_TRUE(io::write_mesh("program.stl", (*result)->mesh, false));
   return bytes_of("program.stl");
+}
+
+/// What `halfspace csg SCRIPT A=A B=B -o x.hsolid` writes; nothing where it
+/// fails.
+std::string program_solid(const std::string& text, const std::string& a,
+                          const std::string& b) {
+  std::vector<csg::Binding> bindings = {{"A", a}};
+  if (text.find('B') != std::string::npos) bindings.push_back({"B", b});
+  const auto script = csg::parse_script(text, bindings);
+  EXPECT_TRUE(script);
+  const auto plan = csg::make_plan(*script);
+  EXPECT_TRUE(plan);
+  auto operands = csg::Operands::load(*script, *plan, {});
+  if (!operands) return {};
+  csg::EvaluateOptions options;
+  options.exact_data = true;
+  options.merge = csg::MergeRule::kNone;
+  const auto result = csg::evaluate_fast(*plan, *operands, options);
+  if (!result) return {};
+  return write_solid(*(*result)->data, SolidForm::kBinary);
 }
 
 /// Octahedra whose corners have random distances from their middles: whatever
@@ -147,6 +168,68 @@ TEST(FaceFiles, WhatAGridHoldsIsNotRounded) {
   EXPECT_GT(rounding->moved, 0U);
   EXPECT_LT(rounding->max_move, 1e-14);
   EXPECT_EQ(*((a + b) & b).exact_volume(), *b.exact_volume());
+}
+
+// Results, and what goes on from their files: of files, moved copies of them
+// and half-spaces, named more than once.
+TEST(FaceFiles, ExactOnesHaveTheBytesOfTheProgram) {
+  const OperandOptions as_program = {.merge_coplanar = false};
+  Octahedra random(21);
+  std::size_t compared = 0, meets = 0;
+  for (int round = 0; round < 60; ++round) {
+    for (const char* name : {"exact_a.off", "exact_b.off"})
+      random.write(name, 4, static_cast<int>(random.below(2)));
+    const Move& move = kMoves[random.below(3)];
+    const Move& other = kMoves[random.below(3)];
+    const Solid a = Solid::from_file("exact_a.off", as_program);
+    const Solid b = Solid::from_file("exact_b.off", as_program);
+    Solid made = a;
+    std::string text = "A";
+    const std::size_t steps = 1 + random.below(3);
+    for (std::size_t step = 0; step < steps; ++step) {
+      const Solid next = (step == 0 ? move : other).moved(b);
+      const std::string said = (step == 0 ? move : other).text;
+      switch (random.below(5)) {
+        case 0:
+          made = made + next;
+          text = "(" + text + " | " + said + ")";
+          break;
+        case 1:
+          made = made & next;
+          text = "(" + text + " & " + said + ")";
+          break;
+        case 2:
+          made = made ^ next;
+          text = "(" + text + " ^ " + said + ")";
+          break;
+        case 3:
+          made = made & Solid::from_text("half(x < 0.25)");
+          text = "(" + text + " & half(x < 0.25))";
+          break;
+        default:
+          made = made - next;
+          text = "(" + text + " - " + said + ")";
+      }
+    }
+    const std::string expected =
+        program_solid(text, "exact_a.off", "exact_b.off");
+    if (expected.empty()) continue;
+    ASSERT_TRUE(made.save("exact_face.hsolid"));
+    ASSERT_EQ(bytes_of("exact_face.hsolid"), expected) << text;
+    ++compared;
+    meets += expected.find("@ ") != std::string::npos ? 1u : 0u;
+    // And once more, from that file.
+    const Solid read = Solid::from_file("exact_face.hsolid", as_program);
+    const std::string on =
+        program_solid("translate(A, 1, 0, 0.5) - " + std::string(move.text),
+                      "exact_face.hsolid", "exact_b.off");
+    if (on.empty()) continue;
+    ASSERT_TRUE((read.translated({1, 0, 0.5}) - move.moved(b))
+                    .save("exact_chain.hsolid"));
+    ASSERT_EQ(bytes_of("exact_chain.hsolid"), on) << text;
+  }
+  EXPECT_GT(compared, 50u);
+  EXPECT_GT(meets, 20u);  // names that say where a part stands
 }
 
 }  // namespace

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
-#include "part_names.hpp"
+#include "halfspace/csg/part_names.hpp"
 
 namespace halfspace::csg {
 namespace {
@@ -18,29 +19,8 @@ struct Key {
   friend auto operator<=>(const Key&, const Key&) = default;
 };
 
-}  // namespace
-
-OriginParts::OriginParts(const Plan& plan, const Operands& operands) {
-  std::vector<Key> keys;  // by part of an operand
-  const auto add = [&](std::string name, const SolidData* data,
-                       const Matrix* matrix, bool is_alone) {
-    const auto operand = static_cast<std::int32_t>(first_.size());
-    first_.push_back(static_cast<std::int32_t>(keys.size()));
-    data_.push_back(data);
-    auto& places = places_.emplace_back();
-    if (data == nullptr) {
-      if (matrix != nullptr) name = placed_name(name, *matrix);
-      keys.push_back({std::move(name), is_alone ? operand : -1});
-    } else {
-      for (const std::string& part : data->parts)
-        keys.push_back({placed_name(part, *matrix), -1});
-      for (std::size_t i = 0; i < data->origins.size(); ++i) {
-        places.try_emplace({data->origins[i].part, data->origins[i].polygon},
-                           static_cast<PolygonId>(i));
-      }
-    }
-    operands_.resize(keys.size(), operand);
-  };
+std::vector<OperandPart> parts_of(const Plan& plan, const Operands& operands) {
+  std::vector<OperandPart> parts;
   std::map<std::string, std::string> paths;  // of the first file of a name
   for (std::size_t i = 0; i < plan.leaves.size(); ++i) {
     const auto leaf = static_cast<std::int32_t>(i);
@@ -49,12 +29,49 @@ OriginParts::OriginParts(const Plan& plan, const Operands& operands) {
     const std::string& path = operands.path_of(leaf);
     const bool is_other = data == nullptr && !operands.is_primitive(leaf) &&
                           paths.try_emplace(name, path).first->second != path;
-    add(name, data,
-        &plan.matrices[static_cast<std::size_t>(plan.leaves[i].matrix)],
-        is_other || operands.attributed(leaf) != nullptr);
+    const bool is_alone = is_other || operands.attributed(leaf) != nullptr;
+    parts.push_back(
+        {name, data,
+         plan.matrices[static_cast<std::size_t>(plan.leaves[i].matrix)],
+         is_alone ? leaf : -1});
   }
   for (const Plane& plane : plan.planes)
-    add(half_name(plane.points), nullptr, nullptr, false);
+    parts.push_back(half_part(plane.points));
+  return parts;
+}
+
+}  // namespace
+
+OperandPart half_part(const HalfSpace& points) {
+  return {half_name(points), nullptr, std::nullopt, -1};
+}
+
+OriginParts::OriginParts(const Plan& plan, const Operands& operands)
+    : OriginParts(parts_of(plan, operands)) {}
+
+OriginParts::OriginParts(std::span<const OperandPart> operands) {
+  std::vector<Key> keys;  // by part of an operand
+  for (const OperandPart& part : operands) {
+    const auto operand = static_cast<std::int32_t>(first_.size());
+    first_.push_back(static_cast<std::int32_t>(keys.size()));
+    data_.push_back(part.data);
+    auto& places = places_.emplace_back();
+    const auto placed = [&part](const std::string& name) {
+      return part.matrix ? placed_name(name, *part.matrix) : name;
+    };
+    if (part.data == nullptr) {
+      keys.push_back({placed(part.name), part.alone});
+    } else {
+      for (const std::string& name : part.data->parts)
+        keys.push_back({placed(name), -1});
+      for (std::size_t i = 0; i < part.data->origins.size(); ++i) {
+        const SolidData::Origin& origin = part.data->origins[i];
+        places.try_emplace({origin.part, origin.polygon},
+                           static_cast<PolygonId>(i));
+      }
+    }
+    operands_.resize(keys.size(), operand);
+  }
 
   // Parts by name.
   std::vector<std::int32_t> order(keys.size());

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,8 @@ namespace halfspace::csg {
 class OriginParts {
  public:
   OriginParts(const Plan& plan, const Operands& operands);
+  /// Operands, and planes after them.
+  explicit OriginParts(std::span<const OperandPart> operands);
 
   /// By part, sorted.
   const std::vector<std::string>& names() const { return names_; }

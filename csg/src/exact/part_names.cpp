@@ -1,4 +1,4 @@
-#include "part_names.hpp"
+#include "halfspace/csg/part_names.hpp"
 
 #include <algorithm>
 #include <array>
@@ -92,6 +92,19 @@ std::string placed_name(const std::string& name, const Matrix& matrix) {
 
 std::string half_name(const HalfSpace& points) {
   return with_place(std::string(kHalf), points);
+}
+
+std::string scene_name(const std::string& name, const Scene& scene) {
+  io::Mesh mesh;
+  const Unit unit = scene.unit();
+  const auto number = [&unit](std::int64_t steps) {
+    return io::normalised(steps, steps == 0 ? 0 : unit.exponent,
+                          steps == 0 || unit.base == 2 ? 0 : unit.exponent);
+  };
+  for (const GridPoint& p : scene.data().vertices)
+    mesh.vertices.push_back({number(p.x), number(p.y), number(p.z)});
+  mesh.corners = scene.data().corners;
+  return primitive_name(name, mesh);
 }
 
 std::string primitive_name(const std::string& name, const io::Mesh& mesh) {

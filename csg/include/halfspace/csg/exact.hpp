@@ -51,17 +51,6 @@ Result<fast::Solid> checked_solid(const SolidData& data,
 Result<io::Imported> rounded(const SolidData& data,
                              const io::ImportOptions& options);
 
-/// A part of a solid: an operand. An exact one has parts of its own.
-struct OperandPart {
-  std::string name;
-  const SolidData* data = nullptr;  ///< null: a mesh, or a half-space
-};
-
-/// The solid's data. Its faces' parts are `parts`, and their polygons, of exact
-/// ones, origins; in the data they are what those were in the first place.
-/// Requires: as fast::data_of().
-SolidData data_of(fast::Solid solid, std::span<const OperandPart> parts);
-
 /// io::load_scene(), of exact solids, too: those as their surface in doubles.
 /// Errors: those of read_solid(), rounded() and io::load_scene().
 Result<io::LoadedScene> load_scene(const std::string& path,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -126,6 +127,30 @@ struct Outcome {
 /// Errors: those of the operands.
 Result<std::optional<fast::Solid>> evaluate_solid(
     const Plan& plan, Operands& operands, const EvaluateOptions& options);
+
+/// What a result was made of: an operand, or the plane of a half-space.
+struct OperandPart {
+  std::string name;  ///< in files; where `data` are given, those have names
+  const SolidData* data = nullptr;  ///< of an exact operand
+  /// How it was moved; nothing: the name says where it stands.
+  std::optional<Matrix> matrix = std::nullopt;
+  /// Operands of one name and place but other numbers here stay apart.
+  std::int32_t alone = -1;
+};
+
+/// The plane of a half-space.
+OperandPart half_part(const HalfSpace& points);
+
+/// A solid for a `.hsolid` file, and by face where it comes from: the place of
+/// an operand among those that were given, and its polygon.
+struct FileSolid {
+  SolidData data;
+  std::vector<Origin> origins;
+};
+
+/// The solid as its file has it (F7), whose faces' parts are these operands.
+/// Requires: it is bounded and closed.
+FileSolid for_file(fast::Solid solid, std::span<const OperandPart> operands);
 
 /// The solid for a `.hsolid` file. Its parts are those of exact operands, one
 /// after the other, and other operands, by the names of their files.

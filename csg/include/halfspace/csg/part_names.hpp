@@ -26,4 +26,7 @@ std::string half_name(const HalfSpace& points);
 
 std::string primitive_name(const std::string& name, const io::Mesh& mesh);
 
+/// The same of what is known as a scene: `name #1b2c3d4e`.
+std::string scene_name(const std::string& name, const Scene& scene);
+
 }  // namespace halfspace::csg
