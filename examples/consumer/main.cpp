@@ -35,8 +35,9 @@ double volume_without_corner() {
   if (!operands) return -1;
   const auto fast = halfspace::csg::evaluate_fast(*plan, *operands, {});
   const auto ref = halfspace::csg::evaluate_ref(*plan, *operands, {});
-  if (!fast || !ref || (*fast)->volume != (*ref)->volume) return -1;
-  return (*fast)->volume;
+  if (!fast || !ref || (*fast)->volume.value() != (*ref)->volume.value())
+    return -1;
+  return (*fast)->volume.value();
 }
 
 }  // namespace
