@@ -37,6 +37,16 @@ class HashIndex {
         .index;
   }
   void enter(std::uint64_t hash, std::int32_t index);
+  /// By index below `count`: what enter() keeps of its hash.
+  /// Requires: each index was entered once.
+  List<std::uint32_t> marks(std::size_t count) const {
+    List<std::uint32_t> marks(count);
+    for (const Slot& slot : slots_) {
+      if (slot.index >= 0)
+        marks[static_cast<std::size_t>(slot.index)] = slot.mark;
+    }
+    return marks;
+  }
   /// Begins to fetch the slot that find() reads first.
   void prefetch(std::uint64_t hash) const {
     if (!slots_.empty())

@@ -109,6 +109,59 @@ void Canonizer::number_planes() {
   }
 }
 
+/// Whether the solid has enough of what is in its table for a copy of that, for
+/// which all of it is read once, to take less time than making it anew.
+bool Canonizer::is_most_of_table() const {
+  constexpr std::size_t kShare = 8;  // untuned
+  return from_.table->plane_count() <= kShare * made_.faces.size() &&
+         from_.table->vertex_count() <= kShare * vertices_.size();
+}
+
+/// The solid on the grid that it is on, in a table with copies of its planes
+/// and points: made() without computing any.
+Solid Canonizer::copied() {
+  const GeometryTable& from = *from_.table;
+  const auto is_meet = [&](std::int32_t v) {
+    return !from.vertex(v).is_grid();
+  };
+  IdRange extent;
+  for (const std::int32_t p : planes_) extent.add(p);
+  for (const std::int32_t v : vertices_) {
+    if (!is_meet(v)) continue;
+    for (const std::int32_t p : from.vertex(v).planes) extent.add(p);
+  }
+  for (const SolidEdge& edge : made_.edges) {
+    if (edge.other >= 0) extent.add(edge.other);
+  }
+  Renumbering ids(extent);
+  std::vector<std::int32_t> planes;
+  const auto id_of = [&](std::int32_t p) {
+    std::int32_t& id = ids.at(p);
+    if (id < 0) {
+      id = static_cast<std::int32_t>(planes.size());
+      planes.push_back(p);
+    }
+    return id;
+  };
+  // In made()'s order: those of faces have their numbers as ids.
+  for (const std::int32_t p : planes_) id_of(p);
+  for (const std::int32_t v : vertices_) {
+    if (!is_meet(v)) continue;
+    for (const std::int32_t p : from.vertex(v).planes) id_of(p);
+  }
+  for (SolidEdge& edge : made_.edges) {
+    if (edge.other >= 0) edge.other = id_of(edge.other);
+  }
+  for (std::size_t f = 0; f < made_.faces.size(); ++f) {
+    made_.faces[f].source = static_cast<PolygonId>(f);
+    made_.faces[f].from_first = true;
+  }
+  TableLease lease = TableLease::of_new(from.grid_bits());
+  lease.table().copy(from, planes, vertices_);
+  made_.table = lease.shared();
+  return std::move(made_);
+}
+
 /// Sets the unit, and finds which vertices are on its grid.
 void Canonizer::set_unit(const Unit& unit) {
   unit_ = unit;

@@ -31,6 +31,10 @@ class Canonizer {
   }
   Solid run() {
     put_in_order();
+    // Nobody else may extend a table that is copied.
+    if (const auto lease = TableLease::of(from_.table)) {
+      if (is_most_of_table()) return copied();
+    }
     set_unit(from_.unit);
     keeps_others_ = true;
     for (const std::int32_t plane : planes_)
@@ -62,6 +66,8 @@ class Canonizer {
     name_all();
     return std::move(made_);
   }
+  bool is_most_of_table() const;
+  Solid copied();
   void set_unit(const Unit& unit);
   std::vector<std::int32_t> first_vertices();
   std::int32_t other_number(const SolidEdge& edge, std::int32_t own) const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory_resource>
 #include <utility>
 
 namespace halfspace::fast {
@@ -31,7 +32,7 @@ class CornerDropper {
     const std::size_t count = mesh.points.size();
     is_loose_.resize(count);
     places_.resize(count);
-    stars_.resize(count);
+    stars_.reserve(count);
     moves_.resize(mesh.triangles.size());
     for (std::size_t p = 0; p < count; ++p) {
       const GridPoint& at = mesh.points[p];
@@ -41,6 +42,14 @@ class CornerDropper {
     for (const LoosePoint& p : loose) {
       is_loose_[index(p.point)] = 1;
       places_[index(p.point)] = p.at;
+    }
+    std::vector<std::uint32_t> sizes(count);
+    for (const GridTriangle& t : mesh.triangles) {
+      for (const std::int32_t c : t.corners) ++sizes[index(c)];
+    }
+    for (std::size_t p = 0; p < count; ++p) {
+      stars_.emplace_back(&memory_);
+      if (is_loose_[p] != 0) stars_.back().reserve(sizes[p]);
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       for (const std::int32_t c : mesh.triangles[t].corners) {
@@ -83,8 +92,9 @@ class CornerDropper {
 
   /// The neighbours round a corner, in the order of its triangles; `star` then
   /// has those in the same order. Empty where they are not one cycle.
-  Ring ring_of(std::int32_t corner, std::vector<std::int32_t>& star) const {
-    std::vector<std::array<std::int32_t, 3>> steps;  // from, to, triangle
+  Ring ring_of(std::int32_t corner, std::vector<std::int32_t>& star) {
+    auto& steps = steps_;
+    steps.clear();
     for (const std::int32_t t : star) {
       const auto& c = corners(t);
       const auto i = index(static_cast<std::int32_t>(
@@ -154,14 +164,20 @@ class CornerDropper {
   double moved_ = 0;
   std::vector<std::uint8_t> is_loose_;
   std::vector<StepPoint> places_;
-  std::vector<std::vector<std::int32_t>> stars_;  ///< of loose corners
+  /// Of what is small and stays until the end.
+  std::pmr::monotonic_buffer_resource memory_;
+  std::vector<std::pmr::vector<std::int32_t>> stars_;  ///< of loose corners
+  /// For ring_of(): from, to, triangle.
+  std::vector<std::array<std::int32_t, 3>> steps_;
+  std::vector<std::int32_t> star_;  ///< for drop()
   /// By triangle: how far it is from the surface that was, at most.
   std::vector<double> moves_;
 };
 
 /// Whether the corner was dropped.
 bool CornerDropper::drop(std::int32_t corner) {
-  std::vector<std::int32_t> star = stars_[index(corner)];
+  std::vector<std::int32_t>& star = star_;
+  star.assign(stars_[index(corner)].begin(), stars_[index(corner)].end());
   if (star.size() < 3) return false;
   const Ring ring = ring_of(corner, star);
   if (ring.empty()) return false;

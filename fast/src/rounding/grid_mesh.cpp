@@ -1,13 +1,12 @@
 #include "rounding/grid_mesh.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <numeric>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
+#include "base/hash_index.hpp"
 #include "exact/exact_plane.hpp"
 #include "rounding/grid_hash.hpp"
 #include "rounding/grid_predicates.hpp"
@@ -17,32 +16,37 @@ namespace {
 
 /// Makes equal points one: that which was not moved, or the first.
 std::size_t weld(GridMesh& mesh) {
-  std::unordered_map<GridPoint, std::int32_t, GridPointHash> moved;
+  const GridPointHash hash_of;
   const auto count = static_cast<std::int32_t>(mesh.points.size());
+  const auto moved_count = static_cast<std::size_t>(
+      std::count_if(mesh.moved.begin(), mesh.moved.end(),
+                    [](std::uint8_t moved) { return moved != 0; }));
+  if (moved_count == 0) return 0;
+  HashIndex moved;
+  moved.reserve(moved_count, 0);
+  const auto find = [&](const GridPoint& at) {
+    return moved.find(hash_of(at),
+                      [&](std::int32_t p) { return mesh.at(p) == at; });
+  };
   std::vector<std::int32_t> stands_for(mesh.points.size());
   std::iota(stands_for.begin(), stands_for.end(), 0);
   std::size_t welded = 0;
   for (std::int32_t p = 0; p < count; ++p) {
     if (!mesh.is_moved(p)) continue;
-    const auto [at, is_new] = moved.try_emplace(mesh.at(p), p);
-    if (is_new) continue;
-    stands_for[static_cast<std::size_t>(p)] = at->second;
-    ++welded;
+    const std::int32_t first = find(mesh.at(p));
+    if (first < 0) {
+      moved.enter(hash_of(mesh.at(p)), p);
+    } else {
+      stands_for[static_cast<std::size_t>(p)] = first;
+      ++welded;
+    }
   }
-  if (moved.empty()) return 0;
-  // Nearly all points that did not move are alone: most are known by a bit.
-  const std::size_t bits = std::bit_ceil(16 * moved.size());
-  std::vector<bool> may_be(bits);
-  const auto bit_of = [&](const GridPoint& p) {
-    return GridPointHash()(p) & (bits - 1);
-  };
-  for (const auto& [at, p] : moved) may_be[bit_of(at)] = true;
   std::vector<std::int32_t> now(mesh.points.size(), -1);
   for (std::int32_t p = 0; p < count; ++p) {
-    if (mesh.is_moved(p) || !may_be[bit_of(mesh.at(p))]) continue;
-    const auto at = moved.find(mesh.at(p));
-    if (at == moved.end()) continue;
-    now[static_cast<std::size_t>(at->second)] = p;
+    if (mesh.is_moved(p)) continue;
+    const std::int32_t at = find(mesh.at(p));
+    if (at < 0) continue;
+    now[static_cast<std::size_t>(at)] = p;
     // What is there now counts as moved: its triangles have new neighbours.
     mesh.moved[static_cast<std::size_t>(p)] = 1;
     ++welded;
@@ -81,38 +85,56 @@ std::pair<std::array<std::int32_t, 3>, bool> sorted(const GridTriangle& t) {
 /// Lets triangles and their reversals cancel. The ones that go are the last.
 std::size_t cancel(GridMesh& mesh) {
   struct Entry {
-    std::array<std::int32_t, 3> corners;
+    std::int32_t middle, high;  // corners
+    std::uint32_t triangle;
     bool even;
-    std::size_t triangle;
   };
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    // Triangles that were there before are all different.
-    if (!mesh.is_moved(mesh.triangles[i])) continue;
-    const auto [corners, even] = sorted(mesh.triangles[i]);
-    entries.push_back({corners, even, i});
-  }
-  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-    return std::tie(x.corners, x.triangle) < std::tie(y.corners, y.triangle);
+  // Those with moved corners, by their least corners: triangles that were there
+  // before are all different.
+  std::vector<std::uint32_t> first(mesh.points.size() + 1);
+  const auto for_moved = [&](auto&& call) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (!mesh.is_moved(mesh.triangles[i])) continue;
+      const auto [corners, even] = sorted(mesh.triangles[i]);
+      call(static_cast<std::size_t>(corners[0]),
+           Entry{corners[1], corners[2], static_cast<std::uint32_t>(i), even});
+    }
+  };
+  for_moved([&](std::size_t low, const Entry&) { ++first[low + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Entry> entries(first.back());
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for_moved([&](std::size_t low, const Entry& entry) {
+    entries[next[low]++] = entry;
   });
   std::vector<std::uint8_t> goes(mesh.triangles.size());
   std::size_t gone = 0;
-  for (std::size_t i = 0; i < entries.size();) {
-    std::size_t end = i;
-    std::array<std::size_t, 2> counts{};
-    for (; end < entries.size() && entries[end].corners == entries[i].corners;
-         ++end)
-      ++counts[entries[end].even ? 1 : 0];
-    std::array<std::size_t, 2> left;
-    left.fill(std::min(counts[0], counts[1]));
-    for (std::size_t k = end; k > i; --k) {
-      std::size_t& of = left[entries[k - 1].even ? 1 : 0];
-      if (of == 0) continue;
-      --of;
-      goes[entries[k - 1].triangle] = 1;
-      ++gone;
+  for (std::size_t low = 0; low + 1 < first.size(); ++low) {
+    const std::size_t last = first[low + 1];
+    if (last - first[low] < 2) continue;
+    std::sort(entries.begin() + first[low], entries.begin() + first[low + 1],
+              [](const Entry& x, const Entry& y) {
+                return std::tie(x.middle, x.high, x.triangle) <
+                       std::tie(y.middle, y.high, y.triangle);
+              });
+    for (std::size_t i = first[low]; i < last;) {
+      std::size_t end = i;
+      std::array<std::size_t, 2> counts{};
+      for (; end < last && entries[end].middle == entries[i].middle &&
+             entries[end].high == entries[i].high;
+           ++end)
+        ++counts[entries[end].even ? 1 : 0];
+      std::array<std::size_t, 2> left;
+      left.fill(std::min(counts[0], counts[1]));
+      for (std::size_t k = end; k > i; --k) {
+        std::size_t& of = left[entries[k - 1].even ? 1 : 0];
+        if (of == 0) continue;
+        --of;
+        goes[entries[k - 1].triangle] = 1;
+        ++gone;
+      }
+      i = end;
     }
-    i = end;
   }
   if (gone == 0) return 0;
   std::size_t at = 0;

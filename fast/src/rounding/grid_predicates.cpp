@@ -27,22 +27,37 @@ int exact_sign(const Offset& u, const Offset& v, const Offset& w) {
               multiply<3>(n.z, Int128{w.z}));
 }
 
+/// u x v in doubles, and for each component the sum of its products' sizes.
+struct Cross {
+  std::array<double, 3> value;
+  std::array<double, 3> size;
+
+  Cross(const Offset& u, const Offset& v) {
+    const auto d = [](std::int64_t c) { return static_cast<double>(c); };
+    const double yz = d(u.y) * d(v.z), zy = d(u.z) * d(v.y);
+    const double zx = d(u.z) * d(v.x), xz = d(u.x) * d(v.z);
+    const double xy = d(u.x) * d(v.y), yx = d(u.y) * d(v.x);
+    value = {yz - zy, zx - xz, xy - yx};
+    size = {std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz),
+            std::abs(xy) + std::abs(yx)};
+  }
+};
+
 /// The sign of u x v . w, or 0 where doubles cannot tell.
 ///
 /// With e = 2^-53 each offset is off by e of itself, so each of the six
 /// products of three factors by 3e, and by 2e more for its own roundings; the
 /// sums add 4e of what is summed at most. So the value is off by less than 10 e
 /// times the sum of the products' sizes, whose own sum loses less than 10 e.
-int filtered_sign(const Offset& u, const Offset& v, const Offset& w) {
-  const auto d = [](std::int64_t value) { return static_cast<double>(value); };
-  const double yz = d(u.y) * d(v.z), zy = d(u.z) * d(v.y);
-  const double zx = d(u.z) * d(v.x), xz = d(u.x) * d(v.z);
-  const double xy = d(u.x) * d(v.y), yx = d(u.y) * d(v.x);
+int filtered_sign(const Cross& cross, const Offset& w) {
+  const std::array<double, 3> at = {static_cast<double>(w.x),
+                                    static_cast<double>(w.y),
+                                    static_cast<double>(w.z)};
   const double value =
-      (yz - zy) * d(w.x) + (zx - xz) * d(w.y) + (xy - yx) * d(w.z);
-  const double size = (std::abs(yz) + std::abs(zy)) * std::abs(d(w.x)) +
-                      (std::abs(zx) + std::abs(xz)) * std::abs(d(w.y)) +
-                      (std::abs(xy) + std::abs(yx)) * std::abs(d(w.z));
+      cross.value[0] * at[0] + cross.value[1] * at[1] + cross.value[2] * at[2];
+  const double size = cross.size[0] * std::abs(at[0]) +
+                      cross.size[1] * std::abs(at[1]) +
+                      cross.size[2] * std::abs(at[2]);
   return filtered_sign(Bounded{value, 12 * kRounding * size});
 }
 
@@ -99,8 +114,40 @@ bool on_one_line(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
 int side_of_triangle(const GridPoint& a, const GridPoint& b, const GridPoint& c,
                      const GridPoint& d) {
   const Offset u = difference(a, b), v = difference(a, c), w = difference(a, d);
-  const int known = filtered_sign(u, v, w);
+  const int known = filtered_sign(Cross(u, v), w);
   return known != 0 ? known : exact_sign(u, v, w);
+}
+
+bool on_one_side(const GridPoint& a, const GridPoint& b, const GridPoint& c,
+                 const std::array<const GridPoint*, 3>& points) {
+  const Offset u = difference(a, b), v = difference(a, c);
+  const Cross cross(u, v);
+  int side = 0;
+  for (const GridPoint* p : points) {
+    const Offset w = difference(a, *p);
+    const int known = filtered_sign(cross, w);
+    const int s = known != 0 ? known : exact_sign(u, v, w);
+    if (s == 0 || s * side < 0) return false;
+    side = s;
+  }
+  return true;
+}
+
+/// A component is off by less than 4e of its products' sizes: by 3e for the
+/// roundings of each product, and by e for that of the difference.
+NormalSigns normal_signs(const GridPoint& a, const GridPoint& b,
+                         const GridPoint& c) {
+  const Cross cross(difference(a, b), difference(a, c));
+  NormalSigns signs;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int s =
+        filtered_sign(Bounded{cross.value[k], 6 * kRounding * cross.size[k]});
+    if (s > 0)
+      signs.positive = static_cast<std::uint8_t>(signs.positive | 1 << k);
+    if (s < 0)
+      signs.negative = static_cast<std::uint8_t>(signs.negative | 1 << k);
+  }
+  return signs;
 }
 
 int turn_along(int axis, const GridPoint& a, const GridPoint& b,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "halfspace/polygon.hpp"
@@ -16,6 +17,19 @@ bool on_one_line(const GridPoint& a, const GridPoint& b, const GridPoint& c);
 /// counterclockwise from d.
 int side_of_triangle(const GridPoint& a, const GridPoint& b, const GridPoint& c,
                      const GridPoint& d);
+
+/// Whether the points are all on one side of a triangle's plane, none in it.
+bool on_one_side(const GridPoint& a, const GridPoint& b, const GridPoint& c,
+                 const std::array<const GridPoint*, 3>& points);
+
+/// Bits for the axes along which a component of (b - a) x (c - a) is positive,
+/// or negative, beyond doubt.
+struct NormalSigns {
+  std::uint8_t positive = 0;
+  std::uint8_t negative = 0;
+};
+NormalSigns normal_signs(const GridPoint& a, const GridPoint& b,
+                         const GridPoint& c);
 
 /// The sign of the component of (b - a) x (c - a) along an axis.
 int turn_along(int axis, const GridPoint& a, const GridPoint& b,

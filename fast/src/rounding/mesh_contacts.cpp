@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "box/bvh.hpp"
+#include "exact/flat_star.hpp"
 #include "rounding/grid_predicates.hpp"
 #include "rounding/mesh_edges.hpp"
 #include "rounding/mesh_winding.hpp"
@@ -93,9 +94,8 @@ void check_parts(const GridMesh& mesh, const std::vector<std::int32_t>& part,
 }
 
 /// Where no triangles meet: at edges, and in front of parts.
-void check_winding(const GridMesh& mesh, const MeshIndex& index,
-                   MeshContacts& found) {
-  const MeshEdges uses(mesh);
+void check_winding(const GridMesh& mesh, const MeshEdges& uses,
+                   const MeshIndex& index, MeshContacts& found) {
   uses.for_edges([&](std::int32_t low, const MeshEdgeUse* first,
                      const MeshEdgeUse* last) {
     if (last - first == 2) return;
@@ -109,22 +109,62 @@ void check_winding(const GridMesh& mesh, const MeshIndex& index,
   if (found.empty()) check_parts(mesh, parts_of(mesh, uses), index, found);
 }
 
+bool is_closed(const MeshEdges& uses) {
+  bool closed = true;
+  uses.for_edges(
+      [&](std::int32_t, const MeshEdgeUse* first, const MeshEdgeUse* last) {
+        const auto forward = std::count_if(
+            first, last, [](const MeshEdgeUse& use) { return use.forward; });
+        closed = closed && 2 * forward == last - first;
+      });
+  return closed;
+}
+
+/// By triangle: its corners, and which of them have flat stars; empty, where
+/// those are not looked for.
+List<StarCorners> stars_of(const GridMesh& mesh) {
+  List<StarCorners> triangles;
+  if (!kHasFlatStars) return triangles;
+  List<FlatStar> stars(mesh.points.size());
+  for (const GridTriangle& t : mesh.triangles) {
+    const auto at = [&](std::size_t i) -> const GridPoint& {
+      return mesh.at(t.corners[i % 3]);
+    };
+    const NormalSigns normal = normal_signs(at(0), at(1), at(2));
+    const std::uint8_t sides = seen_sides(normal.positive, normal.negative);
+    std::array<std::uint8_t, 3> before;
+    for (std::size_t i = 0; i < 3; ++i)
+      before[i] = axes_before(at(i), at(i + 1));
+    for (std::size_t i = 0; i < 3; ++i) {
+      stars[static_cast<std::size_t>(t.corners[i])].add(sides, before[i],
+                                                        before[(i + 2) % 3]);
+    }
+  }
+  triangles.reserve(mesh.triangles.size());
+  for (const GridTriangle& t : mesh.triangles) {
+    const auto corner = [&](std::size_t i) {
+      const std::int32_t c = t.corners[i];
+      return stars[static_cast<std::size_t>(c)].is_flat() ? c : ~c;
+    };
+    triangles.push_back(StarCorners{corner(0), corner(1), corner(2), 0});
+  }
+  return triangles;
+}
+
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// Each of `triangles` against those that `for_near(t, call)` finds for it.
-template <class ForNear>
-Pairs pairs_of(const GridMesh& mesh, const std::vector<std::int32_t>& triangles,
-               int threads, ForNear&& for_near) {
-  constexpr std::size_t kBlock = 256;
-  std::vector<Pairs> blocks((triangles.size() + kBlock - 1) / kBlock);
-  for_blocks(threads, triangles.size(), kBlock,
+/// Of `count` items, those pairs that `for_near(item, call)` calls it for and
+/// `meet` says it of.
+template <class Meet, class ForNear>
+Pairs pairs_of(std::size_t count, int threads, Meet&& meet,
+               ForNear&& for_near) {
+  constexpr std::size_t kBlock = 64;
+  std::vector<Pairs> blocks((count + kBlock - 1) / kBlock);
+  for_blocks(threads, count, kBlock,
              [&](std::size_t number, std::size_t first, std::size_t last) {
                for (std::size_t i = first; i < last; ++i) {
-                 const std::int32_t t = triangles[i];
-                 for_near(t, [&](std::int32_t other) {
-                   if (triangles_meet(
-                           mesh, mesh.triangles[static_cast<std::size_t>(t)],
-                           mesh.triangles[static_cast<std::size_t>(other)]))
+                 for_near(i, [&](std::int32_t t, std::int32_t other) {
+                   if (meet(t, other))
                      blocks[number].push_back(std::minmax(t, other));
                  });
                }
@@ -136,6 +176,16 @@ Pairs pairs_of(const GridMesh& mesh, const std::vector<std::int32_t>& triangles,
   return pairs;
 }
 
+std::vector<std::int32_t> marked_triangles(
+    const GridMesh& mesh, const std::vector<std::uint8_t>& marked) {
+  std::vector<std::int32_t> found;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (has_marked_corner(mesh.triangles[t], marked))
+      found.push_back(static_cast<std::int32_t>(t));
+  }
+  return found;
+}
+
 /// Those of triangles with marked corners. If both have, the first finds the
 /// other.
 Pairs find_pairs(const GridMesh& mesh, const std::vector<std::uint8_t>& marked,
@@ -143,31 +193,51 @@ Pairs find_pairs(const GridMesh& mesh, const std::vector<std::uint8_t>& marked,
   const auto triangle = [&](std::int32_t t) -> const GridTriangle& {
     return mesh.triangles[static_cast<std::size_t>(t)];
   };
-  const auto is_marked = [&](std::int32_t t) {
-    return has_marked_corner(triangle(t), marked);
+  const std::vector<std::int32_t> moved = marked_triangles(mesh, marked);
+  const auto meet = [&](std::int32_t t, std::int32_t other) {
+    return triangles_meet(mesh, triangle(t), triangle(other));
   };
-  std::vector<std::int32_t> moved;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto id = static_cast<std::int32_t>(t);
-    if (is_marked(id)) moved.push_back(id);
-  }
-  if (!index.is_empty()) {
-    return pairs_of(mesh, moved, threads, [&](std::int32_t t, auto&& call) {
-      index.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
-        if (other > t || !is_marked(other)) call(other);
-      });
-    });
-  }
-  const BoxTree tree([&](std::int32_t t) { return box_of(mesh, triangle(t)); },
-                     moved);
-  std::vector<std::int32_t> all(mesh.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  return pairs_of(mesh, all, threads, [&](std::int32_t t, auto&& call) {
-    const bool is_own = is_marked(t);
-    tree.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
-      if (!is_own || other > t) call(other);
+  return pairs_of(moved.size(), threads, meet, [&](std::size_t i, auto&& call) {
+    const std::int32_t t = moved[i];
+    index.find(box_of(mesh, triangle(t)), [&](std::int32_t other) {
+      if (other > t || !has_marked_corner(triangle(other), marked))
+        call(t, other);
     });
   });
+}
+
+/// The same of those with moved corners, without an index: among them packets
+/// find each other, and all others look them up.
+Pairs find_first_pairs(const GridMesh& mesh, const MeshEdges& uses,
+                       int threads) {
+  const auto box = [&](std::int32_t t) {
+    return box_of(mesh, mesh.triangles[static_cast<std::size_t>(t)]);
+  };
+  const std::vector<std::int32_t> moved = marked_triangles(mesh, mesh.moved);
+  const BoxTree tree(box, moved);
+  const List<StarCorners> stars =
+      is_closed(uses) ? stars_of(mesh) : List<StarCorners>();
+  const auto meet = [&](std::int32_t t, std::int32_t other) {
+    const auto i = static_cast<std::size_t>(t);
+    const auto j = static_cast<std::size_t>(other);
+    if (!stars.empty() && common_of(stars[i], stars[j]) == Common::kFlatStar)
+      return false;
+    return triangles_meet(mesh, mesh.triangles[i], mesh.triangles[j]);
+  };
+  Pairs pairs =
+      pairs_of(tree.packet_count(), threads, meet,
+               [&](std::size_t i, auto&& call) { tree.find_pairs(i, call); });
+  if (moved.size() == mesh.triangles.size()) return pairs;
+  const Pairs others = pairs_of(
+      mesh.triangles.size(), threads, meet, [&](std::size_t i, auto&& call) {
+        const auto t = static_cast<std::int32_t>(i);
+        if (mesh.is_moved(mesh.triangles[i])) return;
+        tree.find(box(t), [&](std::int32_t other) { call(t, other); });
+      });
+  const auto middle = static_cast<std::ptrdiff_t>(pairs.size());
+  pairs.insert(pairs.end(), others.begin(), others.end());
+  std::inplace_merge(pairs.begin(), pairs.begin() + middle, pairs.end());
+  return pairs;
 }
 
 }  // namespace
@@ -208,10 +278,8 @@ bool triangles_meet(const GridMesh& mesh, const GridTriangle& a,
   };
   if (shared == 1) return edge_meets(p, q) || edge_meets(q, p);
   const auto is_beside = [&](const auto& u, const auto& v) {
-    const int s = side_of_triangle(at(u[0]), at(u[1]), at(u[2]), at(v[0]));
-    return s != 0 &&
-           s == side_of_triangle(at(u[0]), at(u[1]), at(u[2]), at(v[1])) &&
-           s == side_of_triangle(at(u[0]), at(u[1]), at(u[2]), at(v[2]));
+    return on_one_side(at(u[0]), at(u[1]), at(u[2]),
+                       {&at(v[0]), &at(v[1]), &at(v[2])});
   };
   if (is_beside(p, q) || is_beside(q, p)) return false;
   for (int i = 0; i < 3; ++i) {
@@ -229,8 +297,10 @@ MeshContacts contacts_of(const GridMesh& mesh, int threads,
       std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                   [&](const GridTriangle& t) { return mesh.is_moved(t); });
   if (!any_moved) return found;
-  found.pairs = find_pairs(mesh, mesh.moved, threads, index);
-  if (found.empty()) check_winding(mesh, index, found);
+  const MeshEdges uses(mesh);
+  found.pairs = index.is_empty() ? find_first_pairs(mesh, uses, threads)
+                                 : find_pairs(mesh, mesh.moved, threads, index);
+  if (found.empty()) check_winding(mesh, uses, index, found);
   return found;
 }
 
@@ -248,20 +318,11 @@ MeshContacts contacts_after(const MeshContacts& before, const GridMesh& mesh,
       found.pairs.push_back(pair);
   }
   std::sort(found.pairs.begin(), found.pairs.end());
-  if (found.empty()) check_winding(mesh, index, found);
+  if (found.empty()) check_winding(mesh, MeshEdges(mesh), index, found);
   return found;
 }
 
-bool is_closed(const GridMesh& mesh) {
-  bool closed = true;
-  MeshEdges(mesh).for_edges(
-      [&](std::int32_t, const MeshEdgeUse* first, const MeshEdgeUse* last) {
-        const auto forward = std::count_if(
-            first, last, [](const MeshEdgeUse& use) { return use.forward; });
-        closed = closed && 2 * forward == last - first;
-      });
-  return closed;
-}
+bool is_closed(const GridMesh& mesh) { return is_closed(MeshEdges(mesh)); }
 
 std::size_t part_count(const GridMesh& mesh) {
   const std::vector<std::int32_t> part = parts_of(mesh, MeshEdges(mesh));

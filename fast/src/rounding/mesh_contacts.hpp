@@ -50,8 +50,9 @@ struct MeshContacts {
 /// `index`: of the mesh, or empty; then boxes are looked up in a tree of those
 ///          that moved.
 ///
-/// Requires: closed, edge by edge, of triangles with areas; those without moved
-///           corners have no such contacts with each other.
+/// Requires: of triangles with areas; those without moved corners have no such
+///           contacts with each other. What else but pairs is found is right
+///           for surfaces that are closed, edge by edge.
 MeshContacts contacts_of(const GridMesh& mesh, int threads,
                          const MeshIndex& index = {});
 

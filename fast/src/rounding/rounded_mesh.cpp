@@ -11,6 +11,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
+#include "base/radix_sort.hpp"
 #include "halfspace/fast/to_mesh.hpp"
 #include "rounding/drop_corners.hpp"
 #include "rounding/file_grid.hpp"
@@ -249,6 +250,31 @@ std::vector<MeshPolygon> Rounding::polygons_left(
   return polygons;
 }
 
+/// The polygons in the order of their corners, by number, and of their sources.
+List<KeyedIndex> in_order(const std::vector<MeshPolygon>& polygons) {
+  const auto key_of = [](const MeshPolygon& p) {
+    return static_cast<std::uint64_t>(p.corners[0]) << 32 |
+           static_cast<std::uint64_t>(p.corners[1]);
+  };
+  List<KeyedIndex> row;
+  row.reserve(polygons.size());
+  for (const MeshPolygon& p : polygons)
+    row.push_back({key_of(p), static_cast<std::uint32_t>(row.size())});
+  sort_by_key(row);
+  const auto before = [&](const KeyedIndex& i, const KeyedIndex& j) {
+    const MeshPolygon& x = polygons[i.index];
+    const MeshPolygon& y = polygons[j.index];
+    return x.corners != y.corners ? x.corners < y.corners : x.source < y.source;
+  };
+  for (auto at = row.begin(); at != row.end();) {
+    const auto end = std::find_if(
+        at, row.end(), [&](const KeyedIndex& k) { return k.key != at->key; });
+    std::sort(at, end, before);
+    at = end;
+  }
+  return row;
+}
+
 /// What was there before, and is not now.
 void Rounding::count_losses(RoundedMesh& result) const {
   // Faces that dropped corners joined to others in their plane are not lost.
@@ -281,13 +307,10 @@ Result<RoundedMesh> Rounding::finished() {
   result.rounds = settled_.rounds;
   result.crossings = settled_.first_contacts;
   drop_unused_points(settled_.mesh);
-  std::vector<MeshPolygon> polygons = polygons_left(take_vertices(result));
-  const auto before = [](const MeshPolygon& x, const MeshPolygon& y) {
-    return x.corners != y.corners ? x.corners < y.corners : x.source < y.source;
-  };
-  if (!std::is_sorted(polygons.begin(), polygons.end(), before))
-    std::sort(polygons.begin(), polygons.end(), before);
-  for (const MeshPolygon& polygon : polygons) {
+  const std::vector<MeshPolygon> polygons =
+      polygons_left(take_vertices(result));
+  for (const KeyedIndex& place : in_order(polygons)) {
+    const MeshPolygon& polygon = polygons[place.index];
     const auto source = static_cast<std::size_t>(polygon.source);
     result.corners.insert(result.corners.end(), polygon.corners.begin(),
                           polygon.corners.end());

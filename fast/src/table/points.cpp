@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/id_map.hpp"
 #include "exact/cell_hash.hpp"
 #include "halfspace/assert.hpp"
 #include "table/exact_point.hpp"
@@ -25,14 +26,70 @@ std::uint64_t hash_of_triple(const std::array<std::int32_t, 3>& planes) {
 
 }  // namespace
 
+/// What is stored of a point that is not on the grid.
+std::size_t GeometryTable::words_of_meet() const {
+  return with_grid(grid_bits_,
+                   [](auto bits) { return 4 * Grid<bits()>::kWords; });
+}
+
 void GeometryTable::reserve_meets(std::size_t points) {
-  const std::size_t words =
-      with_grid(grid_bits_, [](auto bits) { return 4 * Grid<bits()>::kWords; });
   vertices_.reserve(vertices_.size() + points);
-  exact_.reserve(exact_.size() + words * points);
+  exact_.reserve(exact_.size() + words_of_meet() * points);
   triples_.reserve(triples_.size() + points);
   vertex_index_.reserve(vertices_.size() + points, 0);
   triple_index_.reserve(triples_.size() + points, 0);
+}
+
+/// Of a point that is not on the grid nothing depends on the order of its
+/// planes, nor on their ids but the hash of the three.
+void GeometryTable::copy(const GeometryTable& from,
+                         std::span<const std::int32_t> planes,
+                         std::span<const std::int32_t> points) {
+  HALFSPACE_ASSERT(grid_bits_ == from.grid_bits_);
+  HALFSPACE_ASSERT(planes_.size() == 0 && vertices_.size() == 0);
+  IdRange extent;
+  for (const std::int32_t p : planes) extent.add(p);
+  Renumbering ids(extent);
+  planes_.reserve(planes.size());
+  plane_index_.reserve(planes.size(), 0);
+  if (grid_bits_ > 26) normals_.reserve(planes.size());
+  const List<std::uint32_t> of_planes =
+      from.plane_index_.marks(from.planes_.size());
+  for (const std::int32_t p : planes) {
+    const auto id = static_cast<std::int32_t>(planes_.size());
+    ids.at(p) = id;
+    planes_.push_back(from.plane(p));
+    if (grid_bits_ > 26)
+      normals_.push_back(from.normals_[static_cast<std::size_t>(p)]);
+    plane_index_.enter(of_planes[static_cast<std::size_t>(p)], id);
+  }
+  const auto meets = static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(),
+                    [&](std::int32_t v) { return !from.vertex(v).is_grid(); }));
+  vertices_.reserve(points.size());
+  vertex_index_.reserve(points.size(), 0);
+  exact_.reserve(words_of_meet() * meets);
+  triples_.reserve(meets);
+  triple_index_.reserve(meets, 0);
+  const List<std::uint32_t> of_points =
+      from.vertex_index_.marks(from.vertices_.size());
+  for (const std::int32_t v : points) {
+    const auto id = static_cast<std::int32_t>(vertices_.size());
+    TableVertex point = from.vertex(v);
+    if (point.is_grid()) {
+      point.planes = {-1, -1, -1};
+    } else {
+      for (std::int32_t& p : point.planes) p = ids.at(p);
+      std::sort(point.planes.begin(), point.planes.end());
+      note_triple(point.planes, hash_of_triple(point.planes), id);
+      const std::size_t first = point.exact;
+      point.exact = static_cast<std::uint32_t>(exact_.size());
+      for (std::size_t word = 0; word < words_of_meet(); ++word)
+        exact_.push_back(from.exact_[first + word]);
+    }
+    vertices_.push_back(point);
+    vertex_index_.enter(of_points[static_cast<std::size_t>(v)], id);
+  }
 }
 
 std::int32_t GeometryTable::add_point(const GridPoint& point) {
@@ -139,12 +196,10 @@ std::int32_t GeometryTable::add_asked(const AskedMeet& asked,
   v.approximate = asked.approximate;
   v.planes = asked.planes;
   if (!asked.is_grid) v.exact = 0;
-  const std::size_t count =
-      with_grid(grid_bits_, [](auto bits) { return 4 * Grid<bits()>::kWords; });
-  return note_triple(asked.planes, asked.triple_hash,
-                     enter_meet(v, asked.hash, [&] {
-                       exact_.append(words.subspan(asked.first_word, count));
-                     }));
+  return note_triple(
+      asked.planes, asked.triple_hash, enter_meet(v, asked.hash, [&] {
+        exact_.append(words.subspan(asked.first_word, words_of_meet()));
+      }));
 }
 
 std::int32_t GeometryTable::add_meet(

@@ -9,6 +9,7 @@
 #include "halfspace/fast/solid/canonical_solid.hpp"
 #include "halfspace/fast/solid_data.hpp"
 #include "halfspace/solid_file.hpp"
+#include "table/shared_table.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -101,6 +102,67 @@ TEST_F(CanonicalSolid, APointOfSomeGridIsFound) {
     EXPECT_TRUE(vertex_at(*fine, edge.from).is_grid);
   EXPECT_EQ(file_of(*fine), file_of(cut(15)));
   EXPECT_FALSE(on_points(cut(2)));
+}
+
+/// All that faces say in numbers.
+std::vector<std::array<std::int64_t, 8>> numbers_of(const Solid& solid) {
+  std::vector<std::array<std::int64_t, 8>> numbers;
+  for (const Face& f : solid.faces) {
+    numbers.push_back({f.plane, f.flipped, f.from_first, f.source, f.part,
+                       f.polygon, f.first_edge, f.edge_count});
+  }
+  return numbers;
+}
+
+/// What is most of its table is copied, what is little of it made anew.
+TEST_F(CanonicalSolid, ACopyHasTheIdsAndNumbersOfWhatIsMadeAnew) {
+  std::size_t meets = 0;
+  for (int k = 0; k < 60; ++k) {
+    const int bits = std::array{26, 40, 54}[static_cast<std::size_t>(k % 3)];
+    const auto random = [&] { return tetrahedron(points(), 1, {2, 0}, bits); };
+    const Solid made =
+        boolean(BooleanOp::kDifference,
+                boolean(BooleanOp::kUnion, random(), random()), random());
+    if (made.faces.empty()) continue;
+    const Solid copy = canonical(made);
+    {
+      auto lease = TableLease::of(made.table);
+      ASSERT_TRUE(lease);
+      for (std::int64_t i = 0; i < 2000; ++i)
+        lease->table().add_point({1000 + i, -i, i});
+    }
+    const Solid anew = canonical(made);
+    ASSERT_EQ(numbers_of(copy), numbers_of(anew));
+    ASSERT_EQ(copy.edges, anew.edges);
+    const GeometryTable& x = *copy.table;
+    const GeometryTable& y = *anew.table;
+    ASSERT_EQ(x.plane_count(), y.plane_count());
+    ASSERT_EQ(x.vertex_count(), y.vertex_count());
+    for (std::int32_t p = 0; p < static_cast<std::int32_t>(x.plane_count());
+         ++p) {
+      const auto m = x.normal(p), n = y.normal(p);
+      EXPECT_TRUE(m.x == n.x && m.y == n.y && m.z == n.z);
+      EXPECT_EQ(x.plane(p).origin, y.plane(p).origin);
+    }
+    for (std::int32_t v = 0; v < static_cast<std::int32_t>(x.vertex_count());
+         ++v) {
+      EXPECT_EQ(x.vertex(v).is_grid(), y.vertex(v).is_grid());
+      EXPECT_EQ(x.vertex(v).planes, y.vertex(v).planes);
+      bool rounded = false, also = false;
+      EXPECT_EQ(x.nearest(v, rounded), y.nearest(v, also));
+      EXPECT_EQ(rounded, also);
+      meets += x.vertex(v).is_grid() ? 0u : 1u;
+    }
+    // Points and planes are found again.
+    const Solid other = random();
+    const Solid on = boolean(BooleanOp::kUnion, copy, other);
+    const Solid again = boolean(BooleanOp::kUnion, anew, other);
+    EXPECT_EQ(numbers_of(on), numbers_of(again));
+    EXPECT_EQ(on.edges, again.edges);
+    EXPECT_EQ(on.table->vertex_count(), again.table->vertex_count());
+    EXPECT_EQ(boolean(BooleanOp::kDifference, copy, made).faces.size(), 0u);
+  }
+  EXPECT_GT(meets, 100u);
 }
 
 }  // namespace

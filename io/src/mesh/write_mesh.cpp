@@ -13,16 +13,40 @@
 
 namespace halfspace::io {
 
+namespace {
+
+/// The digits of mantissa / 2^places, the mantissa being odd; nothing where
+/// words of 128 bits do not hold what comes up.
+std::optional<std::string> short_digits(std::uint64_t mantissa, int places) {
+  constexpr int kMost = 96;  // and 30 bits for 9 digits
+  if (places < 1 || places > kMost) return std::nullopt;
+  __extension__ using Wide = unsigned __int128;
+  Wide rest = mantissa;
+  std::string text = std::to_string(static_cast<std::uint64_t>(rest >> places));
+  text += '.';
+  for (int left = places; left > 0; left -= 9) {
+    rest &= (Wide{1} << places) - 1;
+    rest *= 1'000'000'000;
+    const std::string nine = std::to_string(
+        1'000'000'000 + static_cast<std::uint64_t>(rest >> places));
+    text.append(nine, 1, static_cast<std::size_t>(std::min(left, 9)));
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string all_digits(double value) {
   if (value == 0) return "0";
   // Below its last binary digit, 2^-k, there are k decimal ones.
   int exponent = 0;
   const double rest = std::frexp(value, &exponent);
-  auto mantissa = static_cast<std::int64_t>(std::ldexp(rest, 53));
+  auto mantissa = static_cast<std::uint64_t>(std::ldexp(std::abs(rest), 53));
   for (exponent -= 53; mantissa % 2 == 0; ++exponent) mantissa /= 2;
-  std::string text = fixed_point(value, std::max(0, -exponent));
-  const bool negative = text[0] == '-';
-  if (negative) text.erase(0, 1);
+  const bool negative = value < 0;
+  const int places = std::max(0, -exponent);
+  const auto digits = short_digits(mantissa, places);
+  std::string text = digits ? *digits : fixed_point(std::abs(value), places);
   // Zeros after the point are an exponent, where they are many.
   const std::size_t first = text.find_first_not_of("0.");
   constexpr std::size_t kMany = 7;

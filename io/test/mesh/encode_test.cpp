@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <string>
 
+#include "halfspace/io/number.hpp"
 #include "mesh/samples.hpp"
 
 namespace halfspace::io {
@@ -181,6 +185,33 @@ TEST(Encode, RefusesWhatAnStlDoesNotHold) {
       stl_binary(points, {&triangle, std::size_t{1} << 32}),
       ErrorCode::kOutOfRange,
       "an STL holds at most 4294967295 triangles, not 4294967296");
+}
+
+/// Of any length: what words of 128 bits hold, and what they do not.
+TEST(Encode, AllDigitsAreThoseOfTheDouble) {
+  std::mt19937_64 random(4);
+  std::size_t most = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const auto digits = static_cast<double>(random() >> (11 + random() % 53));
+    const int exponent = static_cast<int>(random() % 300) - 200;
+    const double value =
+        std::ldexp(random() % 2 != 0 ? digits : -digits, exponent);
+    const std::string text = all_digits(value);
+    const Result<Number> read = parse_number(text);
+    ASSERT_TRUE(read) << text;
+    EXPECT_EQ(*read, number_of(value)) << text;
+    // No zero too many, but for that before the point.
+    const bool has_point = text.find('.') != std::string::npos;
+    if (has_point && text.find('e') == std::string::npos) {
+      EXPECT_NE(text.back(), '0');
+    }
+    EXPECT_NE(text.substr(0, 2), "00");
+    most = std::max(most, text.size());
+  }
+  EXPECT_GT(most, 150u);
+  EXPECT_EQ(all_digits(-0.75), "-0.75");
+  EXPECT_EQ(all_digits(0x1p-20), "9.5367431640625e-7");
+  EXPECT_EQ(all_digits(1e22), "10000000000000000000000");
 }
 
 }  // namespace
