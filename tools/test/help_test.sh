@@ -8,7 +8,7 @@ expect 0 'halfspace build.*\-\-threads' help --threads
 expect 0 'halfspace render .*--near' help near
 expect 0 'halfspace csg' help rotate
 expect 0 'halfspace csg .*--format' help 3mf
-expect 0 'halfspace csg' help Sphere
+expect 0 '  box.*sphere(R' help Sphere
 expect 2 'no command or option called teapot' help teapot
 expect 2 'no command called teapot' help --man teapot
 for command in '' info render draw build csg compare join pick scene view \

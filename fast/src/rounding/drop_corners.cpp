@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory_resource>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace halfspace::fast {
@@ -32,7 +33,7 @@ class CornerDropper {
     const std::size_t count = mesh.points.size();
     is_loose_.resize(count);
     places_.resize(count);
-    stars_.reserve(count);
+    changed_.resize(count, -1);
     moves_.resize(mesh.triangles.size());
     for (std::size_t p = 0; p < count; ++p) {
       const GridPoint& at = mesh.points[p];
@@ -43,20 +44,13 @@ class CornerDropper {
       is_loose_[index(p.point)] = 1;
       places_[index(p.point)] = p.at;
     }
-    std::vector<std::uint32_t> sizes(count);
-    for (const GridTriangle& t : mesh.triangles) {
-      for (const std::int32_t c : t.corners) ++sizes[index(c)];
-    }
-    for (std::size_t p = 0; p < count; ++p) {
-      stars_.emplace_back(&memory_);
-      if (is_loose_[p] != 0) stars_.back().reserve(sizes[p]);
-    }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const std::int32_t c : mesh.triangles[t].corners) {
-        if (is_loose_[index(c)] != 0)
-          stars_[index(c)].push_back(static_cast<std::int32_t>(t));
-      }
-    }
+    first_.resize(count + 1);
+    for_loose_corners([&](std::size_t c, std::int32_t) { ++first_[c + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    uses_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for_loose_corners(
+        [&](std::size_t c, std::int32_t t) { uses_[next[c]++] = t; });
   }
 
   double run() {
@@ -71,6 +65,32 @@ class CornerDropper {
  private:
   static std::size_t index(std::int32_t i) {
     return static_cast<std::size_t>(i);
+  }
+  template <class Call>
+  void for_loose_corners(Call&& call) const {
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (const std::int32_t c : mesh_.triangles[t].corners) {
+        if (is_loose_[index(c)] != 0)
+          call(index(c), static_cast<std::int32_t>(t));
+      }
+    }
+  }
+  /// The triangles at a loose corner.
+  std::span<const std::int32_t> star_of(std::int32_t corner) const {
+    const std::int32_t list = changed_[index(corner)];
+    if (list >= 0) return lists_[index(list)];
+    const std::size_t first = first_[index(corner)];
+    return std::span(uses_).subspan(first, first_[index(corner) + 1] - first);
+  }
+  /// The same to change. Valid until another one is asked for.
+  std::vector<std::int32_t>& own_star(std::int32_t corner) {
+    std::int32_t& list = changed_[index(corner)];
+    if (list < 0) {
+      const auto star = star_of(corner);
+      list = static_cast<std::int32_t>(lists_.size());
+      lists_.emplace_back(star.begin(), star.end());
+    }
+    return lists_[index(list)];
   }
   const StepPoint& at(std::int32_t p) const { return places_[index(p)]; }
   std::array<std::int32_t, 3>& corners(std::int32_t t) {
@@ -164,9 +184,12 @@ class CornerDropper {
   double moved_ = 0;
   std::vector<std::uint8_t> is_loose_;
   std::vector<StepPoint> places_;
-  /// Of what is small and stays until the end.
-  std::pmr::monotonic_buffer_resource memory_;
-  std::vector<std::pmr::vector<std::int32_t>> stars_;  ///< of loose corners
+  // Of loose corners: the triangles at them, one corner's after the other's,
+  // and lists of those where that changed.
+  std::vector<std::uint32_t> first_;
+  std::vector<std::int32_t> uses_;
+  std::vector<std::int32_t> changed_;  ///< which list, or -1
+  std::vector<std::vector<std::int32_t>> lists_;
   /// For ring_of(): from, to, triangle.
   std::vector<std::array<std::int32_t, 3>> steps_;
   std::vector<std::int32_t> star_;  ///< for drop()
@@ -177,7 +200,8 @@ class CornerDropper {
 /// Whether the corner was dropped.
 bool CornerDropper::drop(std::int32_t corner) {
   std::vector<std::int32_t>& star = star_;
-  star.assign(stars_[index(corner)].begin(), stars_[index(corner)].end());
+  const auto found = star_of(corner);
+  star.assign(found.begin(), found.end());
   if (star.size() < 3) return false;
   const Ring ring = ring_of(corner, star);
   if (ring.empty()) return false;
@@ -232,7 +256,7 @@ bool CornerDropper::has_other_common_neighbours(std::int32_t onto,
                                                 const Ring& ring,
                                                 std::size_t p) const {
   Ring near;
-  for (const std::int32_t t : stars_[index(onto)])
+  for (const std::int32_t t : star_of(onto))
     near.insert(near.end(), corners(t).begin(), corners(t).end());
   std::sort(near.begin(), near.end());
   for (std::size_t i = 2; i + 1 < ring.size(); ++i) {
@@ -264,16 +288,16 @@ bool CornerDropper::try_onto(std::int32_t corner, const Ring& ring,
     const bool goes = i == p || (i + 1) % n == p;
     for (std::int32_t& c : corners(t)) {
       if (is_loose_[index(c)] != 0 && goes && c != corner)
-        std::erase(stars_[index(c)], t);
+        std::erase(own_star(c), t);
     }
     if (goes) {
       corners(t) = {-1, -1, -1};
       continue;
     }
     std::replace(corners(t).begin(), corners(t).end(), corner, onto);
-    stars_[index(onto)].push_back(t);
+    own_star(onto).push_back(t);
   }
-  stars_[index(corner)].clear();
+  own_star(corner).clear();
   return true;
 }
 

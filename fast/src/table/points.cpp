@@ -52,14 +52,15 @@ void GeometryTable::copy(const GeometryTable& from,
   Renumbering ids(extent);
   planes_.reserve(planes.size());
   plane_index_.reserve(planes.size(), 0);
-  if (grid_bits_ > 26) normals_.reserve(planes.size());
+  const bool has_normals = from.normals_.size() != 0;
+  if (has_normals) normals_.reserve(planes.size());
   const List<std::uint32_t> of_planes =
       from.plane_index_.marks(from.planes_.size());
   for (const std::int32_t p : planes) {
     const auto id = static_cast<std::int32_t>(planes_.size());
     ids.at(p) = id;
     planes_.push_back(from.plane(p));
-    if (grid_bits_ > 26)
+    if (has_normals)
       normals_.push_back(from.normals_[static_cast<std::size_t>(p)]);
     plane_index_.enter(of_planes[static_cast<std::size_t>(p)], id);
   }

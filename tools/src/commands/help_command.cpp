@@ -1,6 +1,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -143,6 +144,18 @@ bool mentions(const std::string& text, const std::string& word) {
   return in_lower_case(text).find(in_lower_case(word)) != std::string::npos;
 }
 
+/// The lines of a note that mention the word.
+std::string lines_about(const std::string& note, const std::string& word) {
+  std::istringstream lines(note);
+  std::string found;
+  for (std::string line; std::getline(lines, line);) {
+    if (!mentions(line, word)) continue;
+    line.erase(0, line.find_first_not_of(' '));
+    found += "    " + line + "\n";
+  }
+  return found;
+}
+
 /// Where the word is an option, or occurs in what one takes or does.
 std::string options_about(const CLI::App& program, const std::string& word) {
   const std::string bare =
@@ -160,11 +173,11 @@ std::string options_about(const CLI::App& program, const std::string& word) {
       found += "halfspace " + command->get_name() + " " + heading_of(*option) +
                "\n    " + option->get_description() + "\n";
     }
-    const bool is_in_notes =
-        !bare.empty() && mentions(command->get_footer(), word);
-    if (is_in_notes) {
-      found += "halfspace " + command->get_name() + "\n    `halfspace help " +
-               command->get_name() + "` mentions it\n";
+    const std::string lines =
+        bare.empty() ? "" : lines_about(command->get_footer(), word);
+    if (!lines.empty()) {
+      found += "halfspace " + command->get_name() + "\n" + lines +
+               "    as `halfspace help " + command->get_name() + "` says\n";
     }
   }
   return found;
