@@ -207,7 +207,9 @@ bool CornerDropper::drop(std::int32_t corner) {
   if (ring.empty()) return false;
   std::vector<std::size_t> sharp;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (is_sharp(corner, ring, star, i)) sharp.push_back(i);
+    if (!is_sharp(corner, ring, star, i)) continue;
+    if (sharp.size() == 2) return false;
+    sharp.push_back(i);
   }
   if (sharp.size() != 2) return false;
   if (product_of(difference_of(at(corner), at(ring[sharp[0]])),

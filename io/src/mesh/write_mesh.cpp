@@ -1,6 +1,7 @@
 #include "halfspace/io/write_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -22,16 +23,20 @@ std::optional<std::string> short_digits(std::uint64_t mantissa, int places) {
   if (places < 1 || places > kMost) return std::nullopt;
   __extension__ using Wide = unsigned __int128;
   Wide rest = mantissa;
-  std::string text = std::to_string(static_cast<std::uint64_t>(rest >> places));
-  text += '.';
+  std::array<char, 160> text;
+  char* end = std::to_chars(text.data(), text.data() + 20,
+                            static_cast<std::uint64_t>(rest >> places))
+                  .ptr;
+  *end++ = '.';
   for (int left = places; left > 0; left -= 9) {
     rest &= (Wide{1} << places) - 1;
     rest *= 1'000'000'000;
-    const std::string nine = std::to_string(
-        1'000'000'000 + static_cast<std::uint64_t>(rest >> places));
-    text.append(nine, 1, static_cast<std::size_t>(std::min(left, 9)));
+    auto nine = static_cast<std::uint32_t>(rest >> places);
+    for (int k = 8; k >= 0; --k, nine /= 10)
+      end[k] = static_cast<char>('0' + nine % 10);
+    end += std::min(left, 9);
   }
-  return text;
+  return std::string(text.data(), end);
 }
 
 }  // namespace
