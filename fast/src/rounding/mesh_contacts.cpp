@@ -297,9 +297,13 @@ MeshContacts contacts_of(const GridMesh& mesh, int threads,
       std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                   [&](const GridTriangle& t) { return mesh.is_moved(t); });
   if (!any_moved) return found;
+  if (!index.is_empty()) {
+    found.pairs = find_pairs(mesh, mesh.moved, threads, index);
+    if (found.empty()) check_winding(mesh, MeshEdges(mesh), index, found);
+    return found;
+  }
   const MeshEdges uses(mesh);
-  found.pairs = index.is_empty() ? find_first_pairs(mesh, uses, threads)
-                                 : find_pairs(mesh, mesh.moved, threads, index);
+  found.pairs = find_first_pairs(mesh, uses, threads);
   if (found.empty()) check_winding(mesh, uses, index, found);
   return found;
 }
