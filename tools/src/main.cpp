@@ -17,7 +17,31 @@ namespace {
 
 using halfspace::tools::Status;
 
-void add_commands(CLI::App& program, Status& status) {
+struct NamedCommand {
+  std::string_view name;
+  void (*add)(CLI::App& program, Status& status);
+};
+
+constexpr NamedCommand kCommands[] = {
+    {"info", halfspace::tools::add_info},
+    {"render", halfspace::tools::add_render},
+    {"build", halfspace::tools::add_build},
+    {"csg", halfspace::tools::add_csg},
+    {"repair", halfspace::tools::add_repair},
+    {"compare", halfspace::tools::add_compare},
+    {"join", halfspace::tools::add_join},
+    {"scene", halfspace::tools::add_scene},
+    {"draw", halfspace::tools::add_draw},
+    {"order", halfspace::tools::add_order},
+    {"seen", halfspace::tools::add_seen},
+    {"map", halfspace::tools::add_map},
+    {"pick", halfspace::tools::add_pick},
+    {"view", halfspace::tools::add_view},
+};
+
+/// Adds the command that the first argument names, or all of them, of which
+/// help and errors tell.
+void add_commands(CLI::App& program, std::string_view first, Status& status) {
   program.name("halfspace");
   program.description(
       "Exact visibility and solid modelling with BSP trees.\n"
@@ -32,20 +56,15 @@ void add_commands(CLI::App& program, Status& status) {
       "Exit status: 0 fine, 1 a comparison found differences, 2 bad input.");
   program.require_subcommand(1);
   program.set_version_flag("--version", "halfspace " HALFSPACE_VERSION);
-  halfspace::tools::add_info(program, status);
-  halfspace::tools::add_render(program, status);
-  halfspace::tools::add_build(program, status);
-  halfspace::tools::add_csg(program, status);
-  halfspace::tools::add_repair(program, status);
-  halfspace::tools::add_compare(program, status);
-  halfspace::tools::add_join(program, status);
-  halfspace::tools::add_scene(program, status);
-  halfspace::tools::add_draw(program, status);
-  halfspace::tools::add_order(program, status);
-  halfspace::tools::add_seen(program, status);
-  halfspace::tools::add_map(program, status);
-  halfspace::tools::add_pick(program, status);
-  halfspace::tools::add_view(program, status);
+  // The options of all commands take longer to make than a small work does.
+  const auto* const named = std::find_if(
+      std::begin(kCommands), std::end(kCommands),
+      [&](const NamedCommand& command) { return command.name == first; });
+  if (named != std::end(kCommands)) {
+    named->add(program, status);
+    return;
+  }
+  for (const NamedCommand& command : kCommands) command.add(program, status);
   halfspace::tools::add_help(program, status);
 }
 
@@ -63,7 +82,7 @@ Status run(int count, char** words) {
   auto status = Status::kFine;
   CLI::App program;
   try {
-    add_commands(program, status);
+    add_commands(program, count > 1 ? words[1] : "", status);
     std::vector<std::string> arguments =
         halfspace::tools::joined_arguments(count, words);
     // CLI11 takes them from the end.

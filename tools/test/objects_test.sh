@@ -29,13 +29,14 @@ expect 0 'mismatches: 0 of' compare a.npy b.npy
 
 # All other looks are those of the scene of what has moved, by both libraries
 # alike; what only says how to draw changes no byte.
-for look in "--lines features --line-width 2" "--lines wire --rows 5:25" \
+for look in "--lines features --line-width 2" "--lines wire --rows 3:9" \
   "--back-color 255,0,0 --clip 1,0,0,3" "--aa 2" "--aa exact" "--alpha 120" \
   "--lines outline --aa 4 --clip 1,0,0,3" "--rows 5:25" \
   "--background gradient" "--shade gouraud --smooth 60 --aa 2"; do
   # Few pixels where the reference takes seconds for many.
   seen=("${view[@]}")
-  [[ $look == *"--aa exact"* || $look == *"--aa 4"* ]] && seen[1]=16x12
+  [[ $look == *--lines* || $look == *--aa* ]] && seen[1]=16x12
+  [[ $look == *"--aa exact"* || $look == *"--aa 4"* ]] && seen[1]=8x6
   expect 0 "${seen[1]%x*}x" render a.objects "${seen[@]}" -o plain.png
   # shellcheck disable=SC2086
   expect 0 "${seen[1]%x*}x" render a.objects "${seen[@]}" $look -o a.png \

@@ -6,7 +6,7 @@
 "$make_model" cube -o cube.off || exit 1
 "$make_model" interlocking-cubes -o cubes.off || exit 1
 "$make_model" klein-bottle -o klein.off || exit 1
-cut=(--clip 0,1,0,-1.5 --clip 1,0.5,-2,40 --size 40x30)
+cut=(--clip 0,1,0,-1.5 --clip 1,0.5,-2,40 --size 20x15)
 for method in span painter zbuffer raycast; do
   expect 0 "$method" render cubes.off "${cut[@]}" --cap hatch \
     --method $method --ids $method.npy -o $method.png
@@ -23,9 +23,9 @@ expect 0 'span' render cubes.off --ids all.npy
 same far.npy all.npy
 
 expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
-  --ids fine.npy --size 16x12
+  --ids fine.npy --size 12x9
 expect 0 'span' render cubes.off --clip 0,1,0,-1 --cap hatch --aa 2 \
-  --ids exact.npy --size 16x12 --impl ref
+  --ids exact.npy --size 12x9 --impl ref
 same fine.npy exact.npy
 # Caps are blended as polygons are.
 for how in fast ref; do
@@ -38,12 +38,12 @@ same glass-fast.npy span.npy
 for cap in hatch part; do
   expect 0 ' 0 mismatches' render cubes.off "${cut[@]}" --cap $cap --shadow 1 \
     -o shadowed.png
-  grep -q ' 1200 pixels checked' stdout || wrong "not all pixels were checked"
+  grep -q ' 300 pixels checked' stdout || wrong "not all pixels were checked"
 done
 # Exact areas of what is left, too.
 for how in fast ref; do
   expect 0 'by exact' render cube.off --clip 1,2,0,-1 --clip 0,0,1,-0.3 \
-    --cap hatch --aa exact --size 12x9 --impl "$how" -o "areas-$how.png"
+    --cap hatch --aa exact --size 8x6 --impl "$how" -o "areas-$how.png"
 done
 same areas-fast.png areas-ref.png
 
