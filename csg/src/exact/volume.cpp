@@ -1,5 +1,6 @@
 #include "halfspace/csg/volume.hpp"
 
+#include "halfspace/big_integer.hpp"
 #include "halfspace/csg/exact_measure.hpp"
 #include "halfspace/csg/interval.hpp"
 
@@ -8,11 +9,42 @@ namespace {
 
 using io::Integer;
 
+/// A sum of products of numbers of 54 bits and of 109.
+class ProductSum {
+ public:
+  using Wide = boost::multiprecision::int256_t;
+
+  void add(std::int64_t a, Int128 b) {
+    // Of b, 54 bits and the rest: both products have at most 109 bits.
+    low_ += (b & kLow) * a;
+    high_ += (b >> kShift) * a;
+    if (++terms_ == kMostTerms) flush();
+  }
+  Wide total() {
+    flush();
+    return total_;
+  }
+
+ private:
+  static constexpr int kShift = 54;
+  static constexpr Int128 kLow = (Int128{1} << kShift) - 1;
+  static constexpr int kMostTerms = 1 << 16;  ///< 109 + 16 bits
+
+  void flush() {
+    total_ += to_big<Wide>(low_) + (to_big<Wide>(high_) << kShift);
+    low_ = high_ = 0;
+    terms_ = 0;
+  }
+
+  Wide total_ = 0;
+  Int128 low_ = 0, high_ = 0;
+  int terms_ = 0;
+};
+
 /// Six times the volume, in cubic steps. Fixed width: no coordinate has more
 /// than 54 bits, so no determinant more than 165, and 2^31 of them 196.
 boost::multiprecision::int256_t volume6(const Scene& scene) {
-  using Wide = boost::multiprecision::int256_t;
-  Wide total = 0;
+  ProductSum sum;
   for (std::size_t p = 0; p < scene.polygon_count(); ++p) {
     const auto corners = scene.corners(static_cast<PolygonId>(p));
     const GridPoint& a = scene.point(corners[0]);
@@ -20,15 +52,15 @@ boost::multiprecision::int256_t volume6(const Scene& scene) {
       const GridPoint& b = scene.point(corners[i - 1]);
       const GridPoint& c = scene.point(corners[i]);
       const auto minor = [](std::int64_t r, std::int64_t s, std::int64_t t,
-                            std::int64_t u) -> Wide {
-        return Wide(r) * u - Wide(s) * t;
+                            std::int64_t u) {
+        return static_cast<Int128>(r) * u - static_cast<Int128>(s) * t;
       };
-      total += a.x * minor(b.y, b.z, c.y, c.z);
-      total += a.y * minor(b.z, b.x, c.z, c.x);
-      total += a.z * minor(b.x, b.y, c.x, c.y);
+      sum.add(a.x, minor(b.y, b.z, c.y, c.z));
+      sum.add(a.y, minor(b.z, b.x, c.z, c.x));
+      sum.add(a.z, minor(b.x, b.y, c.x, c.y));
     }
   }
-  return total;
+  return sum.total();
 }
 
 }  // namespace

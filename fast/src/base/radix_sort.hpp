@@ -62,6 +62,23 @@ inline void sort_by_key(List<KeyedIndex>& row) {
             });
 }
 
+/// Sorts by key, and those of one key by `before`.
+template <class Before>
+void sort_by_key(List<KeyedIndex>& row, Before&& before) {
+  sort_by_key(row);
+  for (auto at = row.begin(); at != row.end();) {
+    const auto end = std::find_if(
+        at, row.end(), [&](const KeyedIndex& k) { return k.key != at->key; });
+    if (end - at > 1) std::sort(at, end, before);
+    at = end;
+  }
+}
+
+/// A key that orders integers as they are.
+inline std::uint64_t key_of(std::int64_t value) {
+  return static_cast<std::uint64_t>(value) ^ std::uint64_t{1} << 63;
+}
+
 /// A key that orders numbers as they are, -0 before 0.
 /// Requires: `value` is not NaN.
 inline std::uint64_t key_of(double value) {

@@ -33,6 +33,14 @@ Solid canonical_for_file(const Solid& solid) {
 }
 
 std::optional<Solid> on_points(const Solid& solid) {
+  // Most that are on no grid here are on none, and one of them is enough.
+  const auto off_grid = std::find_if(
+      solid.edges.begin(), solid.edges.end(), [&](const SolidEdge& edge) {
+        return !solid.table->vertex(edge.from).is_grid();
+      });
+  if (off_grid != solid.edges.end() &&
+      !fineness_of_vertex(solid, off_grid->from))
+    return std::nullopt;
   std::vector<std::int32_t> vertices;
   for (const SolidEdge& edge : solid.edges) vertices.push_back(edge.from);
   std::sort(vertices.begin(), vertices.end());

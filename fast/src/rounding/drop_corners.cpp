@@ -111,8 +111,9 @@ class CornerDropper {
   }
 
   /// The neighbours round a corner, in the order of its triangles; `star` then
-  /// has those in the same order. Empty where they are not one cycle.
-  Ring ring_of(std::int32_t corner, std::vector<std::int32_t>& star) {
+  /// has those in the same order. Empty where they are not one cycle. Valid
+  /// until the next one.
+  const Ring& ring_of(std::int32_t corner, std::vector<std::int32_t>& star) {
     auto& steps = steps_;
     steps.clear();
     for (const std::int32_t t : star) {
@@ -122,21 +123,26 @@ class CornerDropper {
       steps.push_back({c[(i + 1) % 3], c[(i + 2) % 3], t});
     }
     std::sort(steps.begin(), steps.end());
-    Ring ring;
+    Ring& ring = ring_;
+    ring.clear();
     star.clear();
     std::int32_t next = steps.front()[0];
     for (std::size_t n = 0; n < steps.size(); ++n) {
       const auto place =
           std::lower_bound(steps.begin(), steps.end(),
                            std::array<std::int32_t, 3>{next, -1, -1});
-      if (place == steps.end() || (*place)[0] != next) return {};
-      if (place + 1 != steps.end() && (*(place + 1))[0] == next) return {};
-      if (n > 0 && next == steps.front()[0]) return {};
+      const bool goes_on = place != steps.end() && (*place)[0] == next;
+      if (!goes_on || (place + 1 != steps.end() && (*(place + 1))[0] == next) ||
+          (n > 0 && next == steps.front()[0])) {
+        ring.clear();
+        return ring;
+      }
       ring.push_back(next);
       star.push_back((*place)[2]);
       next = (*place)[1];
     }
-    return next == steps.front()[0] ? ring : Ring();
+    if (next != steps.front()[0]) ring.clear();
+    return ring;
   }
 
   /// Whether the triangles on either side of the edge to ring[i] are not nearly
@@ -193,6 +199,7 @@ class CornerDropper {
   /// For ring_of(): from, to, triangle.
   std::vector<std::array<std::int32_t, 3>> steps_;
   std::vector<std::int32_t> star_;  ///< for drop()
+  Ring ring_;                       ///< for ring_of()
   /// By triangle: how far it is from the surface that was, at most.
   std::vector<double> moves_;
 };
@@ -203,15 +210,16 @@ bool CornerDropper::drop(std::int32_t corner) {
   const auto found = star_of(corner);
   star.assign(found.begin(), found.end());
   if (star.size() < 3) return false;
-  const Ring ring = ring_of(corner, star);
+  const Ring& ring = ring_of(corner, star);
   if (ring.empty()) return false;
-  std::vector<std::size_t> sharp;
+  std::array<std::size_t, 2> sharp;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (!is_sharp(corner, ring, star, i)) continue;
-    if (sharp.size() == 2) return false;
-    sharp.push_back(i);
+    if (count == 2) return false;
+    sharp[count++] = i;
   }
-  if (sharp.size() != 2) return false;
+  if (count != 2) return false;
   if (product_of(difference_of(at(corner), at(ring[sharp[0]])),
                  difference_of(at(corner), at(ring[sharp[1]]))) >= 0)
     return false;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -213,18 +212,18 @@ void Rounding::drop_corners() {
 /// them it is.
 std::vector<VertexId> Rounding::take_vertices(RoundedMesh& result) const {
   const GridMesh& mesh = settled_.mesh;
-  std::vector<std::int32_t> row(mesh.points.size());
-  std::iota(row.begin(), row.end(), 0);
-  const auto before = [&](std::int32_t p, std::int32_t q) {
-    return mesh.at(p) < mesh.at(q);
-  };
-  if (!std::is_sorted(row.begin(), row.end(), before))
-    std::sort(row.begin(), row.end(), before);
+  List<KeyedIndex> row;
+  row.reserve(mesh.points.size());
+  for (const GridPoint& at : mesh.points)
+    row.push_back({key_of(at.x), static_cast<std::uint32_t>(row.size())});
+  sort_by_key(row, [&](const KeyedIndex& i, const KeyedIndex& j) {
+    return mesh.points[i.index] < mesh.points[j.index];
+  });
   std::vector<VertexId> number(row.size());
-  for (const std::int32_t p : row) {
-    number[static_cast<std::size_t>(p)] =
-        static_cast<VertexId>(result.vertices.size());
-    const GridPoint& at = mesh.at(p);
+  result.vertices.reserve(row.size());
+  for (const KeyedIndex& place : row) {
+    number[place.index] = static_cast<VertexId>(result.vertices.size());
+    const GridPoint& at = mesh.points[place.index];
     result.vertices.push_back({grid_.coordinate(at.x), grid_.coordinate(at.y),
                                grid_.coordinate(at.z)});
   }
@@ -260,32 +259,26 @@ List<KeyedIndex> in_order(const std::vector<MeshPolygon>& polygons) {
   row.reserve(polygons.size());
   for (const MeshPolygon& p : polygons)
     row.push_back({key_of(p), static_cast<std::uint32_t>(row.size())});
-  sort_by_key(row);
-  const auto before = [&](const KeyedIndex& i, const KeyedIndex& j) {
+  sort_by_key(row, [&](const KeyedIndex& i, const KeyedIndex& j) {
     const MeshPolygon& x = polygons[i.index];
     const MeshPolygon& y = polygons[j.index];
     return x.corners != y.corners ? x.corners < y.corners : x.source < y.source;
-  };
-  for (auto at = row.begin(); at != row.end();) {
-    const auto end = std::find_if(
-        at, row.end(), [&](const KeyedIndex& k) { return k.key != at->key; });
-    std::sort(at, end, before);
-    at = end;
-  }
+  });
   return row;
 }
 
 /// What was there before, and is not now.
 void Rounding::count_losses(RoundedMesh& result) const {
   // Faces that dropped corners joined to others in their plane are not lost.
-  std::vector<std::int32_t> before, after = result.faces;
-  for (const GridTriangle& t : exact_.mesh.triangles)
-    before.push_back(exported_.faces[static_cast<std::size_t>(t.source)]);
-  for (auto* faces : {&before, &after}) {
-    std::sort(faces->begin(), faces->end());
-    faces->erase(std::unique(faces->begin(), faces->end()), faces->end());
+  std::vector<std::uint8_t> is_lost(solid_.faces.size());
+  for (const GridTriangle& t : exact_.mesh.triangles) {
+    const auto source = static_cast<std::size_t>(t.source);
+    is_lost[static_cast<std::size_t>(exported_.faces[source])] = 1;
   }
-  result.faces_lost = before.size() - after.size();
+  for (const std::int32_t face : result.faces)
+    is_lost[static_cast<std::size_t>(face)] = 0;
+  result.faces_lost = static_cast<std::size_t>(
+      std::count(is_lost.begin(), is_lost.end(), std::uint8_t{1}));
   // Where nothing met or fell together all parts are there.
   if (!settled_.collapsed) return;
   result.parts_before = part_count(exact_.mesh);

@@ -179,10 +179,11 @@ Result<Number> parse_number(std::string_view text) {
     return number_error(ErrorCode::kOutOfRange, text,
                         "has digits beyond 10^-1200");
   }
-  const Error too_large =
-      number_error(ErrorCode::kOutOfRange, text,
-                   "is beyond the greatest double, about 1.8 * 10^308");
-  if (decimal.exponent > kMostDigits - size) return too_large;
+  const auto too_large = [&] {
+    return number_error(ErrorCode::kOutOfRange, text,
+                        "is beyond the greatest double, about 1.8 * 10^308");
+  };
+  if (decimal.exponent > kMostDigits - size) return too_large();
   const auto exponent = static_cast<std::int32_t>(decimal.exponent);
   Number number;
   if (digits.size() <= kSmallDigits) {
@@ -194,9 +195,10 @@ Result<Number> parse_number(std::string_view text) {
         normalised(long_integer(digits, decimal.negative), exponent, exponent);
   }
   const bool may_be_too_large = exponent + size == kMostDigits;
-  if (may_be_too_large && !std::isfinite(to_double(number))) return too_large;
+  if (may_be_too_large && !std::isfinite(to_double(number))) return too_large();
   return number;
 }
+
 Number number_of(double value) {
   if (value == 0) return {};
   int exponent = 0;

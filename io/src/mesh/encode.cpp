@@ -49,7 +49,10 @@ FloatPoint unit_normal(const std::array<FloatPoint, 3>& corners) {
 std::string off_text(std::span<const std::string> points, const Faces& faces) {
   std::string text = "OFF\n" + std::to_string(points.size()) + " " +
                      std::to_string(faces.count()) + " 0\n";
-  for (const std::string& point : points) text += point + "\n";
+  for (const std::string& point : points) {
+    text += point;
+    text += '\n';
+  }
   for (std::size_t face = 0; face < faces.count(); ++face) {
     append_face(text, faces, face);
   }

@@ -61,7 +61,8 @@ std::string all_digits(double value) {
     if (text.size() > 1) text.insert(1, ".");
     text += "e-" + power;
   }
-  return (negative ? "-" : "") + text;
+  if (negative) text.insert(0, 1, '-');
+  return text;
 }
 
 namespace {
@@ -441,8 +442,12 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
   } else {
     const auto text = mesh.exact_decimals ? all_digits : shortest;
     for (const DoublePoint& point : mesh.vertices) {
-      writer.content.texts.push_back(text(point[0]) + " " + text(point[1]) +
-                                     " " + text(point[2]));
+      std::string line = text(point[0]);
+      for (const double value : {point[1], point[2]}) {
+        line += ' ';
+        line += text(value);
+      }
+      writer.content.texts.push_back(std::move(line));
     }
   }
   if (format.has_triangles_only) {

@@ -218,6 +218,7 @@ class Job {
   Status finish(const csg::Script& script, const csg::Plan& plan,
                 const csg::Operands& operands, const csg::Outcome& result,
                 double boolean_ms) const;
+  int threads() const;
   csg::Combine checked_combine();
   Status shadow_status() const;
   Result<csg::Operands> load(const csg::Script& script, const csg::Plan& plan,
@@ -228,13 +229,19 @@ class Job {
   std::optional<shadow::BooleanReport> checks_;
 };
 
+/// Whatever they are, the result is the same.
+int Job::threads() const {
+  const unsigned all = std::max(1u, std::thread::hardware_concurrency());
+  return static_cast<int>(arguments_.build.threads.value_or(all));
+}
+
 /// Booleans of the fast library, a share of them checked.
 csg::Combine Job::checked_combine() {
   if (!arguments_.shadow) return {};
   shadow::BooleanReport& report = checks_.emplace();
   shadow::BooleanOptions how;
   how.share = *arguments_.shadow;
-  how.threads = thread_count(arguments_.build);
+  how.threads = threads();
   return [&report, how](BooleanOp operation, const fast::Solid& a,
                         const fast::Solid& b) {
     return shadow::boolean(operation, a, b, how, report);
@@ -266,7 +273,7 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
   options.keep_origin = arguments_.keep_origin;
   options.keep_corners = !arguments_.origin.empty() || arguments_.keep_origin;
   options.build = build_options(arguments_.build);
-  options.threads = thread_count(arguments_.build);
+  options.threads = threads();
   options.combine = checked_combine();
   options.progress = [&work](double share) { return work.report(share); };
   return by_ref ? csg::evaluate_ref(plan, operands, options)
@@ -285,10 +292,7 @@ Result<csg::Operands> Job::load(const csg::Script& script,
   options.repair = arguments_.repair;
   options.repair_word = "--repair";
   options.mending_word = "halfspace repair FILE -o OUT";
-  // Whatever they are, the result is the same.
-  const unsigned all = std::max(1u, std::thread::hardware_concurrency());
-  options.check.threads =
-      static_cast<int>(arguments_.build.threads.value_or(all));
+  options.check.threads = threads();
   options.check.progress = [work](double share) { return work->report(share); };
   try {
     return csg::Operands::load(script, plan, options);

@@ -71,9 +71,8 @@ void add_build_options(CLI::App& app, BuildArguments& arguments,
              "Weight of a cut against balance in h6; 75 if not said")
       ->group(group);
   add_number(app, "--threads", "N", arguments.threads, 1u, kMostCounted,
-             "Threads to use; if not said, one for an image, and for a display "
-             "tree and to pack a picture as many as there are. The result is "
-             "the same; ref uses one")
+             "Threads to use; if not said, one for an image, and for all else "
+             "as many as there are. The result is the same; ref uses one")
       ->group("Measurement");
   app.add_option("--stats", arguments.stats_file,
                  "Write sizes and processor times as JSON; - is standard "
