@@ -418,6 +418,7 @@ Result<std::optional<Outcome>> evaluate_fast(const Plan& plan,
   result->attributes =
       carried_attributes(attributed_leaves(plan, operands), *result, options);
   result->mesh.attributes = result->attributes;
+  result->mesh.threads = options.threads;
   return std::optional<Outcome>(*std::move(result));
 }
 

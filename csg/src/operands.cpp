@@ -228,8 +228,12 @@ Result<Source> exact_source(const std::string& path, std::string_view bytes,
   return source;
 }
 
-Result<Source> read_source(const std::string& path,
-                           const OperandOptions& options, bool flip) {
+namespace {
+
+/// Reads a source; `read`, if not null, is the scene in it, and is taken.
+Result<Source> read_or_taken(const std::string& path,
+                             const OperandOptions& options, bool flip,
+                             Result<io::LoadedScene>* read) {
   std::string input;
   if (path == "-") {
     Result<std::string> bytes = io::read_input();
@@ -243,9 +247,10 @@ Result<Source> read_source(const std::string& path,
     if (!bytes) return io::error_about(path, bytes.error());
     return exact_source(path, *bytes, options, flip);
   }
-  Result<io::LoadedScene> loaded = path == "-"
-                                       ? io::scene_of_input(input, io::unlit())
-                                       : io::load_scene(path, io::unlit());
+  Result<io::LoadedScene> loaded =
+      path == "-"       ? io::scene_of_input(input, io::unlit())
+      : read != nullptr ? std::move(*read)
+                        : io::load_scene(path, io::unlit());
   if (!loaded) return loaded.error();
   if (flip) loaded->file.scene = flipped(loaded->file.scene);
   Result<Source> source = make_source(path,
@@ -261,6 +266,13 @@ Result<Source> read_source(const std::string& path,
   return source;
 }
 
+}  // namespace
+
+Result<Source> read_source(const std::string& path,
+                           const OperandOptions& options, bool flip) {
+  return read_or_taken(path, options, flip, nullptr);
+}
+
 Result<Source> primitive_source(const std::string& name, const io::Mesh& mesh,
                                 const OperandOptions& options) {
   Result<io::Imported> imported = io::import_scene(mesh, io::unlit());
@@ -274,15 +286,32 @@ Result<Operands> Operands::load(const Script& script, const Plan& plan,
   std::vector<bool> is_used(script.files.size());
   for (const Leaf& leaf : plan.leaves)
     is_used[static_cast<std::size_t>(leaf.file)] = true;
+  const auto path_of = [&](const File& file) {
+    return file.name.empty() && !options.folder.empty()
+               ? (std::filesystem::path(options.folder) / file.path).string()
+               : file.path;
+  };
+  // Meshes are read side by side, and looked at one after another.
+  std::vector<std::size_t> meshes;
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < script.files.size(); ++i) {
+    const File& file = script.files[i];
+    if (!is_used[i] || file.mesh || file.path == "-" ||
+        io::is_solid_name(file.path))
+      continue;
+    meshes.push_back(i);
+    paths.push_back(path_of(file));
+  }
+  std::vector<Result<io::LoadedScene>> scenes =
+      io::load_scenes(paths, io::unlit(), options.check.threads);
+  std::size_t taken = 0;
   for (std::size_t i = 0; i < script.files.size(); ++i) {
     const File& file = script.files[i];
     if (!is_used[i]) {
       sources.push_back(std::make_shared<const Source>());
       continue;
     }
-    std::string path = file.path;
-    if (file.name.empty() && !options.folder.empty())
-      path = (std::filesystem::path(options.folder) / path).string();
+    const std::string path = path_of(file);
     // Standard input is read once, whatever names it has.
     const auto is_same_input = [&](const File& other) {
       return path == "-" && other.path == path &&
@@ -297,9 +326,12 @@ Result<Operands> Operands::load(const Script& script, const Plan& plan,
       sources.push_back(sources[first]);
       continue;
     }
+    Result<io::LoadedScene>* const read =
+        taken < meshes.size() && meshes[taken] == i ? &scenes[taken++]
+                                                    : nullptr;
     Result<Source> source =
         file.mesh ? primitive_source(file.name, *file.mesh, options)
-                  : read_source(path, options, file.is_flipped);
+                  : read_or_taken(path, options, file.is_flipped, read);
     if (!source) return source.error();
     sources.push_back(std::make_shared<const Source>(*std::move(source)));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/side_by_side.hpp"
 #include "base/text.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/number.hpp"
@@ -405,6 +406,29 @@ std::optional<Error> shape_fault(const OutputMesh& mesh) {
              : std::nullopt;
 }
 
+/// The vertices' coordinates as text.
+std::vector<std::string> point_texts(const OutputMesh& mesh) {
+  const auto text = mesh.exact_decimals ? all_digits : shortest;
+  constexpr std::size_t kBlock = 4096;
+  const std::size_t count = mesh.vertices.size();
+  std::vector<std::string> texts(count);
+  side_by_side((count + kBlock - 1) / kBlock,
+               mesh.threads > 0 ? mesh.threads : machine_threads(),
+               [&](std::size_t block) {
+                 const std::size_t end = std::min(count, (block + 1) * kBlock);
+                 for (std::size_t v = block * kBlock; v < end; ++v) {
+                   const DoublePoint& point = mesh.vertices[v];
+                   std::string line = text(point[0]);
+                   for (const double value : {point[1], point[2]}) {
+                     line += ' ';
+                     line += text(value);
+                   }
+                   texts[v] = std::move(line);
+                 }
+               });
+  return texts;
+}
+
 }  // namespace
 
 std::filesystem::path material_path(const std::filesystem::path& obj) {
@@ -440,15 +464,7 @@ Result<ExportReport> write_mesh(const std::filesystem::path& path,
   if (format.coordinates != Coordinates::kText) {
     writer.content.doubles = mesh.vertices;
   } else {
-    const auto text = mesh.exact_decimals ? all_digits : shortest;
-    for (const DoublePoint& point : mesh.vertices) {
-      std::string line = text(point[0]);
-      for (const double value : {point[1], point[2]}) {
-        line += ' ';
-        line += text(value);
-      }
-      writer.content.texts.push_back(std::move(line));
-    }
+    writer.content.texts = point_texts(mesh);
   }
   if (format.has_triangles_only) {
     cut_mesh(mesh, writer);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "picture/side_by_side.hpp"
+#include "base/side_by_side.hpp"
 
 namespace halfspace::io {
 namespace {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/side_by_side.hpp"
 #include "halfspace/io/file.hpp"
 #include "halfspace/io/mesh_input.hpp"
 #include "halfspace/io/read_mesh.hpp"
@@ -149,6 +150,18 @@ Result<LoadedScene> load_scene(const std::string& path,
   }
   if (is_scene_name(path)) return load_scene_file(path, options);
   return scene_of_mesh(path, read_mesh(path, options.stop), options);
+}
+
+std::vector<Result<LoadedScene>> load_scenes(
+    const std::vector<std::string>& paths, const ImportOptions& options,
+    int threads) {
+  std::vector<std::optional<Result<LoadedScene>>> loaded(paths.size());
+  side_by_side(
+      paths.size(), threads > 0 ? threads : machine_threads(),
+      [&](std::size_t i) { loaded[i] = load_scene(paths[i], options); });
+  std::vector<Result<LoadedScene>> result;
+  for (auto& one : loaded) result.push_back(*std::move(one));
+  return result;
 }
 
 std::string to_string(const Unit& unit) {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "halfspace/io/file.hpp"
 #include "halfspace/io/import.hpp"
+#include "halfspace/io/number.hpp"
 #include "halfspace/io/read_mesh.hpp"
 #include "mesh/samples.hpp"
 
@@ -380,6 +382,34 @@ TEST(WriteMesh, WritesExactDecimalsOfDoublesWhereTheyAreAskedFor) {
       }
       EXPECT_EQ(same == 9, exact) << name;
     }
+  }
+}
+
+TEST(WriteMesh, WritesTheSameByAnyNumberOfThreads) {
+  OutputMesh mesh;
+  // Some blocks of vertices, the last one not full.
+  for (int v = 0; v < 9999; ++v)
+    mesh.vertices.push_back({v / 7.0, -v / 3.0, v * 0x1p-40});
+  for (VertexId v = 0; v < 9999; ++v) mesh.corners.push_back(v);
+  for (std::uint32_t end = 3; end <= 9999; end += 3)
+    mesh.first_corner.push_back(end);
+  mesh.exact_decimals = true;
+  for (const char* name : {"a.obj", "a.off"}) {
+    const samples::TemporaryFile file(name);
+    std::string one;
+    for (const int threads : {1, 2, 0}) {
+      mesh.threads = threads;
+      ASSERT_TRUE(write_mesh(file.path(), mesh));
+      const Result<std::string> bytes = read_file(file.path());
+      ASSERT_TRUE(bytes);
+      if (one.empty()) one = *bytes;
+      EXPECT_TRUE(*bytes == one) << name << " by " << threads;
+    }
+    const Result<Mesh> back = read_mesh(file.path());
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->vertices.size(), mesh.vertices.size());
+    EXPECT_EQ(back->vertices[8191][0], number_of(8191 / 7.0));
+    EXPECT_EQ(back->vertices[8192][1], number_of(-8192 / 3.0));
   }
 }
 

@@ -40,6 +40,26 @@ TEST(LoadScene, ASceneKeepsItsGrid) {
   EXPECT_TRUE(other.error().message.starts_with(path + ": "));
 }
 
+TEST(LoadScene, SeveralFilesAreReadAsEachAlone) {
+  const std::vector<std::string> paths = {
+      written("c.off", kTriangle), written("d.off", "OFF\n3 1 0\n0 0\n"),
+      "no/such.off",
+      written("e.off", "OFF\n3 1 0\n0 0 0\n2 0 0\n0 3 0\n3 0 1 2\n")};
+  for (const int threads : {0, 1, 2, 9}) {
+    const auto loaded = load_scenes(paths, {}, threads);
+    ASSERT_EQ(loaded.size(), paths.size());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      const auto alone = load_scene(paths[i], {});
+      ASSERT_EQ(loaded[i].has_value(), alone.has_value()) << paths[i];
+      if (alone)
+        EXPECT_EQ(write_scene(loaded[i]->file), write_scene(alone->file));
+      else
+        EXPECT_EQ(loaded[i].error().message, alone.error().message);
+    }
+  }
+  EXPECT_TRUE(load_scenes({}, {}, 2).empty());
+}
+
 TEST(LoadScene, ErrorsNameTheFileOnce) {
   const auto none = load_scene("", {});
   ASSERT_FALSE(none);

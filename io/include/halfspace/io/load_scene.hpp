@@ -54,6 +54,13 @@ bool is_solid_name(const std::filesystem::path& path);
 Result<LoadedScene> load_scene(const std::string& path,
                                const ImportOptions& options);
 
+/// The same of several files, none of them `-`, in up to `threads` threads at
+/// once; 0: as many as the machine has. What is wrong with one of them changes
+/// nothing of the others.
+std::vector<Result<LoadedScene>> load_scenes(
+    const std::vector<std::string>& paths, const ImportOptions& options,
+    int threads);
+
 /// What standard input is called in messages.
 inline const std::string kInputName = "standard input";
 

@@ -33,6 +33,9 @@ struct OutputMesh {
   std::shared_ptr<const Attributes> attributes = nullptr;
   /// By face whether it has its colour; empty: all have.
   std::vector<bool> has_color = {};
+  /// How many threads write digits; 0: as many as the machine has. The file is
+  /// the same.
+  int threads = 1;
 };
 
 /// What writing did to a mesh (S1.8).
