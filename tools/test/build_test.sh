@@ -118,7 +118,7 @@ awk 'BEGIN {
 }' >across.off
 echo "echo \$\$ >pid
 exec '$program' build across.off --heuristic random" >long.sh
-rm -f pid
+rm -f pid told  # or what the build before told would end the wait at once
 script -q -e -f -c 'env --default-signal=INT sh long.sh' told >/dev/null &
 job=$!
 for _ in $(seq 600); do
