@@ -108,6 +108,9 @@ bool Compiler::name_or_call(bool& complete) {
   const Token name = token_;
   if (!advance()) return false;
   if (token_.is('(')) return open_call(name, complete);
+  if (name.text == "for" && token_.kind == TokenKind::kName)
+    return fail(name.place, ErrorCode::kSyntax,
+                "for stands in square brackets: [for i in range(3): ...]");
   if (is_function(name.text)) return unexpected("'('");
   Instruction made;
   made.op = Op::kLoad;
@@ -141,8 +144,8 @@ bool Compiler::open_call(const Token& name, bool& complete) {
     call.op = Op::kCall;
     call.function = *which;
   } else {
-    return fail(name.place, ErrorCode::kBadIndex,
-                "there is no function " + in_quotes(name.text));
+    error_ = no_function(name);
+    return false;
   }
   if (!advance() || !pass_over_lines()) return false;
   if (call.op == Op::kCall && call.function == Function::kHalf &&

@@ -62,6 +62,36 @@ constexpr Named kFunctions[] = {
     {"max", Function::kMax, "numbers and lists of them, at least one"},
 };
 
+/// What other programs call these.
+constexpr std::string_view kOtherWords[][2] = {
+    {"cube", "box"},
+    {"cuboid", "box"},
+    {"block", "box"},
+    {"ball", "sphere"},
+    {"move", "translate"},
+    {"turn", "rotate"},
+    {"intersect", "intersection"},
+    {"subtract", "difference"},
+    {"xor", "symmetric_difference"},
+    {"len", "length"},
+    {"multmatrix", "matrix"},
+};
+
+/// Whether one letter more, less or other, or two that changed places, make
+/// one of the other.
+bool differ_by_a_slip(std::string_view a, std::string_view b) {
+  const auto [in_a, in_b] =
+      std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  a.remove_prefix(static_cast<std::size_t>(in_a - a.begin()));
+  b.remove_prefix(static_cast<std::size_t>(in_b - b.begin()));
+  while (!a.empty() && !b.empty() && a.back() == b.back()) {
+    a.remove_suffix(1);
+    b.remove_suffix(1);
+  }
+  return std::max(a.size(), b.size()) <= 1 ||
+         (a.size() == 2 && b.size() == 2 && a[0] == b[1] && a[1] == b[0]);
+}
+
 Number difference(const Number& a, Number b) {
   b.mantissa = -b.mantissa;
   return sum(a, b);
@@ -152,6 +182,22 @@ bool is_function(std::string_view word) {
     if (named.word == word) return named.is_reserved;
   }
   return false;
+}
+
+Error no_function(const Token& name) {
+  std::string sentence = "there is no function " + in_quotes(name.text);
+  for (const auto& [other, word] : kOtherWords) {
+    if (other == name.text)
+      return error_at(
+          name.place, ErrorCode::kBadIndex,
+          sentence + "; it is called " + std::string(word) + " here");
+  }
+  for (const Named& named : kFunctions) {
+    if (differ_by_a_slip(named.word, name.text))
+      return error_at(name.place, ErrorCode::kBadIndex,
+                      sentence + "; is " + std::string(named.word) + " meant?");
+  }
+  return error_at(name.place, ErrorCode::kBadIndex, std::move(sentence));
 }
 
 Error wrong_call(Function function, const Place& place) {

@@ -42,6 +42,10 @@ enum class Function : std::uint8_t {
 /// The function that the word names.
 std::optional<Function> function_named(std::string_view word);
 
+/// The error of a call of a function that there is not, with the word that may
+/// be meant.
+Error no_function(const Token& name);
+
 /// The error of a call with other values than the function takes.
 Error wrong_call(Function function, const Place& place);
 

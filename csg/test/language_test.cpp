@@ -134,6 +134,18 @@ TEST(CsgLanguage, NamesTroubleWithItsPlace) {
             "line 2, column 1: the last statement is the result, but it is no "
             "solid; union(...) makes one of a list");
   EXPECT_EQ(volume_of("f(1)"), "line 1, column 1: there is no function 'f'");
+  EXPECT_EQ(volume_of("cube(3)"),
+            "line 1, column 1: there is no function 'cube'; it is called box "
+            "here");
+  for (const char* slip : {"cylindr", "cylinderr", "cylimder", "cyilnder"})
+    EXPECT_EQ(volume_of(std::string(slip) + "(1, 2)"),
+              "line 1, column 1: there is no function '" + std::string(slip) +
+                  "'; is cylinder meant?");
+  EXPECT_EQ(volume_of("cylnidr(1, 2)"),
+            "line 1, column 1: there is no function 'cylnidr'");
+  EXPECT_EQ(volume_of("union(for i in range(3): box(i))"),
+            "line 1, column 7: for stands in square brackets: [for i in "
+            "range(3): ...]");
   EXPECT_EQ(volume_of("def f(a) = f(a)\nf(1)"),
             "line 1, column 12: there is no function 'f'");
   EXPECT_EQ(volume_of("def f(a) = box(a)\nf(1, 2)"),
