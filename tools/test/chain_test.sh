@@ -61,6 +61,17 @@ for corner in '25.3999[0-9]* 25.3999' '25.4[0-9]* 25.4'; do
 done
 [ "${found:-}" ] || wrong "the cube's corner is not in three.off"
 
+# Of an edge between faces in one plane a file has the ends alone, where they
+# are points. Cut after a turn, it has the plane that it would have had.
+hull='hull(-2.9, 0, 2, -3, 2.125, -2.23, 2, 2.75, 3, 3, 1, 0.9, 2, 2, -2.125,
+  -1, 3, 1.375)'
+turn='0.6, -0.8, 0, 0, 0.8, 0.6, 0, 0, 0, 0, 1, 0'
+both='(box(4, 2.57, 4.75) | box(1.25, 3, 5))'
+expect 0 closed csg "matrix($both & $hull, $turn)" -o one.hsolid
+expect 0 closed csg "$both" -o both.hsolid
+expect 0 closed csg "matrix(A & $hull, $turn)" A=both.hsolid -o two.hsolid
+same one.hsolid two.hsolid
+
 # Exact files that say that they were checked are not checked again, where their
 # checksum agrees: this one crosses itself, and no one looks.
 "$program" csg 'A | translate(A, 7, 1, 1)' A=a.off -o - \

@@ -223,6 +223,13 @@ void Canonizer::add_planes() {
   }
 }
 
+/// The plane of that id, if it is not the table's.
+const LinePlane* Canonizer::line_plane(std::int32_t old) const {
+  const auto count = static_cast<std::int32_t>(from_.table->plane_count());
+  return old < count ? nullptr
+                     : &line_planes_[static_cast<std::size_t>(old - count)];
+}
+
 /// The new id of a plane, of a face or not.
 std::int32_t Canonizer::plane_id(std::int32_t old) {
   const GeometryTable& table = *from_.table;
@@ -232,11 +239,15 @@ std::int32_t Canonizer::plane_id(std::int32_t old) {
       at == other_planes_.end()
           ? table.plane(old).origin
           : other_points_[static_cast<std::size_t>(at - other_planes_.begin())];
-  return lease_->table().add_plane(table.normal(old), point).plane;
+  const LinePlane* line = line_plane(old);
+  return lease_->table()
+      .add_plane(line != nullptr ? line->normal : table.normal(old), point)
+      .plane;
 }
 
 /// A vertex that is not on the grid is the meet of the first three planes of
-/// faces there; of those that it was met by, where the faces have no three.
+/// faces there; where the faces have no three, of others that name it, or of
+/// those that it was met by.
 void Canonizer::add_vertices() {
   GeometryTable& to = lease_->table();
   for (std::size_t rank = 0; rank < vertices_.size(); ++rank) {
@@ -246,11 +257,15 @@ void Canonizer::add_vertices() {
     }
     std::array<std::int32_t, 3> planes{};
     const bool is_named = !first_planes_.empty() && first_planes_[rank][0] >= 0;
+    const bool has_others = !other_names_.empty() && other_names_[rank][0] >= 0;
+    const auto& others = has_others
+                             ? other_names_[rank]
+                             : from_.table->vertex(vertices_[rank]).planes;
     for (std::size_t i = 0; i < 3; ++i) {
       planes[i] =
           is_named
               ? new_planes_[static_cast<std::size_t>(first_planes_[rank][i])]
-              : plane_id(from_.table->vertex(vertices_[rank]).planes[i]);
+              : plane_id(others[i]);
     }
     new_vertices_.push_back(to.meet(planes[0], planes[1], planes[2]));
   }

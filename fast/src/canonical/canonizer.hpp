@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/id_map.hpp"
+#include "canonical/line_plane.hpp"
 #include "canonical/own_grid.hpp"
 #include "halfspace/fast/solid/canonical_solid.hpp"
 #include "solid/loops.hpp"
@@ -70,6 +71,7 @@ class Canonizer {
   Solid copied();
   void set_unit(const Unit& unit);
   std::vector<std::int32_t> first_vertices();
+  const LinePlane* line_plane(std::int32_t old) const;
   std::int32_t other_number(const SolidEdge& edge, std::int32_t own) const;
   bool needs_other(const SolidEdge& edge, std::int32_t own) const;
   std::optional<GridPoint> point_of(std::size_t rank) const;
@@ -91,6 +93,11 @@ class Canonizer {
   // By rank, of those that are not on the grid of the faces' planes: the first
   // three numbers of planes that meet there, or -1.
   std::vector<std::array<std::int32_t, 3>> first_planes_;
+  // By rank, of those that have no three such planes: others, as before, or -1.
+  std::vector<std::array<std::int32_t, 3>> other_names_;
+  // What names edges between faces in one plane; their ids go on from those of
+  // the table's planes.
+  std::vector<LinePlane> line_planes_;
   // What names planes: those of faces, by number, and others, as before.
   std::vector<GridPoint> plane_points_;
   std::vector<std::int32_t> other_planes_;

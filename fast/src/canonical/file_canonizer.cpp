@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "canonical/lattice_point.hpp"
@@ -57,7 +59,17 @@ bool FileCanonizer::reaches(const Unit& unit) const {
   return grid_reaches(from_, vertices_, unit);
 }
 
+/// Nothing where no grid of the units that there may be has a point of it.
+std::optional<Fineness> FileCanonizer::fineness_of_line(
+    const LinePlane& line) const {
+  if (from_.unit.exponent <= 0)
+    return fineness_of(line.offset, line.below, from_.unit);
+  return line.below == 1 ? std::optional(Fineness{}) : std::nullopt;
+}
+
 Fineness FileCanonizer::fineness_of_plane(std::int32_t plane) const {
+  if (const LinePlane* line = line_plane(plane))
+    return *fineness_of_line(*line);
   // One of this grid's points is on it.
   return *fineness_of(offset_of(*from_.table, plane), 1, from_.unit);
 }
@@ -120,7 +132,10 @@ void FileCanonizer::find_first_planes() {
     for (std::size_t i = 0; i < planes.size() && first[0] < 0; ++i) {
       for (std::size_t j = i + 1; j < planes.size() && first[0] < 0; ++j) {
         for (std::size_t k = j + 1; k < planes.size() && first[0] < 0; ++k) {
-          if (meet_in_point({planes[i], planes[j], planes[k]}))
+          const auto old = [&](std::size_t which) {
+            return planes_[static_cast<std::size_t>(planes[which])];
+          };
+          if (meet_in_point({old(i), old(j), old(k)}))
             first = {planes[i], planes[j], planes[k]};
         }
       }
@@ -128,14 +143,15 @@ void FileCanonizer::find_first_planes() {
   }
 }
 
-/// Whether three planes of faces meet in one point.
+/// Whether three planes meet in one point.
 bool FileCanonizer::meet_in_point(
     const std::array<std::int32_t, 3>& planes) const {
   using Big = boost::multiprecision::int512_t;
   std::array<std::array<Big, 3>, 3> n;
   for (std::size_t i = 0; i < 3; ++i) {
+    const LinePlane* line = line_plane(planes[i]);
     const Vector3<Int128> normal =
-        from_.table->normal(planes_[static_cast<std::size_t>(planes[i])]);
+        line != nullptr ? line->normal : from_.table->normal(planes[i]);
     n[i] = {to_big<Big>(normal.x), to_big<Big>(normal.y),
             to_big<Big>(normal.z)};
   }
@@ -176,31 +192,100 @@ void FileCanonizer::add_unnamed_vertices(Fineness& need) {
   if (unit_of(need) != unit_) set_unit(unit_of(need));
 }
 
+/// What names an edge in the plane of a face where the table's plane `other`
+/// did: the plane along an axis, or `other` where no grid has a point of that.
+std::int32_t FileCanonizer::plane_on_line(std::int32_t face,
+                                          std::int32_t other) {
+  const auto [known, is_new] = on_lines_.try_emplace({face, other}, other);
+  if (!is_new) return known->second;
+  std::optional<LinePlane> line = line_plane_of(*from_.table, face, other);
+  if (line && fineness_of_line(*line)) {
+    known->second = static_cast<std::int32_t>(from_.table->plane_count() +
+                                              line_planes_.size());
+    line_planes_.push_back(*std::move(line));
+  }
+  return known->second;
+}
+
+/// Names vertices that planes of faces do not by those and by the planes that
+/// name the edges there.
+void FileCanonizer::name_by_lines() {
+  other_names_.assign(first_planes_.size(), {-1, -1, -1});
+  // By vertex the planes of faces, by number, and those of edges, by far ends.
+  struct Named {
+    std::int32_t vertex, far_end, number, plane;
+    auto operator<=>(const Named&) const = default;
+  };
+  std::vector<Named> named;
+  for (const Face& face : made_.faces) {
+    const std::int32_t plane = planes_[static_cast<std::size_t>(face.plane)];
+    for (const SolidEdge& edge : edges_of(face)) {
+      for (const auto& [near, far] :
+           {std::pair(edge.from, edge.to), std::pair(edge.to, edge.from)}) {
+        const auto rank = static_cast<std::size_t>(near);
+        if (is_on_grid(near) || first_planes_[rank][0] >= 0) continue;
+        named.push_back({near, -1, face.plane, plane});
+        if (needs_other(edge, face.plane))
+          named.push_back({near, far, face.plane, edge.other});
+      }
+    }
+  }
+  std::sort(named.begin(), named.end());
+  named.erase(std::unique(named.begin(), named.end()), named.end());
+  for (auto first = named.begin(); first != named.end();) {
+    const auto last = std::find_if(first, named.end(), [&](const Named& other) {
+      return other.vertex != first->vertex;
+    });
+    auto& name = other_names_[static_cast<std::size_t>(first->vertex)];
+    for (auto i = first; i != last && name[0] < 0; ++i) {
+      for (auto j = i + 1; j < last && name[0] < 0; ++j) {
+        for (auto k = j + 1; k < last && name[0] < 0; ++k) {
+          if (meet_in_point({i->plane, j->plane, k->plane}))
+            name = {i->plane, j->plane, k->plane};
+        }
+      }
+    }
+    first = last;
+  }
+}
+
 /// Finds the planes of no face that name vertices and edges.
 void FileCanonizer::find_other_planes() {
   other_planes_.clear();
+  for (const Face& face : made_.faces) {
+    const std::int32_t plane = planes_[static_cast<std::size_t>(face.plane)];
+    for (SolidEdge& edge : edges_of(face)) {
+      if (!needs_other(edge, face.plane)) continue;
+      HALFSPACE_ASSERT(edge.other >= 0);
+      if (line_plane(edge.other) == nullptr)
+        edge.other = plane_on_line(plane, edge.other);
+      other_planes_.push_back(edge.other);
+    }
+  }
+  name_by_lines();
   for (std::size_t rank = 0; rank < first_planes_.size(); ++rank) {
     if (on_grid_[rank] != 0 || first_planes_[rank][0] >= 0) continue;
-    const auto& planes = from_.table->vertex(vertices_[rank]).planes;
+    const auto& planes = other_names_[rank][0] >= 0
+                             ? other_names_[rank]
+                             : from_.table->vertex(vertices_[rank]).planes;
     other_planes_.insert(other_planes_.end(), planes.begin(), planes.end());
-  }
-  for (const Face& face : made_.faces) {
-    for (const SolidEdge& edge : edges_of(face)) {
-      if (needs_other(edge, face.plane)) other_planes_.push_back(edge.other);
-    }
   }
   std::sort(other_planes_.begin(), other_planes_.end());
   other_planes_.erase(std::unique(other_planes_.begin(), other_planes_.end()),
                       other_planes_.end());
-  HALFSPACE_ASSERT(other_planes_.empty() || other_planes_.front() >= 0);
 }
 
 /// Finds the points that name planes: of a face's plane the first vertex on the
 /// grid; of others the point nearest to the origin. Returns false where the
-/// grid has none for one of them.
+/// grid has none for one of them; planes on lines for which it has none give
+/// way to those of the table.
 bool FileCanonizer::name_planes() {
   const GeometryTable& table = *from_.table;
   const auto nearest = [&](std::int32_t plane) -> std::optional<GridPoint> {
+    if (const LinePlane* line = line_plane(plane)) {
+      const auto offset = (*ratio_)(line->offset, line->below);
+      return offset ? lattice_point(line->normal, *offset) : std::nullopt;
+    }
     const auto offset = (*ratio_)(offset_of(table, plane));
     const auto point = offset
                            ? lattice_point(table.reduced_normal(plane), *offset)
@@ -217,12 +302,29 @@ bool FileCanonizer::name_planes() {
     plane_points_.push_back(*point);
   }
   other_points_.clear();
+  std::set<std::int32_t> without;
   for (const std::int32_t plane : other_planes_) {
     const auto point = nearest(plane);
-    if (!point) return false;
-    other_points_.push_back(*point);
+    if (!point && line_plane(plane) == nullptr) return false;
+    if (!point) without.insert(plane);
+    other_points_.push_back(point.value_or(GridPoint{}));
   }
-  return true;
+  if (without.empty()) return true;
+  give_up(without);
+  return name_planes();
+}
+
+/// Lets the table's planes name edges again.
+void FileCanonizer::give_up(const std::set<std::int32_t>& lines) {
+  for (const Face& face : made_.faces) {
+    for (SolidEdge& edge : edges_of(face)) {
+      if (lines.count(edge.other) == 0) continue;
+      const LinePlane& line = *line_plane(edge.other);
+      on_lines_[{line.face, line.instead}] = line.instead;
+      edge.other = line.instead;
+    }
+  }
+  find_other_planes();
 }
 
 }  // namespace halfspace::fast

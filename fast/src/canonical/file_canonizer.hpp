@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 
 #include "canonical/canonizer.hpp"
 
@@ -33,12 +36,19 @@ class FileCanonizer : public Canonizer {
   void choose_unit();
   void go_to(const Unit& unit);
   bool reaches(const Unit& unit) const;
+  std::optional<Fineness> fineness_of_line(const LinePlane& line) const;
   Fineness fineness_of_plane(std::int32_t plane) const;
   void find_first_planes();
   bool meet_in_point(const std::array<std::int32_t, 3>& planes) const;
+  std::int32_t plane_on_line(std::int32_t face, std::int32_t other);
+  void name_by_lines();
   void add_unnamed_vertices(Fineness& need);
   void find_other_planes();
   bool name_planes();
+  void give_up(const std::set<std::int32_t>& lines);
+
+  // Which plane stands for another at edges in the plane of a face.
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> on_lines_;
 };
 
 }  // namespace halfspace::fast

@@ -1,20 +1,15 @@
 #include "canonical/lattice_point.hpp"
 
-#include <array>
 #include <cstddef>
 #include <utility>
 
-#include "halfspace/big_integer.hpp"
+#include "canonical/big_vector.hpp"
 
 namespace halfspace::fast {
 namespace {
 
 using Big = BigInteger;
-using Vector = std::array<Big, 3>;
-
-Big dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using Vector = BigVector;
 
 void add(Vector& to, const Big& times, const Vector& vector) {
   for (std::size_t k = 0; k < 3; ++k) to[k] += times * vector[k];
@@ -128,8 +123,7 @@ class PlaneLattice {
 
 std::optional<GridPoint> lattice_point(const Vector3<Int128>& normal,
                                        const BigInteger& offset) {
-  const Vector n = {to_big<Big>(normal.x), to_big<Big>(normal.y),
-                    to_big<Big>(normal.z)};
+  const Vector n = to_big_vector(normal);
   Vector at;
   if (offset != 0) {
     const int zeros = int{n[0] == 0} + int{n[1] == 0} + int{n[2] == 0};

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "halfspace/big_integer.hpp"
+#include "canonical/big_vector.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -25,13 +25,6 @@ int take_out(BigInteger& number, int prime) {
 
 BigInteger power(int base, int exponent) {
   return pow(BigInteger(base), static_cast<unsigned>(exponent));
-}
-
-std::array<BigInteger, 3> normal_of(const GeometryTable& table,
-                                    std::int32_t plane) {
-  const Vector3<Int128> n = table.reduced_normal(plane);
-  return {to_big<BigInteger>(n.x), to_big<BigInteger>(n.y),
-          to_big<BigInteger>(n.z)};
 }
 
 }  // namespace
@@ -71,10 +64,12 @@ StepRatio::StepRatio(const Unit& from, const Unit& to) {
   value_ = std::ldexp(std::pow(5.0, five_exponent), two_exponent);
 }
 
-std::optional<BigInteger> StepRatio::operator()(const BigInteger& steps) const {
+std::optional<BigInteger> StepRatio::operator()(const BigInteger& steps,
+                                                const BigInteger& below) const {
   const BigInteger product = steps * times_;
-  BigInteger quotient = product / by_;
-  if (quotient * by_ != product) return std::nullopt;
+  const BigInteger divisor = by_ * below;
+  BigInteger quotient = product / divisor;
+  if (quotient * divisor != product) return std::nullopt;
   return quotient;
 }
 
@@ -99,9 +94,8 @@ std::optional<GridPoint> StepRatio::operator()(
 }
 
 BigInteger offset_of(const GeometryTable& table, std::int32_t plane) {
-  const std::array<BigInteger, 3> n = normal_of(table, plane);
   const GridPoint& at = table.plane(plane).origin;
-  return n[0] * at.x + n[1] * at.y + n[2] * at.z;
+  return dot(to_big_vector(table.reduced_normal(plane)), {at.x, at.y, at.z});
 }
 
 std::array<BigInteger, 4> exact_vertex(const GeometryTable& table,
@@ -112,19 +106,15 @@ std::array<BigInteger, 4> exact_vertex(const GeometryTable& table,
     return {at.x, at.y, at.z, 1};
   }
   // Cramer's rule: the offsets weigh the cross products of the other two.
-  std::array<std::array<BigInteger, 3>, 3> n;
-  for (std::size_t i = 0; i < 3; ++i) n[i] = normal_of(table, v.planes[i]);
+  std::array<BigVector, 3> n;
+  for (std::size_t i = 0; i < 3; ++i)
+    n[i] = to_big_vector(table.reduced_normal(v.planes[i]));
   std::array<BigInteger, 4> exact;
   for (std::size_t i = 0; i < 3; ++i) {
     const BigInteger offset = offset_of(table, v.planes[i]);
-    const auto& q = n[(i + 1) % 3];
-    const auto& r = n[(i + 2) % 3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t s = (k + 1) % 3, t = (k + 2) % 3;
-      const BigInteger product = q[s] * r[t] - q[t] * r[s];
-      exact[k] += offset * product;
-      if (i == 0) exact[3] += n[0][k] * product;
-    }
+    const BigVector product = cross(n[(i + 1) % 3], n[(i + 2) % 3]);
+    for (std::size_t k = 0; k < 3; ++k) exact[k] += offset * product[k];
+    if (i == 0) exact[3] = dot(n[0], product);
   }
   if (exact[3] < 0) {
     for (BigInteger& value : exact) value = -value;

@@ -36,8 +36,9 @@ class StepRatio {
   /// Whether a step of the second is a whole number of the first's.
   bool is_whole() const { return times_ == 1; }
   double value() const { return value_; }
-  /// Nothing where they are no integer.
-  std::optional<BigInteger> operator()(const BigInteger& steps) const;
+  /// So many steps, divided by `below`; nothing where they are no integer.
+  std::optional<BigInteger> operator()(const BigInteger& steps,
+                                       const BigInteger& below = 1) const;
   /// Nothing where it is on no grid of 54 bits.
   std::optional<GridPoint> operator()(const GridPoint& point) const;
   std::optional<GridPoint> operator()(
