@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,6 +18,16 @@
 namespace halfspace::fast {
 namespace {
 
+/// Of a scene's own points: on a fine grid it may be small.
+Extent extent_of(const Scene& scene) {
+  Extent extent = extent_of_grid(scene.grid_bits());
+  std::int64_t most = 0;
+  for (const GridPoint& p : scene.data().vertices)
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  extent.most = static_cast<double>(most);
+  return extent;
+}
+
 /// A fragment that is not listed yet.
 struct Unlisted {
   FragmentRef fragment;
@@ -24,7 +37,7 @@ struct Unlisted {
 class DepthSorter {
  public:
   DepthSorter(const Scene& scene, const Camera& camera)
-      : view_(make_view(camera, scene.grid_bits())),
+      : view_(make_view(camera, extent_of(scene))),
         splitter_(scene, result_.list, result_.decisions),
         reader_(scene, result_.list) {
     const EyeClassifier side_of_eye(reader_, view_, camera.data(),
@@ -80,8 +93,17 @@ class DepthSorter {
   int eye_side(const FragmentRef& f) const {
     return eye_sides_[static_cast<std::size_t>(f.source)];
   }
+  /// Of a fragment to the plane of another. While some are marked, the same
+  /// pairs are asked for again and again, and kept.
   Relation relation(const FragmentRef& f, const FragmentRef& to) {
-    return splitter_.relation(f, to.source, filter_plane(plane(to)));
+    const auto found = [&] {
+      return splitter_.relation(f, to.source, filter_plane(plane(to)));
+    };
+    if (marked_.empty()) return found();
+    const auto [known, is_new] =
+        relations_.try_emplace({f.first, to.source}, Relation::kSpanning);
+    if (is_new) known->second = found();
+    return known->second;
   }
 
   Unlisted unlisted_of(const FragmentRef& fragment) const {
@@ -311,6 +333,8 @@ class DepthSorter {
   bool marked_are_passed_ = false;   ///< the last one is behind all marked ones
   std::vector<FragmentRef> listed_;  ///< back to front
   std::array<ImageOutline, 2> outlines_;
+  /// By a fragment's first corner and a polygon.
+  std::map<std::pair<std::uint32_t, PolygonId>, Relation> relations_;
 };
 
 }  // namespace
