@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <utility>
 #include <vector>
@@ -14,6 +15,17 @@
 namespace halfspace::fast {
 namespace {
 
+/// How far the vertices are from the origin at most, along an axis, in steps.
+double reach_of(const Solid& solid, std::span<const std::int32_t> vertices,
+                const Unit& unit) {
+  double most = 0;
+  for (const std::int32_t id : vertices) {
+    const Vertex& at = solid.table->vertex(id).approximate;
+    most = std::max({most, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+  }
+  return most * StepRatio(solid.unit, unit).value();
+}
+
 struct PlaneAtVertex {
   std::int32_t vertex = 0;
   std::int32_t plane = 0;
@@ -24,12 +36,7 @@ struct PlaneAtVertex {
 
 bool grid_reaches(const Solid& solid, std::span<const std::int32_t> vertices,
                   const Unit& unit) {
-  double most = 0;
-  for (const std::int32_t id : vertices) {
-    const Vertex& at = solid.table->vertex(id).approximate;
-    most = std::max({most, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
-  }
-  return most * StepRatio(solid.unit, unit).value() < 0x1p53 * (1 - 0x1p-40);
+  return reach_of(solid, vertices, unit) < 0x1p53 * (1 - 0x1p-40);
 }
 
 std::optional<Fineness> fineness_of_vertex(const Solid& solid,
@@ -59,17 +66,7 @@ bool FileCanonizer::reaches(const Unit& unit) const {
   return grid_reaches(from_, vertices_, unit);
 }
 
-/// Nothing where no grid of the units that there may be has a point of it.
-std::optional<Fineness> FileCanonizer::fineness_of_line(
-    const LinePlane& line) const {
-  if (from_.unit.exponent <= 0)
-    return fineness_of(line.offset, line.below, from_.unit);
-  return line.below == 1 ? std::optional(Fineness{}) : std::nullopt;
-}
-
 Fineness FileCanonizer::fineness_of_plane(std::int32_t plane) const {
-  if (const LinePlane* line = line_plane(plane))
-    return *fineness_of_line(*line);
   // One of this grid's points is on it.
   return *fineness_of(offset_of(*from_.table, plane), 1, from_.unit);
 }
@@ -92,8 +89,9 @@ void FileCanonizer::choose_unit() {
     find_first_planes();
     add_unnamed_vertices(need);
     find_other_planes();
-    for (const std::int32_t plane : other_planes_)
-      need.add(fineness_of_plane(plane));
+    for (const std::int32_t plane : other_planes_) {
+      if (line_plane(plane) == nullptr) need.add(fineness_of_plane(plane));
+    }
     go_to(unit_of(need));
   }
   while (!name_planes()) go_to({unit_.base, unit_.exponent - 1});
@@ -193,13 +191,13 @@ void FileCanonizer::add_unnamed_vertices(Fineness& need) {
 }
 
 /// What names an edge in the plane of a face where the table's plane `other`
-/// did: the plane along an axis, or `other` where no grid has a point of that.
+/// did: the plane along an axis, or `other` if that is given up.
 std::int32_t FileCanonizer::plane_on_line(std::int32_t face,
                                           std::int32_t other) {
   const auto [known, is_new] = on_lines_.try_emplace({face, other}, other);
   if (!is_new) return known->second;
   std::optional<LinePlane> line = line_plane_of(*from_.table, face, other);
-  if (line && fineness_of_line(*line)) {
+  if (line) {
     known->second = static_cast<std::int32_t>(from_.table->plane_count() +
                                               line_planes_.size());
     line_planes_.push_back(*std::move(line));
@@ -277,14 +275,23 @@ void FileCanonizer::find_other_planes() {
 
 /// Finds the points that name planes: of a face's plane the first vertex on the
 /// grid; of others the point nearest to the origin. Returns false where the
-/// grid has none for one of them; planes on lines for which it has none give
-/// way to those of the table.
+/// grid has none for one of them; planes on lines for which it has none near
+/// the solid give way to those of the table.
 bool FileCanonizer::name_planes() {
   const GeometryTable& table = *from_.table;
+  // A point beyond the solid would take a grid of more bits.
+  const double reach = 4 * reach_of(from_, vertices_, unit_);
+  const auto is_near = [&](const GridPoint& p) {
+    const std::int64_t most =
+        std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return static_cast<double>(most) <= reach;
+  };
   const auto nearest = [&](std::int32_t plane) -> std::optional<GridPoint> {
     if (const LinePlane* line = line_plane(plane)) {
       const auto offset = (*ratio_)(line->offset, line->below);
-      return offset ? lattice_point(line->normal, *offset) : std::nullopt;
+      const auto point =
+          offset ? lattice_point(line->normal, *offset) : std::nullopt;
+      return point && is_near(*point) ? point : std::nullopt;
     }
     const auto offset = (*ratio_)(offset_of(table, plane));
     const auto point = offset

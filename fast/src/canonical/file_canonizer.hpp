@@ -36,7 +36,6 @@ class FileCanonizer : public Canonizer {
   void choose_unit();
   void go_to(const Unit& unit);
   bool reaches(const Unit& unit) const;
-  std::optional<Fineness> fineness_of_line(const LinePlane& line) const;
   Fineness fineness_of_plane(std::int32_t plane) const;
   void find_first_planes();
   bool meet_in_point(const std::array<std::int32_t, 3>& planes) const;
