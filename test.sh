@@ -66,6 +66,7 @@ trap 'kill $proofs 2>/dev/null || true' EXIT
 # third of the time.
 step "unit tests and fuzz corpus, with sanitizers" \
   env ASAN_OPTIONS="malloc_context_size=2:${ASAN_OPTIONS:-}" \
+  LSAN_OPTIONS="suppressions=$PWD/cmake/leak_sanitizer.supp:print_suppressions=0" \
   ctest --preset asan --no-tests=error -L 'unit|fuzz'
 proofs_checked() {
   local status=0
