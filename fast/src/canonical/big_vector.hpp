@@ -6,7 +6,6 @@
 #include "exact/exact_plane.hpp"
 #include "halfspace/big_integer.hpp"
 #include "halfspace/int128.hpp"
-#include "table/geometry_table.hpp"
 
 namespace halfspace::fast {
 
