@@ -310,7 +310,7 @@ FileSolid file_solid(const fast::Solid& solid, const OriginParts& parts) {
 
 FileSolid for_file(fast::Solid solid, std::span<const OperandPart> operands) {
   const OriginParts parts(operands);
-  return file_solid(named_for_file(std::move(solid), parts, MergeRule::kNone),
+  return file_solid(named_for_file(std::move(solid), parts, MergeRule::kOrigin),
                     parts);
 }
 

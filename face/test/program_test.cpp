@@ -65,7 +65,6 @@ std::string program_solid(const std::string& text, const std::string& a,
   if (!operands) return {};
   csg::EvaluateOptions options;
   options.exact_data = true;
-  options.merge = csg::MergeRule::kNone;
   const auto result = csg::evaluate_fast(*plan, *operands, options);
   if (!result) return {};
   return write_solid(*(*result)->data, SolidForm::kBinary);

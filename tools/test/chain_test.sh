@@ -72,6 +72,25 @@ expect 0 closed csg "$both" -o both.hsolid
 expect 0 closed csg "matrix(A & $hull, $turn)" A=both.hsolid -o two.hsolid
 same one.hsolid two.hsolid
 
+# In one script `A - (B - A)` is one minuend less all others, so a face of A has
+# parts that come from two operands; in the file they are one.
+a='(hull(0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4) - half(1, 0, 0, 1, 1, 0, 2, 0, 1))'
+b='hull(-1, 1, -1, 5, 1, -1, -1, 5, -1, 1, 1, 5, -1, -1, 2)'
+expect 0 closed csg "$a - ($b - $a)" -o one.hsolid
+expect 0 closed csg "$a" -o a.hsolid
+expect 0 closed csg "A - ($b - A)" A=a.hsolid -o two.hsolid
+same one.hsolid two.hsolid
+
+# A turn about the axis leaves the plane along it what it was: it names the edge
+# in one way only where it is near, however it came.
+hull='hull(-4, -4, 3.125, 3.63, 3, 1, -4, -0.5, -0.625, -2.625, -1, 4)'
+both="(matrix(box(3, 1.76, 3.06), $turn) & $hull) | matrix(box(3.25, 2, 2), $turn)"
+sheared='1, 2, 0, -0.54, 0, 1, 0, -0.4, 0, 0, 1, 1'
+expect 0 closed csg "matrix(matrix($both, $sheared), $turn)" -o one.hsolid
+expect 0 closed csg "matrix($both, $sheared)" -o both.hsolid
+expect 0 closed csg "matrix(A, $turn)" A=both.hsolid -o two.hsolid
+same one.hsolid two.hsolid
+
 # Exact files that say that they were checked are not checked again, where their
 # checksum agrees: this one crosses itself, and no one looks.
 "$program" csg 'A | translate(A, 7, 1, 1)' A=a.off -o - \

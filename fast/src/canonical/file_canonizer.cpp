@@ -190,19 +190,47 @@ void FileCanonizer::add_unnamed_vertices(Fineness& need) {
   if (unit_of(need) != unit_) set_unit(unit_of(need));
 }
 
-/// What names an edge in the plane of a face where the table's plane `other`
-/// did: the plane along an axis, or `other` if that is given up.
-std::int32_t FileCanonizer::plane_on_line(std::int32_t face,
+/// The first plane of a face, other than that with the number `own`, that an
+/// edge is in; else the one that is given. All are the table's.
+std::int32_t FileCanonizer::face_plane_on(const SolidEdge& edge,
+                                          std::int32_t own,
                                           std::int32_t other) {
-  const auto [known, is_new] = on_lines_.try_emplace({face, other}, other);
-  if (!is_new) return known->second;
-  std::optional<LinePlane> line = line_plane_of(*from_.table, face, other);
+  // What is not found in some seconds is not looked for.
+  constexpr std::size_t kMostAsked = std::size_t{1} << 28;
+  asked_ += planes_.size();
+  if (asked_ > kMostAsked) return other;
+  const auto is_on = [&](std::int32_t plane, std::int32_t rank) {
+    return from_.table->side(plane,
+                             vertices_[static_cast<std::size_t>(rank)]) == 0;
+  };
+  const std::int32_t own_plane = planes_[static_cast<std::size_t>(own)];
+  const auto found =
+      std::find_if(planes_.begin(), planes_.end(), [&](std::int32_t plane) {
+        return plane != own_plane && is_on(plane, edge.from) &&
+               is_on(plane, edge.to);
+      });
+  return found == planes_.end() ? other : *found;
+}
+
+/// What names an edge in the plane of a face where the table's plane `other`
+/// did: the plane along an axis, or what takes its place if that is given up.
+std::int32_t FileCanonizer::plane_on_line(const SolidEdge& edge,
+                                          std::int32_t own) {
+  const std::int32_t face = planes_[static_cast<std::size_t>(own)];
+  const auto known = on_lines_.find({face, edge.other});
+  if (known != on_lines_.end()) return known->second;
+  std::optional<LinePlane> line = line_plane_of(*from_.table, face, edge.other);
+  std::int32_t name = 0;
   if (line) {
-    known->second = static_cast<std::int32_t>(from_.table->plane_count() +
-                                              line_planes_.size());
+    name = static_cast<std::int32_t>(from_.table->plane_count() +
+                                     line_planes_.size());
     line_planes_.push_back(*std::move(line));
+  } else {
+    name = face_plane_on(edge, own, edge.other);
+    on_lines_[{face, name}] = name;
   }
-  return known->second;
+  on_lines_[{face, edge.other}] = name;
+  return name;
 }
 
 /// Names vertices that planes of faces do not by those and by the planes that
@@ -251,12 +279,11 @@ void FileCanonizer::name_by_lines() {
 void FileCanonizer::find_other_planes() {
   other_planes_.clear();
   for (const Face& face : made_.faces) {
-    const std::int32_t plane = planes_[static_cast<std::size_t>(face.plane)];
     for (SolidEdge& edge : edges_of(face)) {
       if (!needs_other(edge, face.plane)) continue;
       HALFSPACE_ASSERT(edge.other >= 0);
       if (line_plane(edge.other) == nullptr)
-        edge.other = plane_on_line(plane, edge.other);
+        edge.other = plane_on_line(edge, face.plane);
       other_planes_.push_back(edge.other);
     }
   }
@@ -323,12 +350,17 @@ bool FileCanonizer::name_planes() {
 
 /// Lets the table's planes name edges again.
 void FileCanonizer::give_up(const std::set<std::int32_t>& lines) {
+  std::set<std::int32_t> replaced;
   for (const Face& face : made_.faces) {
     for (SolidEdge& edge : edges_of(face)) {
       if (lines.count(edge.other) == 0) continue;
       const LinePlane& line = *line_plane(edge.other);
-      on_lines_[{line.face, line.instead}] = line.instead;
-      edge.other = line.instead;
+      if (replaced.insert(edge.other).second) {
+        const std::int32_t name = face_plane_on(edge, face.plane, line.instead);
+        on_lines_[{line.face, name}] = name;
+        on_lines_[{line.face, line.instead}] = name;
+      }
+      edge.other = on_lines_.at({line.face, line.instead});
     }
   }
   find_other_planes();

@@ -39,7 +39,9 @@ class FileCanonizer : public Canonizer {
   Fineness fineness_of_plane(std::int32_t plane) const;
   void find_first_planes();
   bool meet_in_point(const std::array<std::int32_t, 3>& planes) const;
-  std::int32_t plane_on_line(std::int32_t face, std::int32_t other);
+  std::int32_t face_plane_on(const SolidEdge& edge, std::int32_t own,
+                             std::int32_t other);
+  std::int32_t plane_on_line(const SolidEdge& edge, std::int32_t own);
   void name_by_lines();
   void add_unnamed_vertices(Fineness& need);
   void find_other_planes();
@@ -48,6 +50,7 @@ class FileCanonizer : public Canonizer {
 
   // Which plane stands for another at edges in the plane of a face.
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> on_lines_;
+  std::size_t asked_ = 0;  // planes, for such edges
 };
 
 }  // namespace halfspace::fast

@@ -33,7 +33,6 @@ std::optional<LinePlane> line_plane_of(const GeometryTable& table,
   const BigVector n = to_big_vector(table.reduced_normal(face));
   const BigVector m = to_big_vector(table.reduced_normal(other));
   const std::size_t axis = farthest_axis(n);
-  if (m[axis] == 0) return std::nullopt;
   const BigVector along = cross(n, m);
   BigVector e;
   e[axis] = 1;

@@ -21,8 +21,7 @@ struct LinePlane {
 
 /// The plane through the line in which two planes meet, along the axis that is
 /// the farthest from the first (F7): which it is depends on the line and the
-/// first plane alone. Nothing where that is the second one, or where its normal
-/// has a component of 2^53 or more.
+/// first plane alone. Nothing where its normal has a component of 2^53 or more.
 ///
 /// Requires: the planes meet in a line. Exact: yes.
 std::optional<LinePlane> line_plane_of(const GeometryTable& table,

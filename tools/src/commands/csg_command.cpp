@@ -261,9 +261,7 @@ Result<std::optional<csg::Outcome>> Job::evaluate(const csg::Plan& plan,
   LongWork work(std::to_string(plan.booleans) + " booleans");
   csg::EvaluateOptions options;
   options.exact_data = is_exact(arguments_) || is_step(arguments_);
-  // What is to be gone on with stays as it is, as it would in one script.
-  options.merge = arguments_.merge.value_or(
-      is_exact(arguments_) ? csg::MergeRule::kNone : csg::MergeRule::kOrigin);
+  options.merge = arguments_.merge.value_or(csg::MergeRule::kOrigin);
   const auto format = io::format_of(output_name(arguments_));
   // Files of triangles would have others than their origins tell of.
   options.triangles = format && io::has_floats(*format);
@@ -517,8 +515,7 @@ void add_csg(CLI::App& program, Status& status) {
                 "Note that in the result, too: in PLY, 3MF and GLB");
   add_choice(*app, "--merge", kMergeWords, arguments->merge,
              "Which faces in one plane become one: parts of one polygon "
-             "(without this option; in a .hsolid: none), those of one colour, "
-             "all, or none");
+             "(without this option), those of one colour, all, or none");
   app->add_flag("--strict", arguments->strict,
                 "Do not write a result of which rounding lost a face or a part "
                 "of the surface");
