@@ -67,14 +67,6 @@ class ProgressReporter {
   bool stopped_ = false;
 };
 
-/// Bounds the sizes of the vertices' coordinates.
-inline double largest_coordinate(const Scene& scene) {
-  std::int64_t most = 0;
-  for (const GridPoint& p : scene.data().vertices)
-    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return static_cast<double>(most);
-}
-
 /// The planes of all polygons, worked out once: which are one, too.
 class ScenePlaneTable {
  public:

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "exact/exact_plane.hpp"
@@ -38,6 +40,14 @@ Plane rounded(const ExactPlane<kBits>& plane) {
   const auto offset = value_at(plane, GridPoint{});
   return {to_double(Int128{plane.normal.x}), to_double(Int128{plane.normal.y}),
           to_double(Int128{plane.normal.z}), to_double(offset)};
+}
+
+/// Bounds the sizes of the vertices' coordinates.
+inline double largest_coordinate(const Scene& scene) {
+  std::int64_t most = 0;
+  for (const GridPoint& p : scene.data().vertices)
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return static_cast<double>(most);
 }
 
 /// A scene and the free planes of its tree: what signs are decided from.

@@ -6,9 +6,11 @@
 
 #include "cases.hpp"
 #include "halfspace/fast/build.hpp"
+#include "halfspace/fast/image/depth_sort.hpp"
 #include "halfspace/fast/render.hpp"
 #include "scenes.hpp"
 #include "tree/node_boxes.hpp"
+#include "tree/triangles.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -101,6 +103,21 @@ TEST(Deep, AChainIsBuiltWithLittleStack) {
     for (PolygonId p = 0; p < kCount; ++p) insert(grown, scene, p);
     EXPECT_EQ(name_of(grown), name_of(built));
   });
+}
+
+/// What arises by cutting is known by how large the scene is, not the grid.
+TEST(DepthSorts, CutAsLittleOnAFineGrid) {
+  const Scene scene = crossing_triangles(20);
+  SceneData data = scene.data();
+  data.grid_bits = 54;
+  const Scene fine = made(std::move(data));
+  const Camera camera = camera_along(300, 200);
+  const DepthSort coarse_sort = depth_sort(scene, camera);
+  const DepthSort fine_sort = depth_sort(fine, *make_camera(camera.data(), 54));
+  EXPECT_GT(coarse_sort.cuts, 10u);
+  EXPECT_EQ(fine_sort.cuts, coarse_sort.cuts);
+  EXPECT_EQ(fine_sort.pairs, coarse_sort.pairs);
+  EXPECT_EQ(fine_sort.moves, coarse_sort.moves);
 }
 
 }  // namespace

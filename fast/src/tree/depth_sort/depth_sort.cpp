@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "tree/depth_sort/image_extent.hpp"
 #include "tree/eye_classifier.hpp"
 #include "tree/fragment_splitter.hpp"
+#include "tree/scene_planes.hpp"
 
 namespace halfspace::fast {
 namespace {
@@ -21,10 +21,7 @@ namespace {
 /// Of a scene's own points: on a fine grid it may be small.
 Extent extent_of(const Scene& scene) {
   Extent extent = extent_of_grid(scene.grid_bits());
-  std::int64_t most = 0;
-  for (const GridPoint& p : scene.data().vertices)
-    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  extent.most = static_cast<double>(most);
+  extent.most = largest_coordinate(scene);
   return extent;
 }
 
@@ -38,7 +35,8 @@ class DepthSorter {
  public:
   DepthSorter(const Scene& scene, const Camera& camera)
       : view_(make_view(camera, extent_of(scene))),
-        splitter_(scene, result_.list, result_.decisions),
+        splitter_(scene, result_.list, result_.decisions,
+                  largest_coordinate(scene)),
         reader_(scene, result_.list) {
     const EyeClassifier side_of_eye(reader_, view_, camera.data(),
                                     result_.decisions);
