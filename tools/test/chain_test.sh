@@ -91,6 +91,17 @@ expect 0 closed csg "matrix($both, $sheared)" -o both.hsolid
 expect 0 closed csg "matrix(A, $turn)" A=both.hsolid -o two.hsolid
 same one.hsolid two.hsolid
 
+# The unit is that of the planes that name edges, not that of operands, of which
+# one is empty here and on a finer grid.
+empty='hull(-3, 3, -0.25, -3.5, 3, -3, -3, 4, -4, -3, -3, 1.125) &
+  hull(1, -3, 1, 0.25, 2, 1.875, 3, -0.92, -0.08, 0, 2.1, -2.1, 0, 3, 1.95)'
+both='(hull(2.4, 1.8, -1.625, -4, 3.1, -1.8, -2.5, -2, -3.5, 3.25, -1.93, 3) |
+  box(4.125, 1, 1.35)) & box(4, 4.625, 1.25)'
+expect 0 closed csg "scale($empty, 1.5) ^ $both" -o one.hsolid
+expect 0 closed csg "$empty" -o empty.hsolid
+expect 0 closed csg "scale(A, 1.5) ^ $both" A=empty.hsolid -o two.hsolid
+same one.hsolid two.hsolid
+
 # Exact files that say that they were checked are not checked again, where their
 # checksum agrees: this one crosses itself, and no one looks.
 "$program" csg 'A | translate(A, 7, 1, 1)' A=a.off -o - \

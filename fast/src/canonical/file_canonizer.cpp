@@ -89,12 +89,21 @@ void FileCanonizer::choose_unit() {
     find_first_planes();
     add_unnamed_vertices(need);
     find_other_planes();
-    for (const std::int32_t plane : other_planes_) {
-      if (line_plane(plane) == nullptr) need.add(fineness_of_plane(plane));
-    }
+    add_other_planes(need);
+    go_to(unit_of(need));
+    if (name_planes()) return;
+    // Others have taken the place of planes on lines.
+    add_other_planes(need);
     go_to(unit_of(need));
   }
   while (!name_planes()) go_to({unit_.base, unit_.exponent - 1});
+}
+
+/// Adds what it takes for the table's planes at edges to have points.
+void FileCanonizer::add_other_planes(Fineness& need) const {
+  for (const std::int32_t plane : other_planes_) {
+    if (line_plane(plane) == nullptr) need.add(fineness_of_plane(plane));
+  }
 }
 
 /// Takes a finer unit, or the one before where that does not reach.

@@ -44,6 +44,7 @@ class FileCanonizer : public Canonizer {
   std::int32_t plane_on_line(const SolidEdge& edge, std::int32_t own);
   void name_by_lines();
   void add_unnamed_vertices(Fineness& need);
+  void add_other_planes(Fineness& need) const;
   void find_other_planes();
   bool name_planes();
   void give_up(const std::set<std::int32_t>& lines);
