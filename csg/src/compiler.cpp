@@ -1,6 +1,7 @@
 #include "compiler.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace halfspace::csg {
@@ -319,7 +320,24 @@ bool Compiler::operation(bool& complete, bool& done) {
     return fail(pending_.back().place, ErrorCode::kSyntax,
                 "this bracket is never closed");
   }
-  return unexpected("an operator");
+  return unexpected("an operator", meant_after_operand());
+}
+
+/// What is said to who writes here what other languages have after an operand.
+std::string Compiler::meant_after_operand() const {
+  if (token_.is('=') && is_open())
+    return "; arguments have an order, and no names";
+  if (token_.kind != TokenKind::kName) return {};
+  constexpr std::string_view kWords[] = {
+      "and",     "or",       "xor",          "plus",
+      "minus",   "union",    "difference",   "unite",
+      "without", "subtract", "intersection", "intersect"};
+  if (std::count(std::begin(kWords), std::end(kWords), token_.text) > 0)
+    return "; the operators on solids are | & - ^";
+  if (!code_.empty() && code_.back().op == Op::kCall &&
+      code_.back().function <= Function::kMirror)
+    return "; the solid is the first argument, as in translate(S, 1, 2, 3)";
+  return {};
 }
 
 /// An expression, whose value its code leaves.

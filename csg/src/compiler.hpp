@@ -54,9 +54,9 @@ class Compiler {
     error_ = error_at(place, code, sentence);
     return false;
   }
-  bool unexpected(const std::string& wanted) {
+  bool unexpected(const std::string& wanted, const std::string& hint = {}) {
     return fail(token_.place, ErrorCode::kSyntax,
-                "expected " + wanted + ", not " + described(token_));
+                "expected " + wanted + ", not " + described(token_) + hint);
   }
   bool advance();
   bool pass_over_lines();
@@ -69,6 +69,7 @@ class Compiler {
   bool open_call(const Token& name, bool& complete);
   bool open_list();
   bool operation(bool& complete, bool& done);
+  std::string meant_after_operand() const;
   bool separate(bool& complete);
   bool begin_body(bool& complete);
   void emit_closed(Pending& top, std::uint32_t count);

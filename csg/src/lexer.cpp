@@ -132,10 +132,12 @@ Result<Token> Lexer::next() {
     return taken(TokenKind::kSymbol, 1);
   const auto byte = static_cast<unsigned char>(c);
   if (byte > 0x20 && byte < 0x7f) {
-    const bool is_of_path = c == '.' || c == '\\';
-    return error_at(place_, ErrorCode::kSyntax,
-                    "nothing begins with " + in_quotes(rest_.substr(0, 1)) +
-                        (is_of_path ? "; names of files stand in quotes" : ""));
+    const char* hint = "";
+    if (c == '.' || c == '\\') hint = "; names of files stand in quotes";
+    if (c == '{') hint = "; solids stand in round brackets, as in union(A, B)";
+    return error_at(
+        place_, ErrorCode::kSyntax,
+        "nothing begins with " + in_quotes(rest_.substr(0, 1)) + hint);
   }
   char text[40];
   std::snprintf(text, sizeof text, "nothing begins with the byte 0x%02x",

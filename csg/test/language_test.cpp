@@ -146,6 +146,20 @@ TEST(CsgLanguage, NamesTroubleWithItsPlace) {
   EXPECT_EQ(volume_of("union(for i in range(3): box(i))"),
             "line 1, column 7: for stands in square brackets: [for i in "
             "range(3): ...]");
+  EXPECT_EQ(volume_of("translate([1, 2, 3]) box(1)"),
+            "line 1, column 22: expected an operator, not 'box'; the solid is "
+            "the first argument, as in translate(S, 1, 2, 3)");
+  EXPECT_EQ(volume_of("box(1) sphere(2)"),
+            "line 1, column 8: expected an operator, not 'sphere'");
+  EXPECT_EQ(volume_of("box(1) union sphere(2)"),
+            "line 1, column 8: expected an operator, not 'union'; the "
+            "operators on solids are | & - ^");
+  EXPECT_EQ(volume_of("cylinder(h = 3, r = 1)"),
+            "line 1, column 12: expected an operator, not '='; arguments have "
+            "an order, and no names");
+  EXPECT_EQ(volume_of("difference() { box(1); }"),
+            "line 1, column 14: nothing begins with '{'; solids stand in round "
+            "brackets, as in union(A, B)");
   EXPECT_EQ(volume_of("def f(a) = f(a)\nf(1)"),
             "line 1, column 12: there is no function 'f'");
   EXPECT_EQ(volume_of("def f(a) = box(a)\nf(1, 2)"),
