@@ -330,34 +330,44 @@ Result<io::Imported> rounded(const SolidData& data,
 
 namespace {
 
-Result<io::LoadedScene> rounded_scene(const std::string& name,
-                                      std::string_view bytes,
+Result<io::LoadedScene> rounded_scene(const SolidData& data,
                                       const io::ImportOptions& options) {
-  const Result<SolidData> data = read_solid(bytes);
-  if (!data) return io::error_about(name, data.error());
-  Result<io::Imported> imported = rounded(*data, options);
-  if (!imported) return io::error_about(name, imported.error());
+  Result<io::Imported> imported = rounded(data, options);
+  if (!imported) return imported.error();
   return io::LoadedScene{{std::move(imported->scene), std::nullopt, {}},
                          std::move(imported->faces),
                          imported->report,
                          false};
 }
 
+Result<io::LoadedScene> rounded_scene(const std::string& name,
+                                      std::string_view bytes,
+                                      const io::ImportOptions& options,
+                                      std::optional<SolidData>* exact) {
+  Result<SolidData> data = read_solid(bytes);
+  if (!data) return io::error_about(name, data.error());
+  Result<io::LoadedScene> loaded = rounded_scene(*data, options);
+  if (!loaded) return io::error_about(name, loaded.error());
+  if (exact != nullptr) *exact = *std::move(data);
+  return loaded;
+}
+
 }  // namespace
 
 Result<io::LoadedScene> load_scene(const std::string& path,
-                                   const io::ImportOptions& options) {
+                                   const io::ImportOptions& options,
+                                   std::optional<SolidData>* exact) {
   if (path == "-") {
     const Result<std::string> bytes = io::read_input();
     if (!bytes) return bytes.error();
     return is_solid_file(*bytes)
-               ? rounded_scene(io::kInputName, *bytes, options)
+               ? rounded_scene(io::kInputName, *bytes, options, exact)
                : io::scene_of_input(*bytes, options);
   }
   if (!io::is_solid_name(path)) return io::load_scene(path, options);
   const Result<std::string> bytes = io::read_file(path);
   if (!bytes) return io::error_about(path, bytes.error());
-  return rounded_scene(path, *bytes, options);
+  return rounded_scene(path, *bytes, options, exact);
 }
 
 }  // namespace halfspace::csg

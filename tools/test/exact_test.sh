@@ -58,6 +58,19 @@ for form in hsolid hsolid-text; do
 done
 # On standard input, for the commands that want polygons, and for info.
 expect 0 'volume     19' info ab.hsolid
+# The solid's own volume, box and faces, not those of its surface in doubles.
+expect 0 closed csg 'hull(0, 0, 0, 3, 0, 0, 0, 3, 0, 0, 0, 3) &
+  half(0, 0, 1, 1, 0, 0, 0, 1, 0) & half(x < 0.7)' -o corner.hsolid
+expect 0 '^volume     973/6000$' info corner.hsolid --exact
+expect 0 '^volume     0.162166666667$' info corner.hsolid
+expect 0 '^to         0.7, 1, 1$' info corner.hsolid --exact
+expect 0 '"exact_volume": "973/6000"' info corner.hsolid --json
+expect 0 closed csg 'hull(0, 0, 0, 3, 0, 0, 0, 7, 0, 0, 0, 1) & half(x < 1) &
+  half(y < 3)' -o thirds.hsolid
+expect 0 '^vertices   8, 3 of them where three planes meet$' info thirds.hsolid
+expect 0 '^volume     13/7$' info thirds.hsolid --exact
+expect 0 '^to         1, 3, 1$' info thirds.hsolid --exact
+expect 0 '^solid      yes' info thirds.hsolid --check
 "$program" info - <form.hsolid | grep >/dev/null 'volume     19' || wrong 'info -'
 cat form.hsolid | "$program" csg 'X - translate(Y, 1, 0, 0)' X=- Y=- -o x.off -q ||
   wrong 'csg - twice'

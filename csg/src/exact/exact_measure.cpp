@@ -328,9 +328,16 @@ Moments moments_of(const fast::Solid& solid) {
   return moments_with(2048, surface, true).value_or(Moments{});
 }
 
-std::array<std::array<double, 3>, 2> bounds_of(const fast::Solid& solid) {
-  ExactSurface surface(solid);
+namespace {
+
+/// By axis a vertex where the coordinate is the least, and the greatest.
+struct Extremes {
   std::array<ExactPoint, 3> low, high;
+};
+
+Extremes extremes_of(const fast::Solid& solid) {
+  ExactSurface surface(solid);
+  Extremes found;
   bool any = false;
   const auto less = [](const ExactPoint& a, const ExactPoint& b,
                        std::size_t i) {
@@ -339,18 +346,41 @@ std::array<std::array<double, 3>, 2> bounds_of(const fast::Solid& solid) {
   for (const fast::SolidEdge& edge : solid.edges) {
     const ExactPoint& p = surface.point(edge.from);
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!any || less(p, low[i], i)) low[i] = p;
-      if (!any || less(high[i], p, i)) high[i] = p;
+      if (!any || less(p, found.low[i], i)) found.low[i] = p;
+      if (!any || less(found.high[i], p, i)) found.high[i] = p;
     }
     any = true;
   }
+  return found;
+}
+
+/// What `told` makes of each bound, a quotient.
+template <class Told>
+auto told_bounds(const fast::Solid& solid, const Told& told) {
+  const Extremes found = extremes_of(solid);
   const Scale scale = scale_of(solid.unit, 1);
-  const auto value = [&](const std::array<ExactPoint, 3>& at, std::size_t i) {
-    return nearest_double(at[i].at[i] * scale.numerator,
-                          at[i].below * scale.denominator);
+  const auto all = [&](const std::array<ExactPoint, 3>& at) {
+    const auto one = [&](std::size_t i) {
+      return told(at[i].at[i] * scale.numerator,
+                  at[i].below * scale.denominator);
+    };
+    return std::array{one(0), one(1), one(2)};
   };
-  return {{{value(low, 0), value(low, 1), value(low, 2)},
-           {value(high, 0), value(high, 1), value(high, 2)}}};
+  return std::array{all(found.low), all(found.high)};
+}
+
+}  // namespace
+
+std::array<std::array<double, 3>, 2> bounds_of(const fast::Solid& solid) {
+  return told_bounds(solid, [](const Integer& n, const Integer& d) {
+    return nearest_double(n, d);
+  });
+}
+
+std::array<std::array<std::string, 3>, 2> exact_bounds_of(
+    const fast::Solid& solid) {
+  return told_bounds(
+      solid, [](const Integer& n, const Integer& d) { return text_of(n, d); });
 }
 
 }  // namespace halfspace::csg

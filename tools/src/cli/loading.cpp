@@ -15,11 +15,12 @@
 namespace halfspace::tools {
 
 Result<io::LoadedScene> load(const std::string& path,
-                             const io::ImportOptions& options) {
+                             const io::ImportOptions& options,
+                             std::optional<SolidData>* exact) {
   try {
     if (viewer::is_view_name(path))
       return viewer::load_view(path, viewer::Sections::kOfSolids);
-    return csg::load_scene(path, options);
+    return csg::load_scene(path, options, exact);
   } catch (const std::bad_alloc&) {
     return no_room_for({path});
   }

@@ -6,6 +6,7 @@
 
 #include "halfspace/io/load_scene.hpp"
 #include "halfspace/io/mesh.hpp"
+#include "halfspace/solid_file.hpp"
 
 namespace CLI {
 class App;
@@ -17,7 +18,8 @@ namespace halfspace::tools {
 /// lack of memory is an error, too.
 /// Errors: kOutOfRange (not enough memory), and those of load_scene().
 Result<io::LoadedScene> load(const std::string& path,
-                             const io::ImportOptions& options);
+                             const io::ImportOptions& options,
+                             std::optional<SolidData>* exact = nullptr);
 
 /// io::read_mesh(), for `-` of standard input, of which a lack of memory is an
 /// error, too.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,14 @@
 #include "cli/loading.hpp"
 #include "halfspace/boolean.hpp"
 #include "halfspace/csg/closing.hpp"
+#include "halfspace/csg/exact.hpp"
+#include "halfspace/csg/exact_measure.hpp"
 #include "halfspace/csg/fault.hpp"
 #include "halfspace/csg/measure.hpp"
 #include "halfspace/csg/operands.hpp"
 #include "halfspace/csg/volume.hpp"
 #include "halfspace/fast/check_operand.hpp"
+#include "halfspace/fast/solid_data.hpp"
 
 namespace halfspace::tools {
 namespace {
@@ -27,14 +31,21 @@ struct InfoArguments {
   bool json = false;
 };
 
+/// The solid of an exact file, of which the scene is the rounded surface.
+struct ExactFile {
+  SolidData data;
+  fast::Solid solid;
+};
+
 /// All that is known of one file.
 struct Facts {
   const std::string& path;
   const io::LoadedScene& loaded;
+  const std::optional<ExactFile>& exact;
   csg::Measures measures;
   std::size_t bad_edges = 0;
   std::size_t corners_added = 0;  ///< with which it is closed
-  std::string exact_volume;       ///< of a closed surface
+  std::string exact_volume;       ///< of a closed surface, where asked for
   bool is_checked = false;        ///< by --check
   std::optional<Error> fault;  ///< found by it: why the surface is no solid's
 
@@ -42,9 +53,35 @@ struct Facts {
   bool is_closed() const { return bad_edges == 0 || corners_added != 0; }
 };
 
+/// Of data that have become a surface already.
+Result<std::optional<ExactFile>> exact_file(std::optional<SolidData> data) {
+  if (!data) return std::optional<ExactFile>();
+  Result<fast::Solid> solid = fast::to_solid(*data);
+  if (!solid) return solid.error();
+  return std::optional(ExactFile{*std::move(data), *std::move(solid)});
+}
+
+/// Why the surface of the file is no solid's, if it is none's.
+std::optional<Error> fault_of(const Facts& facts, Scene scene) {
+  if (facts.exact) {
+    SolidData unchecked = facts.exact->data;
+    unchecked.is_checked = false;
+    const Result<fast::Solid> checked = csg::checked_solid(unchecked);
+    if (!checked) return checked.error();
+    return std::nullopt;
+  }
+  const Result<GridSolid> solid = make_solid(std::move(scene));
+  if (!solid) return csg::open_error(facts.scene(), facts.loaded.polygons);
+  const Result<Done> fine = fast::check_operand(
+      csg::numbered(fast::to_solid(*solid), facts.loaded.polygons));
+  if (!fine) return fine.error();
+  return std::nullopt;
+}
+
 Facts facts_of(const std::string& path, const io::LoadedScene& loaded,
+               const std::optional<ExactFile>& exact,
                const InfoArguments& arguments) {
-  Facts facts{path, loaded, {}, 0, 0, {}, false, {}};
+  Facts facts{path, loaded, exact, {}, 0, 0, {}, false, {}};
   Scene scene = loaded.file.scene;
   facts.bad_edges = bad_edges(scene).size();
   if (facts.bad_edges != 0) {
@@ -53,17 +90,15 @@ Facts facts_of(const std::string& path, const io::LoadedScene& loaded,
     scene = std::move(closed.scene);
   }
   facts.measures = csg::measures_of(scene);
-  if (facts.is_closed()) facts.exact_volume = csg::exact_volume(scene);
-  facts.is_checked = arguments.check;
-  if (!arguments.check) return facts;
-  const Result<GridSolid> solid = make_solid(std::move(scene));
-  if (!solid) {
-    facts.fault = csg::open_error(loaded.file.scene, loaded.polygons);
-    return facts;
+  if (exact) {
+    // A sum over many meets has as many digits as all of them have.
+    if (arguments.exact || exact->data.meets.empty())
+      facts.exact_volume = csg::exact_volume_of(exact->solid);
+  } else if (facts.is_closed()) {
+    facts.exact_volume = csg::exact_volume(scene);
   }
-  const Result<Done> fine = fast::check_operand(
-      csg::numbered(fast::to_solid(*solid), loaded.polygons));
-  if (!fine) facts.fault = fine.error();
+  facts.is_checked = arguments.check;
+  if (arguments.check) facts.fault = fault_of(facts, std::move(scene));
   return facts;
 }
 
@@ -76,6 +111,15 @@ std::pair<std::size_t, std::size_t> corner_range(const Scene& scene) {
     most = std::max(most, scene.corners(p).size());
   }
   return {least, most};
+}
+
+void print_faces(const SolidData& data) {
+  say("faces      {}\n", data.faces.size());
+  say("vertices   {}", data.points.size() + data.meets.size());
+  if (!data.meets.empty())
+    say(", {} of them where three planes meet", data.meets.size());
+  say("\nplanes     {}\n", data.planes.size());
+  say("grid       {} bits of {}\n", data.grid_bits, io::to_string(data.unit));
 }
 
 void print_polygons(const Scene& scene) {
@@ -128,10 +172,18 @@ void print_exact_box(const Scene& scene) {
   say("to         {}, {}, {} times {}\n", high.x, high.y, high.z, unit);
 }
 
+void print_bounds(const fast::Solid& solid) {
+  const auto [low, high] = csg::exact_bounds_of(solid);
+  say("from       {}, {}, {}\n", low[0], low[1], low[2]);
+  say("to         {}, {}, {}\n", high[0], high[1], high[2]);
+}
+
 void print_box(const Facts& facts, bool exact) {
   if (facts.scene().polygon_count() == 0) return;
   const csg::Measures& m = facts.measures;
-  if (exact) {
+  if (exact && facts.exact) {
+    print_bounds(facts.exact->solid);
+  } else if (exact) {
     print_exact_box(facts.scene());
   } else {
     say("from       {}\n", triple_text(m, m.least, ", "));
@@ -146,8 +198,8 @@ void print_box(const Facts& facts, bool exact) {
 std::string volume_text(const Facts& facts, bool exact) {
   constexpr std::size_t kShort = 20;
   const std::string& volume = facts.exact_volume;
-  const bool is_short =
-      volume.size() <= kShort && volume.find('/') == std::string::npos;
+  const bool is_short = !volume.empty() && volume.size() <= kShort &&
+                        volume.find('/') == std::string::npos;
   const csg::Measures& m = facts.measures;
   return exact || is_short ? volume
                            : csg::to_string(m.in_units(m.volume, 3), 12);
@@ -197,9 +249,13 @@ void print_camera(const SceneFile& file) {
 
 void print_facts(const Facts& facts, const InfoArguments& arguments) {
   say("file       {}\n", one_line(facts.path));
-  print_polygons(facts.scene());
+  if (facts.exact) {
+    print_faces(facts.exact->data);
+  } else {
+    print_polygons(facts.scene());
+  }
   print_box(facts, arguments.exact);
-  if (!facts.loaded.is_scene_file) {
+  if (!facts.loaded.is_scene_file && !facts.exact) {
     say("mesh       {} polygons, {} vertices\n", facts.loaded.report.polygons,
         facts.loaded.report.vertices);
     say("import     {}\n", to_string(facts.loaded.report));
@@ -221,6 +277,19 @@ std::string code_name(ErrorCode code) {
 nlohmann::json triple_json(const csg::Measures& m, const Triple& v) {
   return {json_of(m.in_units(v[0])), json_of(m.in_units(v[1])),
           json_of(m.in_units(v[2]))};
+}
+
+/// The measures of the solid itself, not of its rounded surface.
+void add_measures(const fast::Solid& solid, nlohmann::ordered_json& json) {
+  json["area"] = csg::area_of(solid);
+  json["volume"] = csg::volume_of(solid);
+  if (solid.faces.empty()) return;
+  const auto [low, high] = csg::bounds_of(solid);
+  for (std::size_t i = 0; i < 3; ++i) {
+    json["from"][i] = low[i];
+    json["to"][i] = high[i];
+    json["size"][i] = high[i] - low[i];
+  }
 }
 
 nlohmann::ordered_json facts_json(const Facts& facts) {
@@ -249,10 +318,21 @@ nlohmann::ordered_json facts_json(const Facts& facts) {
       {"closed", facts.is_closed()},
       {"bad_edges", facts.bad_edges},
       {"corners_added", facts.corners_added}};
-  if (facts.is_closed()) {
-    json["volume"] = json_of(m.in_units(m.volume, 3));
-    json["exact_volume"] = facts.exact_volume;
+  if (facts.exact) {
+    const SolidData& data = facts.exact->data;
+    json["polygons"] = data.faces.size();
+    json["vertices"] = data.points.size() + data.meets.size();
+    json["planes"] = data.planes.size();
+    json["points"] = data.points.size();
+    json["meets"] = data.meets.size();
+    json["grid_bits"] = data.grid_bits;
+    json["unit"] = io::to_string(data.unit);
+    json.erase("import");
   }
+  if (facts.is_closed()) json["volume"] = json_of(m.in_units(m.volume, 3));
+  if (facts.exact && !facts.exact_volume.empty())
+    add_measures(facts.exact->solid, json);
+  if (!facts.exact_volume.empty()) json["exact_volume"] = facts.exact_volume;
   json["components"] = nlohmann::ordered_json::array();
   for (const csg::Component& part : m.components) {
     nlohmann::ordered_json component = {{"polygons", part.polygons}};
@@ -274,10 +354,13 @@ nlohmann::ordered_json facts_json(const Facts& facts) {
 Status run_info(const InfoArguments& arguments) {
   auto all = nlohmann::ordered_json::array();
   for (const std::string& path : arguments.paths) {
+    std::optional<SolidData> data;
     const Result<io::LoadedScene> loaded =
-        load(path, {.grid_bits = arguments.grid_bits});
+        load(path, {.grid_bits = arguments.grid_bits}, &data);
     if (!loaded) return fail(path, loaded.error());
-    const Facts facts = facts_of(path, *loaded, arguments);
+    const Result<std::optional<ExactFile>> exact = exact_file(std::move(data));
+    if (!exact) return fail(path, exact.error());
+    const Facts facts = facts_of(path, *loaded, *exact, arguments);
     if (arguments.json) {
       all.push_back(facts_json(facts));
       continue;
@@ -308,7 +391,8 @@ void add_info(CLI::App& program, Status& status) {
                 "Look whether the surface crosses itself or faces inwards, "
                 "which takes a search");
   app->add_flag("--exact", arguments->exact,
-                "Show the volume and the box as exact numbers");
+                "Show the volume and the box as exact numbers; those of a "
+                ".hsolid are the solid's own");
   app->add_flag("--json", arguments->json, "Show all as a JSON array");
   add_grid_option(*app, arguments->grid_bits);
   app->footer(

@@ -51,9 +51,11 @@ Result<fast::Solid> checked_solid(const SolidData& data,
 Result<io::Imported> rounded(const SolidData& data,
                              const io::ImportOptions& options);
 
-/// io::load_scene(), of exact solids, too: those as their surface in doubles.
+/// io::load_scene(), of exact solids, too: those as their surface in doubles;
+/// `exact`, if not null, gets the solid itself.
 /// Errors: those of read_solid(), rounded() and io::load_scene().
 Result<io::LoadedScene> load_scene(const std::string& path,
-                                   const io::ImportOptions& options);
+                                   const io::ImportOptions& options,
+                                   std::optional<SolidData>* exact = nullptr);
 
 }  // namespace halfspace::csg

@@ -30,6 +30,10 @@ Moments moments_of(const fast::Solid& solid);
 /// doubles. Requires: not empty.
 std::array<std::array<double, 3>, 2> bounds_of(const fast::Solid& solid);
 
+/// The same in full: decimals or fractions.
+std::array<std::array<std::string, 3>, 2> exact_bounds_of(
+    const fast::Solid& solid);
+
 /// -1, 0, 1: whether the volume of one is less than that of the other, as their
 /// surfaces go round it: below 0 of a surface that faces inwards. Exact.
 /// Requires: they are in one unit.
