@@ -15,12 +15,18 @@
 namespace halfspace::tools {
 
 Result<io::LoadedScene> load(const std::string& path,
-                             const io::ImportOptions& options,
-                             std::optional<SolidData>* exact) {
+                             const io::ImportOptions& options) {
+  std::optional<SolidData> exact;
+  return load_with_solid(path, options, exact);
+}
+
+Result<io::LoadedScene> load_with_solid(const std::string& path,
+                                        const io::ImportOptions& options,
+                                        std::optional<SolidData>& exact) {
   try {
     if (viewer::is_view_name(path))
       return viewer::load_view(path, viewer::Sections::kOfSolids);
-    return csg::load_scene(path, options, exact);
+    return csg::load_scene(path, options, &exact);
   } catch (const std::bad_alloc&) {
     return no_room_for({path});
   }

@@ -18,8 +18,12 @@ namespace halfspace::tools {
 /// lack of memory is an error, too.
 /// Errors: kOutOfRange (not enough memory), and those of load_scene().
 Result<io::LoadedScene> load(const std::string& path,
-                             const io::ImportOptions& options,
-                             std::optional<SolidData>* exact = nullptr);
+                             const io::ImportOptions& options);
+
+/// The same; `exact` gets the solid of an exact file.
+Result<io::LoadedScene> load_with_solid(const std::string& path,
+                                        const io::ImportOptions& options,
+                                        std::optional<SolidData>& exact);
 
 /// io::read_mesh(), for `-` of standard input, of which a lack of memory is an
 /// error, too.

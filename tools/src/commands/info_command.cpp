@@ -356,7 +356,7 @@ Status run_info(const InfoArguments& arguments) {
   for (const std::string& path : arguments.paths) {
     std::optional<SolidData> data;
     const Result<io::LoadedScene> loaded =
-        load(path, {.grid_bits = arguments.grid_bits}, &data);
+        load_with_solid(path, {.grid_bits = arguments.grid_bits}, data);
     if (!loaded) return fail(path, loaded.error());
     const Result<std::optional<ExactFile>> exact = exact_file(std::move(data));
     if (!exact) return fail(path, exact.error());
