@@ -237,7 +237,34 @@ std::string text_of(const Integer& numerator, const Integer& denominator) {
   return text_of(Fraction{numerator, denominator});
 }
 
+namespace {
+
+/// The volume times 6, in cubic steps.
+Interval volume6_within(const IntervalArithmetic& a, const fast::Solid& solid,
+                        ExactSurface& surface) {
+  Interval sum;
+  for (const fast::Face& face : solid.faces) {
+    const Integers3 origin = surface.origin(face);
+    for_edges(solid, face, [&](const fast::SolidEdge& edge) {
+      const ExactPoint from = surface.point(edge.from);
+      const Fraction term = volume6_of(origin, from, surface.point(edge.to));
+      sum = sum + a.quotient(term.numerator, term.denominator);
+    });
+  }
+  return sum;
+}
+
+}  // namespace
+
 int compare_volumes(const fast::Solid& a, const fast::Solid& b) {
+  ExactSurface of_a(a), of_b(b);
+  // A sum of fractions has as many digits as all of them.
+  for (unsigned bits = 192; bits <= 1536; bits *= 2) {
+    const IntervalArithmetic within(bits);
+    const Interval more =
+        volume6_within(within, a, of_a) - volume6_within(within, b, of_b);
+    if (!within.holds_zero(more)) return more.middle.sign();
+  }
   const Fraction u = exact_volume6(a), v = exact_volume6(b);
   return Integer(u.numerator * v.denominator - v.numerator * u.denominator)
       .sign();
@@ -249,17 +276,7 @@ double volume_of(const fast::Solid& solid) {
   return nearest_of(
       scale, 6,
       [&](const IntervalArithmetic& a) {
-        Interval sum;
-        for (const fast::Face& face : solid.faces) {
-          const Integers3 origin = surface.origin(face);
-          for_edges(solid, face, [&](const fast::SolidEdge& edge) {
-            const ExactPoint from = surface.point(edge.from);
-            const Fraction term =
-                volume6_of(origin, from, surface.point(edge.to));
-            sum = sum + a.quotient(term.numerator, term.denominator);
-          });
-        }
-        return sum;
+        return volume6_within(a, solid, surface);
       },
       [&] {
         const Fraction exact = exact_volume6(solid);
