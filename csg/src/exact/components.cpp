@@ -1,7 +1,7 @@
 #include "halfspace/csg/components.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -134,6 +134,41 @@ std::vector<fast::Solid> parted(const fast::Solid& solid,
   return parts;
 }
 
+using Box = std::array<std::array<double, 3>, 2>;
+
+/// Whether the inner box may be within the outer one, whose corners are to the
+/// nearest doubles, too: rounding keeps their order.
+bool may_hold(const Box& outer, const Box& inner) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (outer[0][i] > inner[0][i] || outer[1][i] < inner[1][i]) return false;
+  }
+  return true;
+}
+
+/// The least of the shells `outer` that `hole`, which faces inwards, is within.
+/// Requires: it is within one of them.
+std::size_t shell_around(const fast::Solid& hole,
+                         const std::vector<std::size_t>& outer,
+                         const std::vector<fast::Solid>& shells) {
+  if (outer.size() == 1) return outer.front();
+  fast::Solid around = hole;
+  around.unbounded = true;
+  const fast::Solid cavity = fast::complement(std::move(around));
+  std::size_t least = kNone;
+  // Shells do not cross: of those that are larger, the ones that have a part of
+  // the cavity have all of it, and the least of them is next to it.
+  for (const std::size_t o : outer) {
+    if (compare_volumes(shells[o], cavity) <= 0) continue;
+    if (least != kNone && compare_volumes(shells[o], shells[least]) >= 0)
+      continue;
+    const bool has_it =
+        !fast::boolean(BooleanOp::kIntersection, shells[o], cavity)
+             .faces.empty();
+    if (has_it) least = o;
+  }
+  return least;
+}
+
 /// By shell, the one on the outside of the part that it bounds.
 std::vector<std::size_t> outsides_of(const std::vector<fast::Solid>& shells) {
   std::vector<std::size_t> outsides(shells.size(), kNone), outer;
@@ -143,27 +178,16 @@ std::vector<std::size_t> outsides_of(const std::vector<fast::Solid>& shells) {
     outsides[s] = s;
     outer.push_back(s);
   }
+  if (outer.size() == shells.size()) return outsides;
+  std::vector<Box> boxes;
+  for (const fast::Solid& shell : shells) boxes.push_back(bounds_of(shell));
   for (std::size_t s = 0; s < shells.size(); ++s) {
     if (outsides[s] != kNone) continue;
-    if (outer.size() == 1) {
-      outsides[s] = outer.front();
-      continue;
-    }
-    fast::Solid around = shells[s];
-    around.unbounded = true;
-    const fast::Solid cavity = fast::complement(std::move(around));
-    // Shells do not cross: of those that are larger, the ones that have a part
-    // of the cavity have all of it, and the least of them is next to it.
+    std::vector<std::size_t> around;
     for (const std::size_t o : outer) {
-      if (compare_volumes(shells[o], cavity) <= 0) continue;
-      if (outsides[s] != kNone &&
-          compare_volumes(shells[o], shells[outsides[s]]) >= 0)
-        continue;
-      const bool has_it =
-          !fast::boolean(BooleanOp::kIntersection, shells[o], cavity)
-               .faces.empty();
-      if (has_it) outsides[s] = o;
+      if (may_hold(boxes[o], boxes[s])) around.push_back(o);
     }
+    outsides[s] = shell_around(shells[s], around, shells);
   }
   return outsides;
 }

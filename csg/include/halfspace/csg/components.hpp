@@ -13,8 +13,8 @@ namespace halfspace::csg {
 /// Keeps: table, planes and points; faces, but that those in several parts are
 ///        divided, in their order, with where they came from.
 /// Exact: yes.
-/// Cost:  n log n; a boolean for each cavity and part around it, if there are
-///        several parts.
+/// Cost:  n log n; a boolean for each cavity and part whose box is around its
+///        own, if there are several such parts.
 std::vector<fast::Solid> components_of(const fast::Solid& solid);
 
 /// A point of its interior. Units: model units.
