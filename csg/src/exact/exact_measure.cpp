@@ -64,25 +64,21 @@ Fraction exact_volume6(const fast::Solid& solid) {
   return sum_of(std::move(terms));
 }
 
-/// A face's area is |normal| times this over 2.
-Fraction area_factor(ExactSurface& surface, const fast::Face& face) {
+/// Calls `use` with fractions: a face's area is |normal| / 2 times their sum
+/// over the returned coordinate of its normal.
+template <class Use>
+Integer for_area_terms(ExactSurface& surface, const fast::Face& face,
+                       const Use& use) {
   const Integers3 normal = surface.normal(face);
   std::size_t axis = 0;
   while (normal[axis] == 0) ++axis;
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  std::vector<Fraction> terms;
   for_edges(surface.solid(), face, [&](const fast::SolidEdge& edge) {
     const ExactPoint a = surface.point(edge.from);
     const ExactPoint& b = surface.point(edge.to);
-    terms.push_back({a.at[u] * b.at[v] - a.at[v] * b.at[u], a.below * b.below});
+    use({a.at[u] * b.at[v] - a.at[v] * b.at[u], a.below * b.below});
   });
-  Fraction factor = sum_of(std::move(terms));
-  factor.denominator *= normal[axis];
-  if (factor.denominator < 0) {
-    factor.numerator = -factor.numerator;
-    factor.denominator = -factor.denominator;
-  }
-  return factor;
+  return normal[axis];
 }
 
 std::string decimal_of(const Integer& digits, std::size_t places) {
@@ -295,17 +291,17 @@ std::string exact_volume_of(const fast::Solid& solid) {
 double area_of(const fast::Solid& solid) {
   const Scale scale = scale_of(solid.unit, 2);
   ExactSurface surface(solid);
-  std::vector<std::pair<Fraction, Integer>> terms;
-  for (const fast::Face& face : solid.faces) {
-    const Integers3 normal = surface.normal(face);
-    terms.emplace_back(area_factor(surface, face), dot(normal, normal));
-  }
   const auto area = [&](const IntervalArithmetic& a) {
     Interval sum;
-    for (const auto& [factor, square] : terms) {
-      const Interval length = a.root(square);
-      sum = sum +
-            a.product(a.quotient(factor.numerator, factor.denominator), length);
+    for (const fast::Face& face : solid.faces) {
+      const Integers3 normal = surface.normal(face);
+      Interval of_face;
+      const Integer along =
+          for_area_terms(surface, face, [&](const Fraction& term) {
+            of_face = of_face + a.quotient(term.numerator, term.denominator);
+          });
+      const Interval length = a.root(dot(normal, normal));
+      sum = sum + a.divided(a.product(of_face, length), along);
     }
     return sum;
   };
@@ -328,9 +324,14 @@ std::optional<std::string> exact_area_of(const fast::Solid& solid) {
     // Roots of integers that are no squares are independent over the rationals
     // up to square factors, and areas are above 0: one is enough.
     if (root * root != square) return std::nullopt;
-    Fraction term = area_factor(surface, face);
-    term.numerator *= root;
-    terms.push_back(std::move(term));
+    std::vector<Fraction> of_face;
+    const Integer along = for_area_terms(surface, face, [&](Fraction term) {
+      of_face.push_back(std::move(term));
+    });
+    Fraction area = sum_of(std::move(of_face));
+    area.numerator *= along < 0 ? -root : root;
+    area.denominator *= abs(along);
+    terms.push_back(std::move(area));
   }
   const Fraction exact = sum_of(std::move(terms));
   return text_of({exact.numerator * scale.numerator,
