@@ -26,6 +26,9 @@ class CsgEvaluate : public ::testing::Test {
            "0 0 0\n2 0 0\n0 2 0\n2 2 0\n0 0 2\n2 0 2\n0 2 2\n2 2 2\n"
            "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
   }
+  std::ofstream file(const char* name) const {
+    return std::ofstream(folder_ / name);
+  }
   ~CsgEvaluate() override { std::filesystem::remove_all(folder_); }
 
   using Evaluation = Result<std::optional<Outcome>> (*)(const Plan&, Operands&,
@@ -105,6 +108,47 @@ TEST_F(CsgEvaluate, TheReferenceHasNoHalfSpaces) {
   const auto outcome = evaluated("'cube.off' & half(z < 1)", {}, evaluate_ref);
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().code, ErrorCode::kUnknownFormat);
+}
+
+/// Prints a square plate with 4 `count` corners on its rim.
+void print_plate(std::ostream& out, int count) {
+  const int n = 4 * count;
+  out << "OFF\n" << 2 * n << " " << n + 2 << " 0\n";
+  for (const int z : {0, 5}) {
+    for (int i = 0; i < n; ++i) {
+      const int side = i / count, at = i % count;
+      const int along = side < 2 ? at : count - at;
+      const int end = side == 1 || side == 2 ? count : 0;
+      out << 0.7 * (side % 2 == 0 ? along : end) << " "
+          << 0.7 * (side % 2 == 0 ? end : along) << " " << z << "\n";
+    }
+  }
+  out << n;
+  for (int i = n - 1; i >= 0; --i) out << " " << i;
+  out << "\n" << n;
+  for (int i = n; i < 2 * n; ++i) out << " " << i;
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    out << "\n4 " << i << " " << j << " " << n + j << " " << n + i;
+  }
+}
+
+/// Rounding bends sides of many corners, and the faces of floats do so again.
+TEST_F(CsgEvaluate, PlatesWithManyCornersOnTheirRimsCanBeTurned) {
+  auto file = this->file("plate.off");
+  print_plate(file, 140);
+  file.close();
+  EvaluateOptions options;
+  options.number = fast::FileNumber::kFloat;
+  for (int angle = 10; angle < 90; angle += 10) {
+    const auto outcome = evaluated(
+        "rotate('plate.off', 2, 7, 3, " + std::to_string(angle) + ")", options);
+    ASSERT_TRUE(outcome) << angle << ": " << outcome.error().message;
+    const Outcome& made = **outcome;
+    EXPECT_NEAR(made.volume.value(), 98 * 98 * 5, 0.2);
+    EXPECT_LT(made.max_move, 2e-5);
+    EXPECT_TRUE(!made.rounding || made.rounding->contacts == 0);
+  }
 }
 
 }  // namespace

@@ -41,16 +41,17 @@ class ChainBoxes {
   }
   void remove(std::size_t edge) { put(edge, {}); }
 
-  /// Whether `matches(edge)` for an edge that may have a point in common with a
-  /// triangle that turns left.
+  /// Whether `matches(edge)` for an edge that may have a point within `margin`
+  /// of a triangle that turns left.
   template <class Matches>
-  bool any(const std::array<Flat, 3>& triangle, const Matches& matches) const {
+  bool any(const std::array<Flat, 3>& triangle, std::int64_t margin,
+           const Matches& matches) const {
     std::array<std::size_t, 128> open;  // two for each of up to 64 levels
     std::size_t count = 0;
     open[count++] = 1;
     while (count > 0) {
       const std::size_t at = open[--count];
-      if (is_apart(boxes_[at], triangle)) continue;
+      if (is_apart(boxes_[at], triangle, margin)) continue;
       if (at >= leaves_) {
         if (matches(at - leaves_)) return true;
         continue;
@@ -86,11 +87,16 @@ class ChainBoxes {
     }
   }
 
-  /// Whether the box is beyond the triangle's own box, or beyond one of its
-  /// sides: then so is the corner that is farthest to the left of that.
-  static bool is_apart(const Box& box, const std::array<Flat, 3>& triangle) {
+  /// Whether the box, grown by `margin`, is beyond the triangle's own box, or
+  /// beyond one of its sides: then so is the corner that is farthest to the
+  /// left of that.
+  static bool is_apart(Box box, const std::array<Flat, 3>& triangle,
+                       std::int64_t margin) {
+    if (box.low_u > box.high_u) return true;
+    box = {box.low_u - margin, box.low_v - margin, box.high_u + margin,
+           box.high_v + margin};
     const auto [a, b, c] = triangle;
-    if (box.low_u > box.high_u || box.high_u < std::min({a.u, b.u, c.u}) ||
+    if (box.high_u < std::min({a.u, b.u, c.u}) ||
         box.low_u > std::max({a.u, b.u, c.u}) ||
         box.high_v < std::min({a.v, b.v, c.v}) ||
         box.low_v > std::max({a.v, b.v, c.v}))

@@ -101,6 +101,12 @@ std::vector<Flat> projected(std::span<const GridPoint> corners) {
   return flat;
 }
 
+/// A triangle is thin if its height is less than a share of the polygon's size,
+/// or than some steps. Its corners may have been on one line, before they were
+/// rounded: it need not face where the polygon does.
+constexpr std::array<std::int64_t, 3> kThinShares{1 << 10, 1 << 14, 1 << 18};
+constexpr std::int64_t kThinSteps = 4;
+
 class EarClipper {
  public:
   explicit EarClipper(std::span<const GridPoint> corners)
@@ -111,15 +117,23 @@ class EarClipper {
         is_ear_(corners.size()),
         boxes_(corners.size()),
         left_(corners.size()),
-        // A simple polygon needs two and a half times the square of its
-        // corners: all against all edges, then three each time one is clipped.
-        budget_(4 * corners.size() * corners.size() + 10'000'000) {
+        // A simple polygon needs seven times the square of its corners: all
+        // against all edges for each share, a third of that later on, then
+        // three each time one is clipped.
+        budget_(8 * corners.size() * corners.size() + 10'000'000) {
     std::iota(next_.begin(), next_.end(), std::size_t{1});
     next_.back() = 0;
     std::iota(previous_.begin() + 1, previous_.end(), std::size_t{0});
     previous_.front() = corners.size() - 1;
     for (std::size_t i = 0; i < corners.size(); ++i)
       boxes_.set(i, flat_[i], flat_[next_[i]]);
+    const auto [least_u, most_u] = std::minmax_element(
+        flat_.begin(), flat_.end(),
+        [](const Flat& p, const Flat& q) { return p.u < q.u; });
+    const auto [least_v, most_v] = std::minmax_element(
+        flat_.begin(), flat_.end(),
+        [](const Flat& p, const Flat& q) { return p.v < q.v; });
+    extent_ = std::max(most_u->u - least_u->u, most_v->v - least_v->v);
   }
 
   std::vector<std::array<std::size_t, 3>> clip();
@@ -127,13 +141,17 @@ class EarClipper {
  private:
   /// How much of an ear must hold.
   enum class Demand : std::uint8_t {
+    kFat,     ///< as kEar; the triangle, and what is left beside it, not thin
     kEar,     ///< no edge inside the triangle, no corner on its new edge
     kInside,  ///< no edge inside the triangle
   };
 
   bool enters(std::size_t edge, const std::array<Flat, 3>& triangle) const;
+  bool is_thin(const std::array<Flat, 3>& triangle) const;
+  bool is_beside(const Flat& p, const Flat& from, const Flat& to) const;
   bool is_ear(std::size_t corner, Demand demand);
   bool find_ear();
+  bool find_other_ear();
   bool scan(Demand demand);
   void clip_any();
   void emit(std::size_t corner);
@@ -152,6 +170,11 @@ class EarClipper {
   ChainBoxes boxes_;  ///< of the edges that leave the corners
   std::size_t left_;
   std::size_t budget_;
+  std::int64_t extent_ = 0;
+  Demand demand_ = Demand::kFat;
+  std::size_t level_ = 0;  ///< the next of the shares for kFat
+  std::int64_t thin_ = 0;  ///< for kFat: the height of thin triangles
+  std::size_t left_at_scan_ = SIZE_MAX;  ///< the first one for fat ears
   std::size_t current_ = 0;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };
@@ -179,26 +202,50 @@ bool EarClipper::enters(std::size_t edge,
   return *least < 0 && *most > 0;
 }
 
+std::int64_t length(const Flat& from, const Flat& to) {
+  return std::abs(to.u - from.u) + std::abs(to.v - from.v);
+}
+
+/// Of a triangle that turns left.
+bool EarClipper::is_thin(const std::array<Flat, 3>& triangle) const {
+  const auto [a, b, c] = triangle;
+  return turn(a, b, c) <=
+         Int128{thin_} * std::max({length(a, b), length(b, c), length(c, a)});
+}
+
+/// Whether a point that is at neither end is so near an edge that they make a
+/// thin triangle.
+bool EarClipper::is_beside(const Flat& p, const Flat& from,
+                           const Flat& to) const {
+  return std::min(from.u, to.u) - thin_ <= p.u &&
+         p.u <= std::max(from.u, to.u) + thin_ &&
+         std::min(from.v, to.v) - thin_ <= p.v &&
+         p.v <= std::max(from.v, to.v) + thin_ && p != from && p != to &&
+         size(turn(from, to, p)) <= Int128{thin_} * length(from, to);
+}
+
 /// Whether a corner can be clipped. Without budget, any that turns left can.
 bool EarClipper::is_ear(std::size_t corner, Demand demand) {
   if (turn_at(corner) <= 0) return false;
-  if (budget_ < left_) return true;
-  budget_ -= left_;
   const std::size_t before = previous_[corner];
   const std::size_t after = next_[corner];
   const Flat a = flat_[before];
   const Flat c = flat_[after];
   const std::array<Flat, 3> triangle = {a, flat_[corner], c};
+  if (demand == Demand::kFat && is_thin(triangle)) return false;
+  if (budget_ < left_) return true;
+  budget_ -= left_;
   const auto spoils = [&](std::size_t i) {
     if (i == before || i == corner) return false;
     if (enters(i, triangle)) return true;
-    if (demand != Demand::kEar) return false;
     const Flat& z = flat_[i];
+    if (demand == Demand::kFat) return is_beside(z, a, c);
+    if (demand == Demand::kInside) return false;
     return std::min(a.u, c.u) <= z.u && z.u <= std::max(a.u, c.u) &&
            std::min(a.v, c.v) <= z.v && z.v <= std::max(a.v, c.v) && z != a &&
            z != c && turn(a, c, z) == 0;
   };
-  return !boxes_.any(triangle, spoils);
+  return !boxes_.any(triangle, demand == Demand::kFat ? thin_ : 0, spoils);
 }
 
 void EarClipper::remove(std::size_t corner) {
@@ -247,7 +294,7 @@ void EarClipper::clip_at(std::size_t corner) {
   if (left_ >= 3) remove_spikes(next_[current_]);
   if (left_ < 3) return;
   for (const std::size_t i : {current_, next_[current_], previous_[current_]}) {
-    is_ear_[i] = is_ear(i, Demand::kEar) ? 1 : 0;
+    is_ear_[i] = is_ear(i, demand_) ? 1 : 0;
   }
   // Two on, so that the triangles do not all meet in one corner.
   current_ = next_[next_[current_]];
@@ -271,6 +318,23 @@ bool EarClipper::scan(Demand demand) {
     if (any && demand == Demand::kInside) break;  // one is enough
   }
   return any;
+}
+
+/// Where no ear is known: tells anew which corners are, of those that are less
+/// and less fat. The fattest are looked for again when half of the corners have
+/// gone.
+bool EarClipper::find_other_ear() {
+  if (left_ <= left_at_scan_ / 2) {
+    left_at_scan_ = left_;
+    level_ = 0;
+  }
+  while (level_ < kThinShares.size()) {
+    demand_ = Demand::kFat;
+    thin_ = std::max(kThinSteps, extent_ / kThinShares[level_++]);
+    if (scan(demand_)) return true;
+  }
+  demand_ = Demand::kEar;
+  return scan(demand_);
 }
 
 /// Clips where there is no ear: no weakly simple polygon comes here, but the
@@ -298,7 +362,7 @@ std::vector<std::array<std::size_t, 3>> EarClipper::clip() {
   while (left_ >= 3) {
     if (find_ear()) {
       clip_at(current_);
-    } else if (scan(Demand::kEar)) {
+    } else if (find_other_ear()) {
       continue;
     } else if (scan(Demand::kInside) && find_ear()) {
       clip_at(current_);

@@ -218,6 +218,97 @@ TEST(Triangulate, EndsOnWhateverChainOfPoints) {
   }
 }
 
+/// A polygon of the plane with a corner at each unit of its sides.
+std::vector<std::array<double, 2>> with_corners_on_sides(
+    const std::vector<std::array<double, 2>>& corners) {
+  std::vector<std::array<double, 2>> result;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto& [x, y] = corners[i];
+    const auto& [to_x, to_y] = corners[(i + 1) % corners.size()];
+    const double count = std::max(std::abs(to_x - x), std::abs(to_y - y));
+    for (double k = 0; k < count; ++k) {
+      result.push_back(
+          {x + (to_x - x) * k / count, y + (to_y - y) * k / count});
+    }
+  }
+  return result;
+}
+
+/// In a plane that stands anyhow, rounded to a multiple of `step`.
+Polygon stood_anyhow(const std::vector<std::array<double, 2>>& corners,
+                     double size, double step, std::mt19937& random) {
+  std::array<double, 6> turn;
+  for (double& entry : turn)
+    entry = static_cast<double>(draw(random, 1000)) / 1000;
+  Polygon polygon;
+  for (const auto& [x, y] : corners) {
+    std::array<std::int64_t, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double at = size * (turn[i] * x + turn[i + 3] * y);
+      p[i] = std::llround(at / step) * static_cast<std::int64_t>(step);
+    }
+    polygon.push_back({p[0], p[1], p[2]});
+  }
+  return polygon;
+}
+
+/// How many triangles face another way than the polygon does.
+std::size_t turned_over(const Polygon& polygon) {
+  using Normal = std::array<double, 3>;
+  const auto normal = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const auto difference = [&](std::size_t i, std::size_t j) {
+      const GridPoint &p = polygon[i], &q = polygon[j];
+      return Normal{static_cast<double>(p.x - q.x),
+                    static_cast<double>(p.y - q.y),
+                    static_cast<double>(p.z - q.z)};
+    };
+    const Normal u = difference(b, a), v = difference(c, a);
+    return Normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                  u[0] * v[1] - u[1] * v[0]};
+  };
+  Normal whole{};
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Normal part = normal(0, i, i + 1);
+    for (std::size_t k = 0; k < 3; ++k) whole[k] += part[k];
+  }
+  std::size_t count = 0;
+  for (const auto& [a, b, c] : triangulate(polygon)) {
+    const Normal n = normal(a, b, c);
+    count += n[0] * whole[0] + n[1] * whole[1] + n[2] * whole[2] > 0 ? 0u : 1u;
+  }
+  return count;
+}
+
+TEST(Triangulate, CutsNoThinEarsFromSidesOfManyCorners) {
+  const std::vector<std::vector<std::array<double, 2>>> shapes = {
+      {{0, 0}, {100, 0}, {100, 100}, {0, 100}},
+      {{0, 0}, {100, 0}, {100, 40}, {40, 40}, {40, 100}, {0, 100}},
+      {{0, 0}, {90, 0}, {40, 70}},
+      {{0, 0}, {100, 0}, {100, 2}, {0, 2}},
+      // A hole on a bridge.
+      {{0, 0},
+       {100, 0},
+       {100, 100},
+       {0, 100},
+       {0, 0},
+       {30, 40},
+       {30, 70},
+       {80, 70},
+       {80, 40},
+       {30, 40}}};
+  std::mt19937 random(11);
+  for (const auto& shape : shapes) {
+    const auto corners = with_corners_on_sides(shape);
+    for (int i = 0; i < 20; ++i) {
+      // By a step, and by about as much as decimals of a file do.
+      const Polygon fine = stood_anyhow(corners, 1e4, 1, random);
+      EXPECT_EQ(turned_over(fine), 0u);
+      const Polygon coarse = stood_anyhow(corners, 1e4, 16, random);
+      EXPECT_EQ(turned_over(coarse), 0u);
+    }
+  }
+}
+
 TEST(Triangulate, TilesWhatHasManyCorners) {
   expect_tiles(samples::waves(20000));
 }
