@@ -30,9 +30,10 @@ const packed = execFileSync("xz", ["--format=lzma",
 const module = filled(filled(read("package", "src", "halfspace.js"),
   "@HALFSPACE_SIZE@", String(fs.statSync(wasm).size)),
 '"@HALFSPACE_WASM@"', `"${packed.toString("base64")}"`);
-// Comments that have lines of their own stay in the sources: pages load none.
+// Comments that have lines of their own, and what lines begin with, stay in the
+// sources: pages load none. No string goes on in the next line.
 const bare = (text) => text.replace(/^ *\/\*\*[^]*?\*\/\n/gm, "")
-  .replace(/^ *\/\/.*\n/gm, "");
+  .replace(/^ *\/\/.*\n/gm, "").replace(/^ +/gm, "");
 write(bare(module), "package", "halfspace.js");
 for (const name of ["halfspace.d.ts", "manifold.js", "manifold.d.ts"])
   write(read("package", "src", name), "package", name);

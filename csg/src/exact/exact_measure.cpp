@@ -24,7 +24,8 @@ Fraction operator+(const Fraction& a, const Fraction& b) {
 }
 
 Fraction reduced(Fraction value) {
-  const Integer divisor = gcd(value.numerator, value.denominator);
+  Integer divisor = gcd(value.numerator, value.denominator);
+  if (value.denominator < 0) divisor = -divisor;
   if (divisor != 0) {
     value.numerator /= divisor;
     value.denominator /= divisor;
@@ -64,21 +65,24 @@ Fraction exact_volume6(const fast::Solid& solid) {
   return sum_of(std::move(terms));
 }
 
-/// Calls `use` with fractions: a face's area is |normal| / 2 times their sum
-/// over the returned coordinate of its normal.
-template <class Use>
-Integer for_area_terms(ExactSurface& surface, const fast::Face& face,
-                       const Use& use) {
-  const Integers3 normal = surface.normal(face);
-  std::size_t axis = 0;
-  while (normal[axis] == 0) ++axis;
+/// Fractions: a face's area is |normal| / 2 times their sum over the `axis`th
+/// coordinate of the normal, which is not 0.
+std::vector<Fraction> area_terms(ExactSurface& surface, const fast::Face& face,
+                                 std::size_t axis) {
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  std::vector<Fraction> terms;
   for_edges(surface.solid(), face, [&](const fast::SolidEdge& edge) {
     const ExactPoint a = surface.point(edge.from);
     const ExactPoint& b = surface.point(edge.to);
-    use({a.at[u] * b.at[v] - a.at[v] * b.at[u], a.below * b.below});
+    terms.push_back({a.at[u] * b.at[v] - a.at[v] * b.at[u], a.below * b.below});
   });
-  return normal[axis];
+  return terms;
+}
+
+std::size_t first_axis(const Integers3& normal) {
+  std::size_t axis = 0;
+  while (normal[axis] == 0) ++axis;
+  return axis;
 }
 
 std::string decimal_of(const Integer& digits, std::size_t places) {
@@ -295,13 +299,12 @@ double area_of(const fast::Solid& solid) {
     Interval sum;
     for (const fast::Face& face : solid.faces) {
       const Integers3 normal = surface.normal(face);
+      const std::size_t axis = first_axis(normal);
       Interval of_face;
-      const Integer along =
-          for_area_terms(surface, face, [&](const Fraction& term) {
-            of_face = of_face + a.quotient(term.numerator, term.denominator);
-          });
+      for (const Fraction& term : area_terms(surface, face, axis))
+        of_face = of_face + a.quotient(term.numerator, term.denominator);
       const Interval length = a.root(dot(normal, normal));
-      sum = sum + a.divided(a.product(of_face, length), along);
+      sum = sum + a.divided(a.product(of_face, length), normal[axis]);
     }
     return sum;
   };
@@ -324,13 +327,10 @@ std::optional<std::string> exact_area_of(const fast::Solid& solid) {
     // Roots of integers that are no squares are independent over the rationals
     // up to square factors, and areas are above 0: one is enough.
     if (root * root != square) return std::nullopt;
-    std::vector<Fraction> of_face;
-    const Integer along = for_area_terms(surface, face, [&](Fraction term) {
-      of_face.push_back(std::move(term));
-    });
-    Fraction area = sum_of(std::move(of_face));
-    area.numerator *= along < 0 ? -root : root;
-    area.denominator *= abs(along);
+    const std::size_t axis = first_axis(normal);
+    Fraction area = sum_of(area_terms(surface, face, axis));
+    area.numerator *= root;
+    area.denominator *= normal[axis];
     terms.push_back(std::move(area));
   }
   const Fraction exact = sum_of(std::move(terms));

@@ -127,13 +127,9 @@ class EarClipper {
     previous_.front() = corners.size() - 1;
     for (std::size_t i = 0; i < corners.size(); ++i)
       boxes_.set(i, flat_[i], flat_[next_[i]]);
-    const auto [least_u, most_u] = std::minmax_element(
-        flat_.begin(), flat_.end(),
-        [](const Flat& p, const Flat& q) { return p.u < q.u; });
-    const auto [least_v, most_v] = std::minmax_element(
-        flat_.begin(), flat_.end(),
-        [](const Flat& p, const Flat& q) { return p.v < q.v; });
-    extent_ = std::max(most_u->u - least_u->u, most_v->v - least_v->v);
+    for (const Flat& p : flat_)
+      extent_ = std::max(
+          {extent_, std::abs(p.u - flat_[0].u), std::abs(p.v - flat_[0].v)});
   }
 
   std::vector<std::array<std::size_t, 3>> clip();
@@ -141,7 +137,6 @@ class EarClipper {
  private:
   /// How much of an ear must hold.
   enum class Demand : std::uint8_t {
-    kFat,     ///< as kEar; the triangle, and what is left beside it, not thin
     kEar,     ///< no edge inside the triangle, no corner on its new edge
     kInside,  ///< no edge inside the triangle
   };
@@ -171,9 +166,8 @@ class EarClipper {
   std::size_t left_;
   std::size_t budget_;
   std::int64_t extent_ = 0;
-  Demand demand_ = Demand::kFat;
-  std::size_t level_ = 0;  ///< the next of the shares for kFat
-  std::int64_t thin_ = 0;  ///< for kFat: the height of thin triangles
+  std::size_t level_ = 0;  ///< the next of the shares
+  std::int64_t thin_ = 0;  ///< the height of triangles that are no ears yet
   std::size_t left_at_scan_ = SIZE_MAX;  ///< the first one for fat ears
   std::size_t current_ = 0;
   std::vector<std::array<std::size_t, 3>> triangles_;
@@ -206,15 +200,15 @@ std::int64_t length(const Flat& from, const Flat& to) {
   return std::abs(to.u - from.u) + std::abs(to.v - from.v);
 }
 
-/// Of a triangle that turns left.
+/// Whether a triangle does not turn left, or is thin.
 bool EarClipper::is_thin(const std::array<Flat, 3>& triangle) const {
   const auto [a, b, c] = triangle;
   return turn(a, b, c) <=
          Int128{thin_} * std::max({length(a, b), length(b, c), length(c, a)});
 }
 
-/// Whether a point that is at neither end is so near an edge that they make a
-/// thin triangle.
+/// Whether a point is on an edge, but at neither end, or so near it that they
+/// make a thin triangle.
 bool EarClipper::is_beside(const Flat& p, const Flat& from,
                            const Flat& to) const {
   return std::min(from.u, to.u) - thin_ <= p.u &&
@@ -226,26 +220,20 @@ bool EarClipper::is_beside(const Flat& p, const Flat& from,
 
 /// Whether a corner can be clipped. Without budget, any that turns left can.
 bool EarClipper::is_ear(std::size_t corner, Demand demand) {
-  if (turn_at(corner) <= 0) return false;
   const std::size_t before = previous_[corner];
   const std::size_t after = next_[corner];
   const Flat a = flat_[before];
   const Flat c = flat_[after];
   const std::array<Flat, 3> triangle = {a, flat_[corner], c};
-  if (demand == Demand::kFat && is_thin(triangle)) return false;
+  if (is_thin(triangle)) return false;
   if (budget_ < left_) return true;
   budget_ -= left_;
   const auto spoils = [&](std::size_t i) {
     if (i == before || i == corner) return false;
-    if (enters(i, triangle)) return true;
-    const Flat& z = flat_[i];
-    if (demand == Demand::kFat) return is_beside(z, a, c);
-    if (demand == Demand::kInside) return false;
-    return std::min(a.u, c.u) <= z.u && z.u <= std::max(a.u, c.u) &&
-           std::min(a.v, c.v) <= z.v && z.v <= std::max(a.v, c.v) && z != a &&
-           z != c && turn(a, c, z) == 0;
+    return enters(i, triangle) ||
+           (demand == Demand::kEar && is_beside(flat_[i], a, c));
   };
-  return !boxes_.any(triangle, demand == Demand::kFat ? thin_ : 0, spoils);
+  return !boxes_.any(triangle, thin_, spoils);
 }
 
 void EarClipper::remove(std::size_t corner) {
@@ -294,7 +282,7 @@ void EarClipper::clip_at(std::size_t corner) {
   if (left_ >= 3) remove_spikes(next_[current_]);
   if (left_ < 3) return;
   for (const std::size_t i : {current_, next_[current_], previous_[current_]}) {
-    is_ear_[i] = is_ear(i, demand_) ? 1 : 0;
+    is_ear_[i] = is_ear(i, Demand::kEar) ? 1 : 0;
   }
   // Two on, so that the triangles do not all meet in one corner.
   current_ = next_[next_[current_]];
@@ -329,12 +317,11 @@ bool EarClipper::find_other_ear() {
     level_ = 0;
   }
   while (level_ < kThinShares.size()) {
-    demand_ = Demand::kFat;
     thin_ = std::max(kThinSteps, extent_ / kThinShares[level_++]);
-    if (scan(demand_)) return true;
+    if (scan(Demand::kEar)) return true;
   }
-  demand_ = Demand::kEar;
-  return scan(demand_);
+  thin_ = 0;
+  return scan(Demand::kEar);
 }
 
 /// Clips where there is no ear: no weakly simple polygon comes here, but the
