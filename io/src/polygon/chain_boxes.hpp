@@ -42,9 +42,9 @@ class ChainBoxes {
   void remove(std::size_t edge) { put(edge, {}); }
 
   /// Whether `matches(edge)` for an edge that may have a point within `margin`
-  /// of a triangle that turns left.
+  /// of a triangle that turns left. It may make the margin less.
   template <class Matches>
-  bool any(const std::array<Flat, 3>& triangle, std::int64_t margin,
+  bool any(const std::array<Flat, 3>& triangle, const std::int64_t& margin,
            const Matches& matches) const {
     std::array<std::size_t, 128> open;  // two for each of up to 64 levels
     std::size_t count = 0;

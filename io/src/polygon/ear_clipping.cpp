@@ -101,11 +101,13 @@ std::vector<Flat> projected(std::span<const GridPoint> corners) {
   return flat;
 }
 
-/// A triangle is thin if its height is less than a share of the polygon's size,
-/// or than some steps. Its corners may have been on one line, before they were
-/// rounded: it need not face where the polygon does.
-constexpr std::array<std::int64_t, 3> kThinShares{1 << 10, 1 << 14, 1 << 18};
-constexpr std::int64_t kThinSteps = 4;
+/// The heights by which ears are told apart: 2^-10 of the polygon's size, 2^-14
+/// and so on, and 0. The corners of a lower one may have been on one line,
+/// before they were rounded: it need not face where the polygon does. What is
+/// higher goes in turn, for the sides to get near each other evenly.
+constexpr std::size_t kHeights = 12;
+constexpr std::size_t kFirstShift = 10;
+constexpr std::size_t kNextShift = 4;
 
 class EarClipper {
  public:
@@ -114,13 +116,12 @@ class EarClipper {
         flat_(projected(corners)),
         next_(corners.size()),
         previous_(corners.size()),
-        is_ear_(corners.size()),
+        levels_(corners.size(), kNone),
         boxes_(corners.size()),
         left_(corners.size()),
-        // A simple polygon needs seven times the square of its corners: all
-        // against all edges for each share, a third of that later on, then
-        // three each time one is clipped.
-        budget_(8 * corners.size() * corners.size() + 10'000'000) {
+        // A simple polygon needs two and a half times the square of its
+        // corners: all against all edges, then three each time one is clipped.
+        budget_(4 * corners.size() * corners.size() + 10'000'000) {
     std::iota(next_.begin(), next_.end(), std::size_t{1});
     next_.back() = 0;
     std::iota(previous_.begin() + 1, previous_.end(), std::size_t{0});
@@ -141,12 +142,18 @@ class EarClipper {
     kInside,  ///< no edge inside the triangle
   };
 
+  static constexpr std::size_t kNone = SIZE_MAX;
+
   bool enters(std::size_t edge, const std::array<Flat, 3>& triangle) const;
-  bool is_thin(const std::array<Flat, 3>& triangle) const;
-  bool is_beside(const Flat& p, const Flat& from, const Flat& to) const;
-  bool is_ear(std::size_t corner, Demand demand);
-  bool find_ear();
-  bool find_other_ear();
+  bool is_beside(const Flat& p, const Flat& from, const Flat& to,
+                 std::int64_t height) const;
+  std::int64_t height_at(std::size_t level) const {
+    return level + 1 < kHeights ? extent_ >> (kFirstShift + kNextShift * level)
+                                : 0;
+  }
+  std::size_t ear_level(std::size_t corner, Demand demand);
+  bool look_at(std::size_t corner, Demand demand);
+  std::size_t take_ear();
   bool scan(Demand demand);
   void clip_any();
   void emit(std::size_t corner);
@@ -161,14 +168,14 @@ class EarClipper {
   std::vector<Flat> flat_;
   std::vector<std::size_t> next_;
   std::vector<std::size_t> previous_;
-  std::vector<char> is_ear_;
-  ChainBoxes boxes_;  ///< of the edges that leave the corners
+  std::vector<std::size_t> levels_;  ///< by corner: the ear's height, or kNone
+  ChainBoxes boxes_;                 ///< of the edges that leave the corners
   std::size_t left_;
   std::size_t budget_;
   std::int64_t extent_ = 0;
-  std::size_t level_ = 0;  ///< the next of the shares
-  std::int64_t thin_ = 0;  ///< the height of triangles that are no ears yet
-  std::size_t left_at_scan_ = SIZE_MAX;  ///< the first one for fat ears
+  std::array<std::vector<std::size_t>, kHeights>
+      known_;                                  ///< as they were found
+  std::array<std::size_t, kHeights> taken_{};  ///< how many of those are gone
   std::size_t current_ = 0;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };
@@ -200,40 +207,55 @@ std::int64_t length(const Flat& from, const Flat& to) {
   return std::abs(to.u - from.u) + std::abs(to.v - from.v);
 }
 
-/// Whether a triangle does not turn left, or is thin.
-bool EarClipper::is_thin(const std::array<Flat, 3>& triangle) const {
-  const auto [a, b, c] = triangle;
-  return turn(a, b, c) <=
-         Int128{thin_} * std::max({length(a, b), length(b, c), length(c, a)});
+/// Whether a point is on an edge, but at neither end, or so near it that it is
+/// no higher above it.
+bool EarClipper::is_beside(const Flat& p, const Flat& from, const Flat& to,
+                           std::int64_t height) const {
+  return std::min(from.u, to.u) - height <= p.u &&
+         p.u <= std::max(from.u, to.u) + height &&
+         std::min(from.v, to.v) - height <= p.v &&
+         p.v <= std::max(from.v, to.v) + height && p != from && p != to &&
+         size(turn(from, to, p)) <= Int128{height} * length(from, to);
 }
 
-/// Whether a point is on an edge, but at neither end, or so near it that they
-/// make a thin triangle.
-bool EarClipper::is_beside(const Flat& p, const Flat& from,
-                           const Flat& to) const {
-  return std::min(from.u, to.u) - thin_ <= p.u &&
-         p.u <= std::max(from.u, to.u) + thin_ &&
-         std::min(from.v, to.v) - thin_ <= p.v &&
-         p.v <= std::max(from.v, to.v) + thin_ && p != from && p != to &&
-         size(turn(from, to, p)) <= Int128{thin_} * length(from, to);
-}
-
-/// Whether a corner can be clipped. Without budget, any that turns left can.
-bool EarClipper::is_ear(std::size_t corner, Demand demand) {
+/// Whether a corner can be clipped: the first of the heights that the triangle
+/// is higher than, and each corner above the edge that it leaves; kNone if not.
+/// Without budget, any that turns left can.
+std::size_t EarClipper::ear_level(std::size_t corner, Demand demand) {
   const std::size_t before = previous_[corner];
   const std::size_t after = next_[corner];
   const Flat a = flat_[before];
+  const Flat b = flat_[corner];
   const Flat c = flat_[after];
-  const std::array<Flat, 3> triangle = {a, flat_[corner], c};
-  if (is_thin(triangle)) return false;
-  if (budget_ < left_) return true;
+  const Int128 area = turn(a, b, c);
+  if (area <= 0) return kNone;
+  const std::int64_t longest =
+      std::max({length(a, b), length(b, c), length(c, a)});
+  std::size_t level = 0;
+  while (area <= Int128{height_at(level)} * longest) ++level;
+  if (budget_ < left_) return level;
   budget_ -= left_;
+  std::int64_t height = height_at(level);
+  const std::array<Flat, 3> triangle = {a, b, c};
   const auto spoils = [&](std::size_t i) {
     if (i == before || i == corner) return false;
-    return enters(i, triangle) ||
-           (demand == Demand::kEar && is_beside(flat_[i], a, c));
+    if (enters(i, triangle)) return true;
+    if (demand == Demand::kInside) return false;
+    while (is_beside(flat_[i], a, c, height)) {
+      if (level + 1 == kHeights) return true;
+      height = height_at(++level);
+    }
+    return false;
   };
-  return !boxes_.any(triangle, thin_, spoils);
+  return boxes_.any(triangle, height, spoils) ? kNone : level;
+}
+
+/// Tells anew whether a corner is an ear.
+bool EarClipper::look_at(std::size_t corner, Demand demand) {
+  const std::size_t level = ear_level(corner, demand);
+  levels_[corner] = level;
+  if (level != kNone) known_[level].push_back(corner);
+  return level != kNone;
 }
 
 void EarClipper::remove(std::size_t corner) {
@@ -242,6 +264,7 @@ void EarClipper::remove(std::size_t corner) {
   boxes_.remove(corner);
   boxes_.set(previous_[corner], flat_[previous_[corner]], flat_[next_[corner]]);
   if (current_ == corner) current_ = next_[corner];
+  levels_[corner] = kNone;
   --left_;
 }
 
@@ -281,19 +304,20 @@ void EarClipper::clip_at(std::size_t corner) {
   remove_spikes(before);
   if (left_ >= 3) remove_spikes(next_[current_]);
   if (left_ < 3) return;
-  for (const std::size_t i : {current_, next_[current_], previous_[current_]}) {
-    is_ear_[i] = is_ear(i, Demand::kEar) ? 1 : 0;
-  }
-  // Two on, so that the triangles do not all meet in one corner.
-  current_ = next_[next_[current_]];
+  for (const std::size_t i : {previous_[current_], current_, next_[current_]})
+    look_at(i, Demand::kEar);
 }
 
-/// Goes to the next ear that is known, if there is one.
-bool EarClipper::find_ear() {
-  for (std::size_t i = 0; i < left_; ++i, current_ = next_[current_]) {
-    if (is_ear_[current_] != 0) return true;
+/// One of the fattest ears that are known, the first to have been found; kNone
+/// if there is none.
+std::size_t EarClipper::take_ear() {
+  for (std::size_t level = 0; level < known_.size(); ++level) {
+    while (taken_[level] < known_[level].size()) {
+      const std::size_t corner = known_[level][taken_[level]++];
+      if (levels_[corner] == level) return corner;
+    }
   }
-  return false;
+  return kNone;
 }
 
 /// Tells anew which corners are ears; says whether any is.
@@ -301,27 +325,10 @@ bool EarClipper::scan(Demand demand) {
   bool any = false;
   std::size_t corner = current_;
   for (std::size_t i = 0; i < left_; ++i, corner = next_[corner]) {
-    is_ear_[corner] = is_ear(corner, demand) ? 1 : 0;
-    any = any || is_ear_[corner] != 0;
+    any = look_at(corner, demand) || any;
     if (any && demand == Demand::kInside) break;  // one is enough
   }
   return any;
-}
-
-/// Where no ear is known: tells anew which corners are, of those that are less
-/// and less fat. The fattest are looked for again when half of the corners have
-/// gone.
-bool EarClipper::find_other_ear() {
-  if (left_ <= left_at_scan_ / 2) {
-    left_at_scan_ = left_;
-    level_ = 0;
-  }
-  while (level_ < kThinShares.size()) {
-    thin_ = std::max(kThinSteps, extent_ / kThinShares[level_++]);
-    if (scan(Demand::kEar)) return true;
-  }
-  thin_ = 0;
-  return scan(Demand::kEar);
 }
 
 /// Clips where there is no ear: no weakly simple polygon comes here, but the
@@ -346,16 +353,13 @@ std::vector<std::array<std::size_t, 3>> EarClipper::clip() {
   for (std::size_t i = 0; i < corners_.size() && left_ >= 3; ++i) {
     if (next_[previous_[i]] == i) remove_spikes(i);
   }
+  scan(Demand::kEar);
   while (left_ >= 3) {
-    if (find_ear()) {
-      clip_at(current_);
-    } else if (find_other_ear()) {
-      continue;
-    } else if (scan(Demand::kInside) && find_ear()) {
-      clip_at(current_);
-    } else {
+    const std::size_t ear = take_ear();
+    if (ear != kNone)
+      clip_at(ear);
+    else if (!scan(Demand::kEar) && !scan(Demand::kInside))
       clip_any();
-    }
   }
   return std::move(triangles_);
 }

@@ -31,13 +31,13 @@ constexpr std::size_t kMaxEarCorners = 100000;
 /// touch itself, or run to a hole and back on a bridge) the triangles tile it;
 /// for any other they are some. None is without area. Over all of them, edges
 /// sum up to the polygon's, but for the corner of a spike that had to go.
-/// Thin ears are the last to go: where rounding has bent a side of many
-/// corners, they would fold over.
+/// The fattest ears go first: where rounding has bent a side of many corners,
+/// thin ones would fold over.
 ///
 /// Requires: as shape_of(), and at most kMaxEarCorners.
 /// Exact:    yes: signs of 2-by-2 determinants, of at most 112 bits.
-/// Ties:     the first ear after the one clipped before, in corner order, of
-///           those that are fat; the thinner ones follow in four steps.
+/// Ties:     of ears of about one height the first that was found, in the
+///           corners' order.
 /// Cost:     n log n for n corners where what is near an ear is near it in the
 ///           corners' order, too; quadratic at worst, whatever the polygon.
 std::vector<std::array<std::size_t, 3>> triangulate(

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "halfspace/int128.hpp"
+#include "polygon/chain_boxes.hpp"
 #include "polygon/polygons.hpp"
 #include "polygon/tiling.hpp"
 
@@ -238,8 +239,12 @@ std::vector<std::array<double, 2>> with_corners_on_sides(
 Polygon stood_anyhow(const std::vector<std::array<double, 2>>& corners,
                      double size, double step, std::mt19937& random) {
   std::array<double, 6> turn;
-  for (double& entry : turn)
-    entry = static_cast<double>(draw(random, 1000)) / 1000;
+  double upright = 0;
+  while (std::abs(upright) < 0.3) {
+    for (double& entry : turn)
+      entry = static_cast<double>(draw(random, 1000)) / 1000;
+    upright = turn[0] * turn[4] - turn[1] * turn[3];
+  }
   Polygon polygon;
   for (const auto& [x, y] : corners) {
     std::array<std::int64_t, 3> p;
@@ -300,12 +305,30 @@ TEST(Triangulate, CutsNoThinEarsFromSidesOfManyCorners) {
   for (const auto& shape : shapes) {
     const auto corners = with_corners_on_sides(shape);
     for (int i = 0; i < 20; ++i) {
-      // By a step, and by about as much as decimals of a file do.
-      const Polygon fine = stood_anyhow(corners, 1e4, 1, random);
-      EXPECT_EQ(turned_over(fine), 0u);
-      const Polygon coarse = stood_anyhow(corners, 1e4, 16, random);
-      EXPECT_EQ(turned_over(coarse), 0u);
+      // By a step, in a fine grid and in a coarse one, and by as much as
+      // decimals of a file do.
+      EXPECT_EQ(turned_over(stood_anyhow(corners, 1e4, 1, random)), 0u);
+      EXPECT_EQ(turned_over(stood_anyhow(corners, 100, 1, random)), 0u);
+      EXPECT_EQ(turned_over(stood_anyhow(corners, 1e4, 16, random)), 0u);
     }
+  }
+}
+
+/// A side of many corners that rounding has bent outwards by a step: the edge
+/// from its one end to the other would leave a thin polygon beside it.
+TEST(Triangulate, LeavesNoThinPolygonBesideAnEar) {
+  Polygon polygon = {{0, 0, 0}};
+  for (std::int64_t i = 1; i < 10; ++i) polygon.push_back({1000 * i, -1, 0});
+  polygon.push_back({9990, -100, 0});
+  polygon.push_back({10000, 0, 0});
+  polygon.push_back({5000, 8000, 0});
+  const Triangles triangles = triangulate(polygon);
+  EXPECT_EQ(triangles.size(), polygon.size() - 2);
+  for (const auto& [a, b, c] : triangles) {
+    const auto flat = [&](std::size_t i) {
+      return Flat{polygon[i].x, polygon[i].y};
+    };
+    EXPECT_GT(turn(flat(a), flat(b), flat(c)), 5 * 10000);
   }
 }
 
