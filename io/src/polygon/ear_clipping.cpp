@@ -173,9 +173,9 @@ class EarClipper {
   std::size_t left_;
   std::size_t budget_;
   std::int64_t extent_ = 0;
-  std::array<std::vector<std::size_t>, kHeights>
-      known_;                                  ///< as they were found
-  std::array<std::size_t, kHeights> taken_{};  ///< how many of those are gone
+  /// By height the ears, as they were found, and how many of those are gone.
+  std::array<std::vector<std::size_t>, kHeights> known_;
+  std::array<std::size_t, kHeights> taken_{};
   std::size_t current_ = 0;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };
